@@ -189,9 +189,7 @@ absl::Status CheckTokenList(const config::v1::TokenList& list) {
 
 absl::StatusOr<config::v1::TokenList> ReadTokenList(const std::string& path) {
   config::v1::TokenList list;
-  const absl::Status status =
-      runtime::ReadConfigFile(path, list, [&](runtime::ConfigChecker& checker) { Check(list, checker); });
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(runtime::ReadConfigFile(path, list, [&](runtime::ConfigChecker& checker) { Check(list, checker); }));
   return list;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/batch/metered_work_queue.h"
-
 #include <utility>
 
 #include "orchestrator/batch/queue_metrics.h"

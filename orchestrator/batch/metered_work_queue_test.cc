@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/batch/metered_work_queue.h"
-
 #include <gmock/gmock.h>
 #include <prometheus/text_serializer.h>
 #include <spdlog/sinks/ostream_sink.h>
 
 #include <sstream>
 
+#include "orchestrator/batch/queue_metrics.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/metrics/prometheus_metrics.h"

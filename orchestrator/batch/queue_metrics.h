@@ -9,6 +9,8 @@
 
 #include "flair/v1/orchestrator_service.pb.h"
 #include "orchestrator/batch/work_queue.h"
+#include "spdlog/logger.h"
+#include "worker_runtime/clock/clock.h"
 #include "worker_runtime/metrics/metrics.h"
 
 namespace flair::orchestrator {
@@ -52,5 +54,9 @@ class QueueMetrics {
   // Last, so that nobody asks for what has gone.
   std::vector<std::unique_ptr<runtime::WatchedValue>> watched_;
 };
+
+// Counts and logs what is done on a queue: jobs made, runs, stages, ends. Each log line carries the job's id.
+std::unique_ptr<WorkQueue> MakeMeteredWorkQueue(std::unique_ptr<WorkQueue> inner, runtime::Metrics& metrics,
+                                                const runtime::Clock& clock, std::shared_ptr<spdlog::logger> logger);
 
 }  // namespace flair::orchestrator

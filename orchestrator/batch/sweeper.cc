@@ -18,49 +18,27 @@ constexpr absl::Duration kLongestRest = absl::Minutes(1);
 
 }  // namespace
 
-void Sweeper::Start() {
-  thread_ = std::thread([this] { Run(); });
-}
-
-void Sweeper::Stop() {
-  {
-    std::lock_guard lock(mutex_);
-    stopping_ = true;
-    wake_.notify_all();
+absl::Duration Sweeper::StepAndPause() {
+  const absl::StatusOr<Deleted> step = Step();
+  // Once per outage.
+  if (!step.ok() && !failed_) {
+    logger_.warn("cannot delete what has ended: {}; will keep trying", std::string(step.status().message()));
   }
-  if (thread_.joinable()) thread_.join();
-}
-
-void Sweeper::Run() {
+  failed_ = !step.ok();
+  if (step.ok() && !step->done) return kPause;
   // What goes is gone within a twentieth of the time that it was kept.
-  const absl::Duration rest = keep_ended_.has_value() ? std::clamp(*keep_ended_ / 20, kShortestRest, kLongestRest)  //
-                                                      : kLongestRest;
-  bool failed = false;
-  std::unique_lock lock(mutex_);
-  while (!stopping_) {
-    lock.unlock();
-    const absl::StatusOr<Deleted> step = Step();
-    // Once per outage.
-    if (!step.ok() && !failed) {
-      logger_.warn("cannot delete what has ended: {}; will keep trying", std::string(step.status().message()));
-    }
-    failed = !step.ok();
-    const absl::Duration pause = step.ok() && !step->done ? kPause : rest;
-    lock.lock();
-    wake_.wait_for(lock, absl::ToChronoMilliseconds(pause), [this] { return stopping_; });
-  }
+  return keep_ended_.has_value() ? std::clamp(*keep_ended_ / 20, kShortestRest, kLongestRest) : kLongestRest;
 }
 
 absl::StatusOr<Deleted> Sweeper::Step() {
   absl::StatusOr<Deleted> deleted = queue_.FinishDeletions(artifacts_);
   if (!deleted.ok() || !keep_ended_.has_value()) return deleted;
-  const absl::StatusOr<EndedPage> page =
-      queue_.EndedBefore(clock_.Now() - *keep_ended_, next_, static_cast<int>(kEntriesPerStep));
-  if (!page.ok()) return page.status();
-  RETURN_IF_ERROR(DeleteAll(*page, *deleted));
+  ASSIGN_OR_RETURN(const EndedPage page,
+                   queue_.EndedBefore(clock_.Now() - *keep_ended_, next_, static_cast<int>(kEntriesPerStep)));
+  RETURN_IF_ERROR(DeleteAll(page, *deleted));
   // A page that was left before its end is looked at again.
-  if (deleted->done) next_ = page->next;
-  deleted->done = deleted->done && next_.empty() && page->job_ids.size() < kEntriesPerStep;
+  if (deleted->done) next_ = page.next;
+  deleted->done = deleted->done && next_.empty() && page.job_ids.size() < kEntriesPerStep;
   return deleted;
 }
 

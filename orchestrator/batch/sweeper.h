@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/batch/work_queue.h"
 #include "spdlog/logger.h"
 #include "worker_runtime/clock/clock.h"
@@ -23,18 +21,18 @@ class Sweeper {
   Sweeper(WorkQueue& queue, ArtifactStore& artifacts, const runtime::Clock& clock, spdlog::logger& logger,
           std::optional<absl::Duration> keep_ended)
       : queue_(queue), artifacts_(artifacts), clock_(clock), logger_(logger), keep_ended_(keep_ended) {}
-  // As Stop.
-  ~Sweeper() { Stop(); }
 
-  // Sweeps now and then from a thread of its own.
-  void Start();
-  void Stop();
+  // Sweeps now and then from a thread of its own, until Stop or its end.
+  void Start() {
+    repeater_.emplace([this] { return StepAndPause(); });
+  }
+  void Stop() { repeater_.reset(); }
 
   // One step: some hundred jobs at most. `done` when all that was to go has gone.
   absl::StatusOr<Deleted> Step();
 
  private:
-  void Run();
+  absl::Duration StepAndPause();
   absl::Status DeleteAll(const EndedPage& page, Deleted& deleted);
 
   WorkQueue& queue_;
@@ -44,11 +42,8 @@ class Sweeper {
   const std::optional<absl::Duration> keep_ended_;
   // Where the next page of Step begins.
   std::string next_;
-
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stopping_ = false;
-  std::thread thread_;
+  bool failed_ = false;
+  std::optional<Repeater> repeater_;
 };
 
 }  // namespace flair::orchestrator

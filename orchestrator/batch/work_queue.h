@@ -20,6 +20,7 @@
 #include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/lease.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 
@@ -67,6 +68,14 @@ struct EndedPage {
   // Where the next page begins; empty when this was the last.
   std::string next;
 };
+
+// Nothing instead of NOT_FOUND.
+template <typename T>
+absl::StatusOr<std::optional<T>> IfFound(absl::StatusOr<T> result) {
+  if (absl::IsNotFound(result.status())) return std::optional<T>();
+  RETURN_IF_ERROR(result.status());
+  return std::optional<T>(*std::move(result));
+}
 
 // NOT_FOUND: what a run is told that found or stored an artifact which was then deleted with the last job that had it.
 absl::Status ArtifactIsGone(const std::string& artifact_id);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -14,6 +14,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/batch_repair.h"
@@ -111,7 +112,7 @@ class JetStreamWorkQueue final : public WorkQueue {
 
   // watch.cc
   void ReadNotices();
-  void LookPeriodically();
+  absl::Duration Look();
   void LookOnce();
   void NotifyListenerOfWork();
   void NotifyListenerOfJob(const std::string& job_id);
@@ -132,14 +133,15 @@ class JetStreamWorkQueue final : public WorkQueue {
   std::mutex listener_mutex_;
   Listener listener_;
 
-  std::mutex stop_mutex_;
-  std::condition_variable stop_;
-  bool stopping_ = false;
+  std::mutex repair_mutex_;
   // Batches to be looked at.
   std::set<std::string> to_repair_;
   std::unique_ptr<NatsInbox> notices_;
   std::thread notice_thread_;
-  std::thread look_thread_;
+  // Of the thread that looks.
+  int looks_ = 0;
+  int64_t reconnects_ = 0;
+  std::optional<Repeater> looker_;
 };
 
 }  // namespace flair::orchestrator

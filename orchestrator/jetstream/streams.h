@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <thread>
@@ -16,8 +15,8 @@
 #include "absl/status/statusor.h"
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/connection.h"
-#include "worker_runtime/status/status_macros.h"
 
 typedef struct __jsCtx jsCtx;
 
@@ -34,14 +33,6 @@ struct StoredMessage {
 // that sequence, 0 for none (ABORTED otherwise).
 NatsRequest WithMessageId(std::string subject, std::string content, const std::string& message_id);
 NatsRequest WithExpected(std::string subject, std::string content, uint64_t expected);
-
-// Nothing instead of NOT_FOUND.
-template <typename T>
-absl::StatusOr<std::optional<T>> IfFound(absl::StatusOr<T> result) {
-  if (absl::IsNotFound(result.status())) return std::optional<T>();
-  RETURN_IF_ERROR(result.status());
-  return std::optional<T>(*std::move(result));
-}
 
 // How a stream is made.
 struct StreamOptions {

@@ -47,19 +47,14 @@ absl::Status JetStreamWorkQueue::Start() {
   ASSIGN_OR_RETURN(const auto messages, consumers_.Look(">"));
   consumers_.See(messages);
   notice_thread_ = std::thread([this] { ReadNotices(); });
-  look_thread_ = std::thread([this] { LookPeriodically(); });
+  looker_.emplace([this] { return Look(); });
   return absl::OkStatus();
 }
 
 JetStreamWorkQueue::~JetStreamWorkQueue() {
-  {
-    std::lock_guard lock(stop_mutex_);
-    stopping_ = true;
-    stop_.notify_all();
-  }
   if (notices_ != nullptr) notices_->Close();
   if (notice_thread_.joinable()) notice_thread_.join();
-  if (look_thread_.joinable()) look_thread_.join();
+  looker_.reset();
 }
 
 void JetStreamWorkQueue::Listen(Listener listener) {
@@ -89,7 +84,7 @@ void JetStreamWorkQueue::Queued(const std::string& consumer) {
 }
 
 void JetStreamWorkQueue::ScheduleRepair(const std::string& batch_id) {
-  std::lock_guard lock(stop_mutex_);
+  std::lock_guard lock(repair_mutex_);
   to_repair_.insert(batch_id);
 }
 
@@ -122,28 +117,27 @@ void JetStreamWorkQueue::ReadNotices() {
   }
 }
 
-void JetStreamWorkQueue::LookPeriodically() {
-  ListFilter earlier;
-  earlier.limit = kEarlierBatches;
-  const absl::StatusOr<std::vector<v1::Batch>> batches = ListBatches(earlier);
-  if (batches.ok()) {
-    for (const v1::Batch& batch : *batches) ScheduleRepair(batch.id());
-  }
-  int64_t reconnects = parts_->connection->reconnect_count();
-  for (int look = 1;; ++look) {
-    {
-      std::unique_lock lock(stop_mutex_);
-      if (stop_.wait_for(lock, absl::ToChronoMilliseconds(kLook), [this] { return stopping_; })) return;
+absl::Duration JetStreamWorkQueue::Look() {
+  const int64_t reconnects = parts_->connection->reconnect_count();
+  if (looks_ == 0) {
+    ListFilter earlier;
+    earlier.limit = kEarlierBatches;
+    const absl::StatusOr<std::vector<v1::Batch>> batches = ListBatches(earlier);
+    if (batches.ok()) {
+      for (const v1::Batch& batch : *batches) ScheduleRepair(batch.id());
     }
-    const int64_t reconnects_now = parts_->connection->reconnect_count();
-    if (reconnects_now != reconnects) keeper_.Look("");
-    if (reconnects_now != reconnects || look % kLooksPerTelling == 0) {
+  } else {
+    const bool reconnected = reconnects != reconnects_;
+    if (reconnected) keeper_.Look("");
+    if (reconnected || looks_ % kLooksPerTelling == 0) {
       NotifyListenerOfJob("");
       NotifyListenerOfBatch("");
     }
-    reconnects = reconnects_now;
     if (parts_->connection->connected()) LookOnce();
   }
+  reconnects_ = reconnects;
+  ++looks_;
+  return kLook;
 }
 
 // Asks for what waits, and sees to batches of which nothing does.
@@ -160,7 +154,7 @@ void JetStreamWorkQueue::LookOnce() {
   if (!messages->empty()) NotifyListenerOfWork();
   std::vector<std::string> batches;
   {
-    std::lock_guard lock(stop_mutex_);
+    std::lock_guard lock(repair_mutex_);
     while (!to_repair_.empty() && batches.size() < kRepairedAtOnce) {
       batches.push_back(to_repair_.extract(to_repair_.begin()).value());
     }

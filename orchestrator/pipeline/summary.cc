@@ -7,12 +7,10 @@
 #include <set>
 #include <string_view>
 
+#include "worker_runtime/text/counted.h"
+
 namespace flair::orchestrator {
 namespace {
-
-std::string Count(int64_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 // At most 80 bytes, not cut inside a character.
 std::string Shorten(const std::string& text) {
@@ -32,14 +30,14 @@ std::string OfRoom(const v1::Room& room) {
   const auto doors = std::count_if(room.openings().begin(), room.openings().end(),
                                    [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
   return fmt::format("{}, {:.4g} m x {:.4g} m: {}, {}, {}", room.room_type().empty() ? "room" : room.room_type(), width,
-                     depth, Count(doors, "door"), Count(room.openings_size() - doors, "window"),
-                     Count(room.sockets_size(), "socket"));
+                     depth, Counted(doors, "door"), Counted(room.openings_size() - doors, "window"),
+                     Counted(room.sockets_size(), "socket"));
 }
 
 std::string OfZones(const v1::ZonePlan& plan) {
   std::string names;
   for (const v1::Zone& zone : plan.zones()) names += (names.empty() ? "" : ", ") + zone.name();
-  return fmt::format("{}: {}", Count(plan.zones_size(), "zone"), names);
+  return fmt::format("{}: {}", Counted(plan.zones_size(), "zone"), names);
 }
 
 std::string OfObjects(const v1::ObjectList& list) {
@@ -48,14 +46,14 @@ std::string OfObjects(const v1::ObjectList& list) {
     if (v1::ObjectRole_IsValid(object.role())) ++roles[object.role()];
   }
   std::string text =
-      fmt::format("{}: {} primary, {} secondary, {} tertiary", Count(list.objects_size(), "object"),
+      fmt::format("{}: {} primary, {} secondary, {} tertiary", Counted(list.objects_size(), "object"),
                   roles[v1::OBJECT_ROLE_PRIMARY], roles[v1::OBJECT_ROLE_SECONDARY], roles[v1::OBJECT_ROLE_TERTIARY]);
   if (list.omissions_size() > 0) text += fmt::format("; {} left out", list.omissions_size());
   return text;
 }
 
 std::string OfCleaned(const v1::ConstraintList& list) {
-  const std::string sentences = Count(list.sentences_size(), "sentence");
+  const std::string sentences = Counted(list.sentences_size(), "sentence");
   if (list.cleaning_steps().empty()) return sentences + ", nothing to clean";
   const std::pair<v1::CleaningAction, std::string_view> actions[] = {
       {v1::CLEANING_ACTION_MERGED, "merged"},
@@ -76,8 +74,8 @@ std::string OfLayout(const v1::SolvedLayout& layout) {
   const auto held =
       std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
                     [](const v1::EdgeOutcome& outcome) { return outcome.status() == v1::OUTCOME_STATUS_SATISFIED; });
-  return fmt::format("{} placed; {} of {} hold", Count(layout.placements_size(), "object"), held,
-                     Count(layout.edge_outcomes_size(), "constraint"));
+  return fmt::format("{} placed; {} of {} hold", Counted(layout.placements_size(), "object"), held,
+                     Counted(layout.edge_outcomes_size(), "constraint"));
 }
 
 std::string OfReport(const v1::Report& report) {
@@ -102,12 +100,12 @@ std::string Summarize(const v1::Artifact& artifact) {
     case v1::Artifact::kStyleSheet:
       return artifact.style_sheet().name();
     case v1::Artifact::kRawConstraintList:
-      return Count(artifact.raw_constraint_list().sentences_size(), "sentence");
+      return Counted(artifact.raw_constraint_list().sentences_size(), "sentence");
     case v1::Artifact::kConstraintList:
       return OfCleaned(artifact.constraint_list());
     case v1::Artifact::kLayoutGraph:
-      return fmt::format("{} of {}", Count(artifact.layout_graph().edges_size(), "constraint"),
-                         Count(artifact.layout_graph().constraint_list().sentences_size(), "sentence"));
+      return fmt::format("{} of {}", Counted(artifact.layout_graph().edges_size(), "constraint"),
+                         Counted(artifact.layout_graph().constraint_list().sentences_size(), "sentence"));
     case v1::Artifact::kSolvedLayout:
       return OfLayout(artifact.solved_layout());
     case v1::Artifact::kPreview:
@@ -137,8 +135,8 @@ std::string SummarizeModels(const v1::Artifact& artifact) {
   v1::ModelUsage usage;
   AddUsage(artifact, usage);
   const auto repairs = std::count_if(artifact.model_calls().begin(), artifact.model_calls().end(), IsRepair);
-  return fmt::format("{} of {}{}, {}", Count(artifact.model_calls_size(), "call"), fmt::join(models, ", "),
-                     repairs > 0 ? ", " + Count(repairs, "repair") : "", SummarizeUsage(usage));
+  return fmt::format("{} of {}{}, {}", Counted(artifact.model_calls_size(), "call"), fmt::join(models, ", "),
+                     repairs > 0 ? ", " + Counted(repairs, "repair") : "", SummarizeUsage(usage));
 }
 
 void AddUsage(const v1::Artifact& artifact, v1::ModelUsage& usage) {

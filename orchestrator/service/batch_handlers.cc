@@ -32,9 +32,8 @@ bool IsAskedFor(const v1::Job& job, const v1::RetryBatchRequest& request) {
 
 template <typename Response>
 absl::StatusOr<Response> Answer(absl::StatusOr<v1::Batch> batch) {
-  if (!batch.ok()) return batch.status();
   Response response;
-  *response.mutable_batch() = *std::move(batch);
+  ASSIGN_OR_RETURN(*response.mutable_batch(), std::move(batch));
   return response;
 }
 
@@ -50,9 +49,7 @@ absl::StatusOr<v1::Batch> OrchestratorHandlers::VisibleBatch(const std::string& 
 absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int64_t first_index,
                                                     const google::protobuf::RepeatedPtrField<v1::JobSpec>& specs,
                                                     bool last, const Caller& caller, JobAdmission::Entry& entry) {
-  for (const v1::JobSpec& spec : specs) {
-    RETURN_IF_ERROR(CheckSpec(spec, caller));
-  }
+  for (const v1::JobSpec& spec : specs) RETURN_IF_ERROR(CheckSpec(spec, caller));
   // Those that are there already need no room.
   const int64_t added = std::max<int64_t>(0, first_index + specs.size() - batch.job_count());
   RETURN_IF_ERROR(entry.Grant(added));
@@ -90,18 +87,15 @@ absl::StatusOr<v1::CreateBatchResponse> OrchestratorHandlers::CreateBatch(const 
   *batch.mutable_create_time() =
       google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(clock_.Now()));
   JobAdmission::Entry entry(admission_, caller);
-  absl::Status status =
-      UnlessRepeated(entry.Grant(request.specs_size()), RequestKind::kBatch, request.request_id(), caller);
-  for (int i = 0; status.ok() && i < request.specs_size(); ++i) status = CheckSpec(request.specs(i), caller);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(UnlessRepeated(entry.Grant(request.specs_size()), RequestKind::kBatch, request.request_id(), caller));
+  for (const v1::JobSpec& spec : request.specs()) RETURN_IF_ERROR(CheckSpec(spec, caller));
   ASSIGN_OR_RETURN(const store::v1::BatchRecord made, queue_.CreateBatch(record));
   if (made.specs_digest() != record.specs_digest()) {
     return absl::AlreadyExistsError(fmt::format("request_id: \"{}\" made batch {} of other specs; use a new id",
                                                 request.request_id(), made.batch().id()));
   }
   if (made.batch().open()) {
-    status = Add(made.batch(), 0, request.specs(), !request.open(), caller, entry).status();
-    if (!status.ok()) return status;
+    RETURN_IF_ERROR(Add(made.batch(), 0, request.specs(), !request.open(), caller, entry).status());
   }
   runner_.Request({}, made.batch().id());
   return Answer<v1::CreateBatchResponse>(queue_.GetBatch(made.batch().id()));
@@ -137,26 +131,23 @@ absl::StatusOr<v1::ListBatchesResponse> OrchestratorHandlers::ListBatches(const 
 
 absl::StatusOr<v1::PauseBatchResponse> OrchestratorHandlers::PauseBatch(const v1::PauseBatchRequest& request,
                                                                         const Caller& caller) {
-  absl::Status status = VisibleBatch(request.batch_id(), caller).status();
-  if (status.ok()) status = queue_.SetBatchState(request.batch_id(), v1::BATCH_STATE_PAUSED);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(VisibleBatch(request.batch_id(), caller).status());
+  RETURN_IF_ERROR(queue_.SetBatchState(request.batch_id(), v1::BATCH_STATE_PAUSED));
   return Answer<v1::PauseBatchResponse>(queue_.GetBatch(request.batch_id()));
 }
 
 absl::StatusOr<v1::ResumeBatchResponse> OrchestratorHandlers::ResumeBatch(const v1::ResumeBatchRequest& request,
                                                                           const Caller& caller) {
-  absl::Status status = VisibleBatch(request.batch_id(), caller).status();
-  if (status.ok()) status = queue_.SetBatchState(request.batch_id(), v1::BATCH_STATE_ACTIVE);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(VisibleBatch(request.batch_id(), caller).status());
+  RETURN_IF_ERROR(queue_.SetBatchState(request.batch_id(), v1::BATCH_STATE_ACTIVE));
   runner_.Request({}, request.batch_id());
   return Answer<v1::ResumeBatchResponse>(queue_.GetBatch(request.batch_id()));
 }
 
 absl::StatusOr<v1::CancelBatchResponse> OrchestratorHandlers::CancelBatch(const v1::CancelBatchRequest& request,
                                                                           const Caller& caller) {
-  absl::Status status = VisibleBatch(request.batch_id(), caller).status();
-  if (status.ok()) status = queue_.CancelBatch(request.batch_id(), clock_.Now());
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(VisibleBatch(request.batch_id(), caller).status());
+  RETURN_IF_ERROR(queue_.CancelBatch(request.batch_id(), clock_.Now()));
   return Answer<v1::CancelBatchResponse>(queue_.GetBatch(request.batch_id()));
 }
 
@@ -164,13 +155,12 @@ absl::Status OrchestratorHandlers::RetryJobs(std::span<const v1::Job> jobs, cons
                                              v1::RetryBatchResponse& response) {
   if (jobs.empty()) return absl::OkStatus();
   JobAdmission::Entry entry(admission_, caller);
-  const absl::StatusOr<int64_t> granted = entry.GrantSome(static_cast<int64_t>(jobs.size()));
-  if (!granted.ok()) return granted.status();
-  for (const v1::Job& job : jobs.first(static_cast<size_t>(*granted))) {
+  ASSIGN_OR_RETURN(const int64_t granted, entry.GrantSome(static_cast<int64_t>(jobs.size())));
+  for (const v1::Job& job : jobs.first(static_cast<size_t>(granted))) {
     ASSIGN_OR_RETURN(const bool retried, queue_.Retry(job.id()));
     if (retried) response.set_retried_count(response.retried_count() + 1);
   }
-  if (*granted == static_cast<int64_t>(jobs.size())) return absl::OkStatus();
+  if (granted == static_cast<int64_t>(jobs.size())) return absl::OkStatus();
   return absl::ResourceExhaustedError(
       fmt::format("{} of the failed jobs wait again; more would exceed the limit of waiting jobs; try again later",
                   response.retried_count()));
@@ -206,8 +196,7 @@ absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1
     std::erase_if(jobs, [&](const v1::Job& job) { return !IsAskedFor(job, request); });
     RETURN_IF_ERROR(RetryJobs(jobs, caller, response));
   }
-  ASSIGN_OR_RETURN(v1::Batch now, queue_.GetBatch(batch.id()));
-  *response.mutable_batch() = std::move(now);
+  ASSIGN_OR_RETURN(*response.mutable_batch(), queue_.GetBatch(batch.id()));
   return response;
 }
 

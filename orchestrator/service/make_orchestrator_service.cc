@@ -6,9 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <random>
 #include <string>
@@ -21,8 +18,9 @@
 #include "orchestrator/access/access_control.h"
 #include "orchestrator/batch/event_hub.h"
 #include "orchestrator/batch/job_runner.h"
-#include "orchestrator/batch/metered_work_queue.h"
 #include "orchestrator/batch/queue_config.h"
+#include "orchestrator/batch/queue_metrics.h"
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/batch/sweeper.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/orchestrator_handlers.h"
@@ -136,51 +134,6 @@ v1::OrchestratorStatus Introduce(const config::v1::OrchestratorConfig& config, c
   return status;
 }
 
-// Tells the other orchestrators of a queue how this one does, every two seconds, from a thread of its own. The
-// arguments outlive it.
-class StatusReporter {
- public:
-  StatusReporter(WorkQueue& queue, std::function<v1::OrchestratorStatus()> status, spdlog::logger& logger);
-  ~StatusReporter();
-
- private:
-  void Run();
-
-  WorkQueue& queue_;
-  const std::function<v1::OrchestratorStatus()> status_;
-  spdlog::logger& logger_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stopping_ = false;
-  std::thread thread_;
-};
-
-StatusReporter::StatusReporter(WorkQueue& queue, std::function<v1::OrchestratorStatus()> status, spdlog::logger& logger)
-    : queue_(queue), status_(std::move(status)), logger_(logger), thread_([this] { Run(); }) {}
-
-StatusReporter::~StatusReporter() {
-  {
-    std::lock_guard lock(mutex_);
-    stopping_ = true;
-    wake_.notify_all();
-  }
-  thread_.join();
-}
-
-void StatusReporter::Run() {
-  bool failed = false;
-  std::unique_lock lock(mutex_);
-  while (!stopping_) {
-    lock.unlock();
-    const absl::Status status = queue_.ReportStatus(status_());
-    // Once per outage.
-    if (!status.ok() && !failed) logger_.warn("cannot report to the queue: {}", std::string(status.message()));
-    failed = !status.ok();
-    lock.lock();
-    wake_.wait_for(lock, std::chrono::seconds(2), [&] { return stopping_; });
-  }
-}
-
 struct Stores {
   std::unique_ptr<WorkQueue> queue;
   std::unique_ptr<ArtifactStore> artifacts;
@@ -206,8 +159,7 @@ class Service final : public OrchestratorService {
                            [this](const std::string& id) { hub_.Notify(id); }});
     // Who runs only what it is asked for is no part of a cluster.
     if (config.has_queue() || !config.requested_jobs_only()) {
-      reporter_ = std::make_unique<StatusReporter>(
-          *stores_.queue, [this] { return Status(); }, *worker.logger);
+      reporter_.emplace([this] { return Report(); });
     }
     sweeper_.Start();
   }
@@ -311,6 +263,17 @@ class Service final : public OrchestratorService {
     return status;
   }
 
+  // Tells the other orchestrators of the queue how this one does.
+  absl::Duration Report() {
+    const absl::Status status = stores_.queue->ReportStatus(Status());
+    // Once per outage.
+    if (!status.ok() && !report_failed_) {
+      worker_.logger->warn("cannot report to the queue: {}", std::string(status.message()));
+    }
+    report_failed_ = !status.ok();
+    return absl::Seconds(2);
+  }
+
   // Destroyed from the last to the first: nothing is told of what has gone.
   runtime::WorkerContext& worker_;
   Stores stores_;
@@ -321,7 +284,8 @@ class Service final : public OrchestratorService {
   JobRunner runner_;
   OrchestratorHandlers handlers_;
   Watches watches_;
-  std::unique_ptr<StatusReporter> reporter_;
+  bool report_failed_ = false;
+  std::optional<Repeater> reporter_;
   Sweeper sweeper_;
 };
 
@@ -329,16 +293,15 @@ class Service final : public OrchestratorService {
 
 absl::StatusOr<std::unique_ptr<OrchestratorService>> MakeOrchestratorService(
     const config::v1::OrchestratorConfig& config, runtime::WorkerContext& context, const StageChannels& channels) {
-  absl::StatusOr<std::unique_ptr<AccessControl>> access =
-      AccessControl::Open(config.tokens_path(), context.clock, context.logger);
-  if (!access.ok()) return access.status();
+  ASSIGN_OR_RETURN(std::unique_ptr<AccessControl> access,
+                   AccessControl::Open(config.tokens_path(), context.clock, context.logger));
   ASSIGN_OR_RETURN(std::unique_ptr<WorkQueue> queue, OpenWorkQueue(config, context.clock));
   ASSIGN_OR_RETURN(std::unique_ptr<ArtifactStore> artifacts, OpenArtifactStore(config, context.clock));
   context.capabilities = {v1::CAPABILITY_DETERMINISTIC};
   return std::make_unique<Service>(
       config, context, channels,
       Stores{MakeMeteredWorkQueue(std::move(queue), context.metrics, context.clock, context.logger),
-             std::move(artifacts), *std::move(access)});
+             std::move(artifacts), std::move(access)});
 }
 
 void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runtime::ConfigChecker& checker) {

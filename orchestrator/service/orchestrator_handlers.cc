@@ -49,12 +49,10 @@ absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, 
 
 absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::CreateJobRequest& request,
                                                                       const Caller& caller) {
-  absl::Status status = Validate(request);
-  if (status.ok()) status = CheckSpec(request.spec(), caller);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(Validate(request));
+  RETURN_IF_ERROR(CheckSpec(request.spec(), caller));
   JobAdmission::Entry entry(admission_, caller);
-  status = UnlessRepeated(entry.Grant(1), RequestKind::kJob, request.request_id(), caller);
-  if (!status.ok()) return status;
+  RETURN_IF_ERROR(UnlessRepeated(entry.Grant(1), RequestKind::kJob, request.request_id(), caller));
   v1::Job job = NewJob(request.spec());
   job.set_id(ids_.Next());
   job.set_owner(caller.name);
@@ -71,9 +69,8 @@ absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::
 
 absl::StatusOr<v1::GetJobResponse> OrchestratorHandlers::GetJob(const v1::GetJobRequest& request,
                                                                 const Caller& caller) {
-  ASSIGN_OR_RETURN(v1::Job job, VisibleJob(request.job_id(), caller));
   v1::GetJobResponse response;
-  *response.mutable_job() = std::move(job);
+  ASSIGN_OR_RETURN(*response.mutable_job(), VisibleJob(request.job_id(), caller));
   return response;
 }
 
@@ -93,13 +90,10 @@ absl::StatusOr<v1::ListJobsResponse> OrchestratorHandlers::ListJobs(const v1::Li
 
 absl::StatusOr<v1::CancelJobResponse> OrchestratorHandlers::CancelJob(const v1::CancelJobRequest& request,
                                                                       const Caller& caller) {
-  absl::StatusOr<v1::Job> job = VisibleJob(request.job_id(), caller);
-  if (!job.ok()) return job.status();
+  RETURN_IF_ERROR(VisibleJob(request.job_id(), caller).status());
   RETURN_IF_ERROR(queue_.Cancel(request.job_id(), clock_.Now()));
-  job = queue_.GetJob(request.job_id());
-  if (!job.ok()) return job.status();
   v1::CancelJobResponse response;
-  *response.mutable_job() = *std::move(job);
+  ASSIGN_OR_RETURN(*response.mutable_job(), queue_.GetJob(request.job_id()));
   return response;
 }
 
@@ -111,9 +105,8 @@ absl::StatusOr<v1::GetArtifactResponse> OrchestratorHandlers::GetArtifact(const 
       return absl::NotFoundError(fmt::format("artifact {}: not in this store", request.artifact_id().substr(0, 80)));
     }
   }
-  ASSIGN_OR_RETURN(v1::Artifact artifact, artifacts_.Get(request.artifact_id()));
   v1::GetArtifactResponse response;
-  *response.mutable_artifact() = std::move(artifact);
+  ASSIGN_OR_RETURN(*response.mutable_artifact(), artifacts_.Get(request.artifact_id()));
   return response;
 }
 

@@ -109,10 +109,9 @@ absl::StatusOr<EndedPage> SqliteWorkQueue::EndedBefore(absl::Time time, const st
   for (const std::string& id : closed) {
     ASSIGN_OR_RETURN(const absl::Time last_end, store_->deletions().LastEndOf(id));
     if (last_end >= time) continue;
-    const absl::StatusOr<bool> ended = BatchHasEnded(id);
+    ASSIGN_OR_RETURN(const std::optional<bool> ended, IfFound(BatchHasEnded(id)));
     // Somebody else may have deleted it just now.
-    if (!ended.ok() && !absl::IsNotFound(ended.status())) return ended.status();
-    if (ended.ok() && *ended) page.batch_ids.push_back(id);
+    if (ended.value_or(false)) page.batch_ids.push_back(id);
   }
   if (static_cast<int>(closed.size()) == limit) page.next = closed.back();
   return page;

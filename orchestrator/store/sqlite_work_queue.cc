@@ -188,10 +188,8 @@ absl::StatusOr<std::string> SqliteWorkQueue::ChooseJob(const TakeFilter& filter)
     return alone.empty() ? ChooseOfAnyBatch() : alone;
   }
   for (const std::string& id : filter.job_ids) {
-    const absl::StatusOr<v1::Job> job = store_->jobs().Get(id);
-    if (absl::IsNotFound(job.status())) continue;
-    if (!job.ok()) return job.status();
-    if (job->state() == v1::JOB_STATE_QUEUED) return id;
+    ASSIGN_OR_RETURN(const std::optional<v1::Job> job, IfFound(store_->jobs().Get(id)));
+    if (job.has_value() && job->state() == v1::JOB_STATE_QUEUED) return id;
   }
   for (const std::string& batch_id : filter.batch_ids) {
     ASSIGN_OR_RETURN(const bool active, BatchIsActive(batch_id));
@@ -228,10 +226,8 @@ absl::StatusOr<std::string> SqliteWorkQueue::ChooseOfAnyBatch() {
 }
 
 absl::StatusOr<bool> SqliteWorkQueue::BatchIsActive(const std::string& batch_id) {
-  const absl::StatusOr<v1::Batch> batch = store_->batches().Get(batch_id);
-  if (absl::IsNotFound(batch.status())) return false;
-  if (!batch.ok()) return batch.status();
-  return batch->state() == v1::BATCH_STATE_ACTIVE;
+  ASSIGN_OR_RETURN(const std::optional<v1::Batch> batch, IfFound(store_->batches().Get(batch_id)));
+  return batch.has_value() && batch->state() == v1::BATCH_STATE_ACTIVE;
 }
 
 absl::StatusOr<bool> SqliteWorkQueue::BatchHasEnded(const std::string& batch_id) {

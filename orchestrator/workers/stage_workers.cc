@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/workers/stage_workers.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -100,18 +101,13 @@ StageWorkers::StageWorkers(const StageChannels& channels, StageWorkersOptions op
       renderer_(PoolOptions("renderer", channels.renderer, options_.calls), channels.renderer, options_.lookup,
                 connections_, clock),
       clients_(MakeGrpcStageClients({language_, translator_, optimizer_, renderer_, HedgeAfter(options_.calls)})) {
-  for (const WorkersOfStage* workers : All()) {
-    if (workers->has_names() && !lookups_.has_value()) lookups_.emplace([this] { LookUpNames(); });
-  }
-}
-
-StageWorkers::~StageWorkers() {
-  {
-    std::lock_guard lock(mutex_);
-    stopping_ = true;
-    wake_.notify_all();
-  }
-  if (lookups_.has_value()) lookups_->join();
+  if (std::ranges::none_of(All(), &WorkersOfStage::has_names)) return;
+  lookups_.emplace([this] {
+    for (WorkersOfStage* workers : All()) {
+      if (workers->has_names()) workers->LookUp();
+    }
+    return options_.lookup_interval;
+  });
 }
 
 std::vector<v1::WorkerStatus> StageWorkers::Status() const {
@@ -123,26 +119,6 @@ std::vector<v1::WorkerStatus> StageWorkers::Status() const {
   return all;
 }
 
-void StageWorkers::LookAgain() {
-  std::lock_guard lock(mutex_);
-  look_again_ = true;
-  wake_.notify_all();
-}
-
 std::vector<WorkersOfStage*> StageWorkers::All() { return {&language_, &translator_, &optimizer_, &renderer_}; }
-
-void StageWorkers::LookUpNames() {
-  std::unique_lock lock(mutex_);
-  while (!stopping_) {
-    look_again_ = false;
-    lock.unlock();
-    for (WorkersOfStage* workers : All()) {
-      if (workers->has_names()) workers->LookUp();
-    }
-    lock.lock();
-    wake_.wait_for(lock, absl::ToChronoMilliseconds(options_.lookup_interval),
-                   [this] { return stopping_ || look_again_; });
-  }
-}
 
 }  // namespace flair::orchestrator

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/workers/connections.h"
 #include "orchestrator/workers/stage_channels.h"
@@ -86,10 +85,8 @@ struct StageWorkersOptions {
 // one looks up names where there are any. Thread-safe.
 class StageWorkers {
  public:
-  // `clock` and the servers behind `channels` outlive it.
+  // `clock` and the servers behind `channels` outlive it. No call is under way when it is destroyed.
   StageWorkers(const StageChannels& channels, StageWorkersOptions options, const runtime::Clock& clock);
-  // No call is under way.
-  ~StageWorkers();
 
   // The stages as the pipeline asks them. A worker that cannot be reached is UNAVAILABLE with its stage, address and
   // what to do.
@@ -99,11 +96,12 @@ class StageWorkers {
   std::vector<v1::WorkerStatus> Status() const;
 
   // Looks up names now, as somebody may want who knows that workers came or went.
-  void LookAgain();
+  void LookAgain() {
+    if (lookups_.has_value()) lookups_->Wake();
+  }
 
  private:
   std::vector<WorkersOfStage*> All();
-  void LookUpNames();
 
   const StageWorkersOptions options_;
   Connections connections_;
@@ -112,12 +110,8 @@ class StageWorkers {
   WorkersOfStage optimizer_;
   WorkersOfStage renderer_;
   std::unique_ptr<StageClients> clients_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stopping_ = false;
-  bool look_again_ = false;
   // Only where there are names.
-  std::optional<std::thread> lookups_;
+  std::optional<Repeater> lookups_;
 };
 
 }  // namespace flair::orchestrator
