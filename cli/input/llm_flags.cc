@@ -10,7 +10,6 @@
 #include "absl/strings/str_replace.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
-#include "llm/config/prices.h"
 #include "worker_runtime/config/config_reader.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/answers/extract_json.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "llm/answers/field_facts.h"
+#include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/answers/extract_json.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {

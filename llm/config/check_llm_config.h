@@ -2,9 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "flair/config/v1/llm_config.pb.h"
+#include "llm/client/chat.h"
 
 namespace flair::llm {
 
@@ -15,5 +18,11 @@ using ConfigReport = std::function<void(std::string_view field, std::string_view
 // Checks everything that can be known without asking a server: presence, ranges, what excludes each other. Does not
 // read files or the environment.
 void CheckLlmConfig(const config::v1::LlmConfig& config, const ConfigReport& report);
+
+// The price of the exact name, else that of the longest prefix ("gpt-4o*"), else null.
+const config::v1::LlmPrice* FindPrice(const std::vector<config::v1::LlmPrice>& prices, const std::string& model);
+
+// US dollars for the tokens of one call; 0 without a price.
+double CostUsd(const std::vector<config::v1::LlmPrice>& prices, const std::string& model, const Usage& usage);
 
 }  // namespace flair::llm

@@ -12,7 +12,7 @@
 
 #include "flair/config/v1/llm_config.pb.h"
 #include "llm/client/llm_client.h"
-#include "llm/config/prices.h"
+#include "llm/config/check_llm_config.h"
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/metrics/metrics.h"
 

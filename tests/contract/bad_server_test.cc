@@ -10,8 +10,7 @@
 #include <limits>
 #include <mutex>
 
-#include "tests/contract/spoilt_optimizer.h"
-#include "tests/contract/stage_program.h"
+#include "tests/contract/servers.h"
 
 namespace flair::testing {
 namespace {
@@ -240,7 +239,7 @@ TEST_F(BadServer, AServerThatHangsIsAskedOnce) {
   std::vector<contract::Result> results;
   {
     const SpoiltOptimizer server(Good(), {.on_solve = [&](const v1::SolveRequest&) { gone.wait(); }});
-    results = PutAll(server.address(), absl::Seconds(2));
+    results = PutAll(server.address(), absl::Seconds(1));
     let_go.set_value();
   }
   EXPECT_EQ(results.size(), contract::ChecksOf(Stage()).size());

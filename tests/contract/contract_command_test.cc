@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "nlohmann/json.hpp"
-#include "tests/contract/spoilt_optimizer.h"
-#include "tests/contract/stage_program.h"
+#include "tests/contract/servers.h"
 
 namespace flair::testing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-#include "tests/contract/stage_program.h"
+#include "tests/contract/servers.h"
 
 namespace flair::testing {
 namespace {

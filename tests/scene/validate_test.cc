@@ -9,12 +9,22 @@
 #include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_glb.h"
-#include "tests/scene/validator.h"
+#include "tests/fixtures/npm_folder.h"
 
 namespace flair::testing {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Runs the Khronos glTF validator on files; exit code 0 when it found no errors and no warnings. Installs it with npm
+// into the build folder when it is not there yet; when that fails, the exit code is that of npm and `err` what it said.
+Finished ValidateGlb(const std::vector<fs::path>& files) {
+  static const NpmFolder validator("gltf_validator", fs::path(FLAIR_SOURCE_DIR) / "tests/scene",
+                                   {"package.json", "package-lock.json", "validate.mjs"});
+  std::vector<std::string> command = {"node", (validator.path() / "validate.mjs").string()};
+  for (const fs::path& file : files) command.push_back(file.string());
+  return validator.Run(command);
+}
 
 std::string GlbOf(const std::string& sample) {
   static const renderer::ProceduralFurniture furniture;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/contract/spoilt_optimizer.h"
+#include "tests/contract/servers.h"
 
 #include <grpcpp/generic/async_generic_service.h>
 #include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
 
 #include <utility>
 
@@ -134,5 +135,30 @@ AnyServer::AnyServer(std::string bytes, bool silent) : service_(std::make_unique
 }
 
 AnyServer::~AnyServer() { server_->Shutdown(std::chrono::system_clock::now()); }
+
+StageProgram::StageProgram(const contract::Stage& stage) {
+  const std::string name = stage.name;
+  if (name == "orchestrator") {
+    all_ = std::make_unique<AllPrograms>(folder_.path());
+    address_ = all_->orchestrator();
+    return;
+  }
+  worker_ = std::make_unique<ServerProgram>(
+      "flair-" + name, "runtime { listen_address: \"127.0.0.1:0\" log_level: \"error\" worker_thread_count: 1 }",
+      folder_.path());
+  address_ = worker_->address();
+}
+
+std::unique_ptr<contract::Target> ConnectTo(const contract::Stage& stage, const std::string& address,
+                                            absl::Duration patience) {
+  auto target = contract::Target::Connect({.address = address, .service = stage.service, .patience = patience});
+  EXPECT_TRUE(target.ok()) << target.status();
+  return target.ok() ? *std::move(target) : nullptr;
+}
+
+std::string FindingText(const contract::Finding& finding) {
+  return fmt::format("sent {}\n got {}\n right is {}\n reason {}", finding.sent, finding.got, finding.right,
+                     finding.reason);
+}
 
 }  // namespace flair::testing

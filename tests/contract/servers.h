@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An optimizer that is good but for one fault, on a real port: it asks a good one and spoils the answer.
+// Servers on real ports for the checks of `flair contract`: our own programs, an optimizer that is good but for one
+// fault, and one that is no server of ours.
 #pragma once
 
 #include <grpcpp/server.h>
@@ -10,8 +11,11 @@
 #include <optional>
 #include <string>
 
+#include "cli/contract/check.h"
+#include "cli/contract/target.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/worker_service.pb.h"
+#include "tests/fixtures/programs.h"
 
 namespace grpc {
 class Server;
@@ -32,6 +36,7 @@ struct Fault {
   std::optional<v1::GetWorkerResponse> worker = v1::GetWorkerResponse();
 };
 
+// It asks a good one and spoils the answer.
 class SpoiltOptimizer {
  public:
   // `good` is the address of the one that is asked.
@@ -61,5 +66,26 @@ class AnyServer {
   std::unique_ptr<grpc::Server> server_;
   std::string address_;
 };
+
+// Flair's own program of a stage on a free port; of the orchestrator all five. Workers have one thread each: they
+// answer only when they have let go of what came before.
+class StageProgram {
+ public:
+  explicit StageProgram(const contract::Stage& stage);
+  const std::string& address() const { return address_; }
+
+ private:
+  TestFolder folder_;
+  std::unique_ptr<ServerProgram> worker_;
+  std::unique_ptr<AllPrograms> all_;
+  std::string address_;
+};
+
+// A connection to the server at the address; fails the test when there is none.
+std::unique_ptr<contract::Target> ConnectTo(const contract::Stage& stage, const std::string& address,
+                                            absl::Duration patience = absl::Seconds(60));
+
+// What came back and what would be right, for messages of tests.
+std::string FindingText(const contract::Finding& finding);
 
 }  // namespace flair::testing
