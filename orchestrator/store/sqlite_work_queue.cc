@@ -316,10 +316,11 @@ void SqliteWorkQueue::OnChange() {
 }
 
 void SqliteWorkQueue::OnOwnerGone() {
-  (void)store_->ReleaseDeadOwners();
+  // Of one's own writes nobody else tells.
+  const absl::StatusOr<bool> released = store_->ReleaseDeadOwners();
   const absl::StatusOr<bool> delay_passed = store_->jobs().AnyDelayPassed(clock_.Now());
   const absl::StatusOr<std::string> alone = store_->jobs().OldestWaiting("", clock_.Now());
-  const bool work = (delay_passed.ok() && *delay_passed) || (alone.ok() && !alone->empty());
+  const bool work = released.value_or(false) || delay_passed.value_or(false) || !alone.value_or("").empty();
   if (work) NotifyWork();
 }
 

@@ -271,6 +271,19 @@ TEST_P(JobsContract, AJobOfAProcessThatIsKilledGoesOn) {
   EXPECT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
 }
 
+TEST_P(JobsContract, AJobOfABatchGoesOnWhenItsProcessIsKilled) {
+  WatchedQueue queue = Open();
+  ASSERT_TRUE(queue->CreateBatch(NewBatch("b")).ok());
+  ASSERT_TRUE(queue->AddJobs("b", JobsOf("b", 0, 1), true).ok());
+  Process child(std::string(FLAIR_BINARY_DIR) + "/test_bin/flair_queue_child", form_->ChildArguments());
+  ASSERT_EQ(child.WaitForLine("took "), "b-00000000");
+  EXPECT_EQ(queue.TakeNow(), nullptr);
+  child.Signal(SIGKILL);
+  const auto lease = queue.Take();
+  ASSERT_NE(lease, nullptr) << "whoever has nothing to do is told";
+  EXPECT_EQ(lease->job().attempt_count(), 2);
+}
+
 TEST_P(JobsContract, RunsCountAsLostInARowAndOnlyWhereNothingWasSaid) {
   WatchedQueue queue = Open();
   ASSERT_TRUE(queue->CreateJob(NewJob("job-1"), "r1").ok());
