@@ -13,9 +13,9 @@
 namespace flair::cli {
 namespace {
 
-constexpr std::array<const char*, 15> kStages = {"brief",       "room",     "zones",       "objects", "style",
-                                                 "constraints", "cleaning", "translation", "solve",   "render",
-                                                 "view_1",      "view_2",   "view_3",      "view_4",  "report"};
+constexpr std::array<const char*, 16> kStages = {
+    "brief",       "room",  "zones",  "objects", "style",  "constraints", "cleaning", "completion",
+    "translation", "solve", "render", "view_1",  "view_2", "view_3",      "view_4",   "report"};
 
 constexpr char kInteger[] = "INTEGER";
 constexpr char kReal[] = "REAL";
@@ -56,8 +56,9 @@ std::vector<ResultColumn> MakeColumns() {
                                  {"input_tokens", kInteger, "tokens of the prompts"},
                                  {"output_tokens", kInteger, "tokens of the answers"},
                                  {"cost_usd", kReal, "US dollars"}});
-  for (const char* artifact : {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "graph",
-                               "layout", "picture", "picture_2", "picture_3", "picture_4", "picture_5", "report"}) {
+  for (const char* artifact :
+       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed",
+        "graph", "layout", "picture", "picture_2", "picture_3", "picture_4", "picture_5", "report"}) {
     columns.push_back({fmt::format("{}_sha256", artifact), kText, "digest, which is the id, of this artifact"});
   }
   columns.insert(columns.end(), {{"path", kText, "folder or tar file with the job's files, relative to DIR"},

@@ -34,6 +34,8 @@ struct LineFlags : JobFlags {
       Whole("--seeds COUNT", 1, 500, 1, "Jobs of each line, with the seeds N, N + 1, ... of its own one, 1 to 500 (1)");
   std::vector<std::string>& views =
       Commas("--view A,B", "Pictures: plan, birdseye, perspective, with a comma between (plan)");
+  bool& no_completion = Flag("--no-completion",
+                             "Add nothing that nobody wrote: chairs are drawn up to desks only where somebody says so");
   std::vector<std::string>& options =
       List("--set NAME=VALUE", "Any other option, as for flair replay: optimizer.path_width=0.7");
 };
@@ -58,6 +60,7 @@ absl::StatusOr<v1::JobSpec> MakeDefaults(const BatchArguments& arguments) {
   // Many jobs at once use the cores better than many threads of one.
   spec.mutable_solve_options()->set_thread_count(1);
   spec.mutable_model_options();
+  spec.set_no_completion(arguments.lines.no_completion);
   RETURN_IF_ERROR(arguments.lines.Set(spec));
   RETURN_IF_ERROR(arguments.model.Set(spec));
   for (const std::string& option : arguments.lines.options) {

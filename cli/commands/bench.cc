@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "cli/bench/complete_graph.h"
 #include "cli/bench/problem.h"
 #include "cli/bench/resolve_bench.h"
 #include "cli/bench/restarts_measure.h"
@@ -33,14 +34,14 @@ struct BenchArguments : Options {
 
 // Measures every problem. Those that cannot be read or measured are named and returned.
 std::vector<BenchFailure> MeasureEach(const std::vector<ProblemFile>& files,
-                                      const std::function<absl::Status(const BenchProblem&)>& measure) {
+                                      const std::function<absl::Status(BenchProblem&)>& measure) {
   // The lines on standard output show how far it is, unless they go elsewhere.
   const bool show_progress = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
   const char* const clear_line = show_progress ? "\r\033[K" : "";
   std::vector<BenchFailure> failures;
   for (size_t i = 0; i < files.size(); ++i) {
     if (show_progress) fmt::print(stderr, "{}{}/{} {}", clear_line, i + 1, files.size(), files[i].name);
-    const absl::StatusOr<BenchProblem> problem = ReadBenchProblem(files[i]);
+    absl::StatusOr<BenchProblem> problem = ReadBenchProblem(files[i]);
     const absl::Status status = problem.ok() ? measure(*problem) : problem.status();
     if (status.ok()) continue;
     const BenchFailure& failure = failures.emplace_back(files[i].path.string(), std::string(status.message()));
@@ -66,6 +67,7 @@ struct BenchSolveArguments : BenchArguments {
   int64_t& seed = SeedNumber("Seed; another seed, another layout (0)");
   std::optional<int>& restarts =
       Whole("--restarts N", 1, 10000, "Most restarts per stage, 1 to 10000 (by the stage's size)");
+  bool& complete = Flag("--complete", "Add what follows from how one uses the pieces, as a design does");
 };
 
 // NAME.json for the judge of the reference data, NAME.pb for flair render and flair inspect.
@@ -115,7 +117,8 @@ absl::Status BenchSolve(const BenchSolveArguments& arguments) {
   fmt::print("{}{}", SolveLegend(), table.Header());
   const double memory_before_MiB = Memory_MiB();
   std::vector<SolveMeasure> measures;
-  const std::vector<BenchFailure> failures = MeasureEach(files, [&](const BenchProblem& problem) {
+  const std::vector<BenchFailure> failures = MeasureEach(files, [&](BenchProblem& problem) {
+    if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(problem.graph));
     ASSIGN_OR_RETURN(SolveMeasure measure, MeasureSolve(problem, options, arguments.repeats));
     fmt::print("{}", table.Row(SolveCells(measure)));
     std::fflush(stdout);

@@ -56,6 +56,8 @@ struct DesignArguments : Options {
   StageFlags stages{command()};
   LlmFlags llm{command()};
   ModelFlags model{command()};
+  bool& no_completion = Flag("--no-completion",
+                             "Add nothing that nobody wrote: chairs are drawn up to desks only where somebody says so");
   bool& json = Flag("--json", "Events as JSON lines on standard output");
   bool& quiet = Flag("-q,--quiet", "Print nothing unless something goes wrong", {"--json"});
 };
@@ -72,6 +74,7 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
   if (!arguments.room.empty()) {
     ASSIGN_OR_RETURN(*spec.mutable_brief()->mutable_room(), ReadRoom(arguments.room));
   }
+  spec.set_no_completion(arguments.no_completion);
   spec.mutable_model_options();
   RETURN_IF_ERROR(arguments.job.Set(spec));
   RETURN_IF_ERROR(arguments.model.Set(spec));

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/bench/complete_graph.h"
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/files.h"
@@ -22,15 +23,17 @@ struct ImportFlairGptArguments : Options {
   using Options::Options;
   std::string& in = Required("ROOM", "Its .json");
   std::string& out = Required("-o,--out FILE", "Where the graph (.pb) goes");
+  bool& complete = Flag("--complete", "Add what follows from how one uses the pieces, as a design does");
 };
 
 absl::Status ImportFlairGpt(const ImportFlairGptArguments& arguments) {
   ASSIGN_OR_RETURN(const std::string text, ReadFile(arguments.in));
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
-  const absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
+  absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
   if (!graph.ok()) {
     return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.in, std::string(graph.status().message())));
   }
+  if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(*graph));
   if (const absl::Status good = Validate(*graph); !good.ok()) {
     return absl::InvalidArgumentError(
         fmt::format("{}: no graph that can be solved: {}", arguments.in, std::string(good.message())));

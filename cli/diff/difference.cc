@@ -19,10 +19,12 @@ namespace flair::cli {
 namespace {
 
 bool IsListOfConstraints(const v1::Artifact& artifact) {
-  return artifact.has_raw_constraint_list() || artifact.has_constraint_list();
+  return artifact.has_raw_constraint_list() || artifact.has_constraint_list() ||
+         artifact.has_completed_constraint_list();
 }
 
 const v1::ConstraintList& ListOf(const v1::Artifact& artifact) {
+  if (artifact.has_completed_constraint_list()) return artifact.completed_constraint_list();
   return artifact.has_constraint_list() ? artifact.constraint_list() : artifact.raw_constraint_list();
 }
 
@@ -39,10 +41,10 @@ void CompareContents(const v1::Artifact& a, const v1::Artifact& b, Difference& d
   CompareMessages(content(a), content(b), difference.sections);
 }
 
-// Without what says where it came from. Both kinds of constraint lists are one here.
+// Without what says where it came from. All kinds of constraint lists are one here.
 std::string ContentBytes(const v1::Artifact& artifact) {
   v1::Artifact content = artifact;
-  if (artifact.has_raw_constraint_list()) *content.mutable_constraint_list() = artifact.raw_constraint_list();
+  if (IsListOfConstraints(artifact)) *content.mutable_constraint_list() = ListOf(artifact);
   content.clear_id();
   content.clear_made_from_ids();
   content.clear_producer();

@@ -49,7 +49,8 @@ absl::StatusOr<v1::Artifact> ParseText(const std::string& name, ArtifactForm for
   if (artifact.content_case() != v1::Artifact::CONTENT_NOT_SET) return artifact;
   return absl::InvalidArgumentError(
       fmt::format("{}: an artifact without content; expected one of brief, room, zone_plan, object_list, style_sheet, "
-                  "raw_constraint_list, constraint_list, layout_graph, solved_layout, preview, report",
+                  "raw_constraint_list, constraint_list, completed_constraint_list, layout_graph, solved_layout, "
+                  "preview, report",
                   name));
 }
 

@@ -257,6 +257,8 @@ std::string ContentText(const v1::Artifact& artifact, const v1::ConstraintList* 
       return SentencesText(artifact.raw_constraint_list(), most_rows);
     case v1::Artifact::kConstraintList:
       return CleanedText(artifact.constraint_list(), raw, most_rows);
+    case v1::Artifact::kCompletedConstraintList:
+      return SentencesText(artifact.completed_constraint_list(), most_rows);
     case v1::Artifact::kLayoutGraph:
       return GraphText(artifact.layout_graph(), most_rows);
     case v1::Artifact::kSolvedLayout:

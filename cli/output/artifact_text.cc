@@ -55,8 +55,19 @@ std::string ToText(const google::protobuf::Message& message) {
 }
 
 std::string FileStem(v1::ArtifactKind kind) {
-  constexpr const char* kStems[] = {"",      "brief",           "room",        "zones", "objects",
-                                    "style", "constraints_raw", "constraints", "graph", "layout"};  // by kind
+  constexpr const char* kStems[] = {"",
+                                    "brief",
+                                    "room",
+                                    "zones",
+                                    "objects",
+                                    "style",
+                                    "constraints_raw",
+                                    "constraints",
+                                    "graph",
+                                    "layout",
+                                    "",
+                                    "",
+                                    "constraints_completed"};  // by kind
   return kind < std::ssize(kStems) ? kStems[kind] : "";
 }
 

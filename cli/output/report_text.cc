@@ -194,7 +194,8 @@ std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout) {
 std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::SolvedLayout& layout = Get(artifacts, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();
   const v1::StyleSheet& style = Get(artifacts, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
-  const v1::ConstraintList& constraints = Get(artifacts, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
+  const v1::ConstraintList& constraints =
+      Get(artifacts, v1::ARTIFACT_KIND_COMPLETED_CONSTRAINT_LIST).completed_constraint_list();
   const v1::Report& report = Get(artifacts, v1::ARTIFACT_KIND_REPORT).report();
   std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief(),
                              Get(artifacts, v1::ARTIFACT_KIND_PREVIEW).preview());

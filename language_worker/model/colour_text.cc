@@ -7,7 +7,7 @@
 #include <string>
 
 #include "language_worker/handbook/styling/choose_style.h"
-#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/object_size.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::language {

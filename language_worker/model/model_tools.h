@@ -10,7 +10,7 @@
 #include "flair/v1/provenance.pb.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/parts/brief_parts.h"
-#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/object_size.h"
 #include "llm/answers/conversation.h"
 #include "llm/answers/prompt_library.h"
 #include "worker_runtime/status/status_macros.h"

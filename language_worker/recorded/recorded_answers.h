@@ -11,7 +11,7 @@
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/object_size.h"
 #include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/prompt_lines.h"

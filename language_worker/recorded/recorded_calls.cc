@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "english/language.h"
-#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/object_size.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/prompt_lines.h"
 #include "language_worker/recorded/recorded_answers.h"

@@ -2,6 +2,7 @@
 #include "language_worker/service/language_handlers.h"
 
 #include "language_worker/handbook/cleaning/clean_constraints.h"
+#include "language_worker/handbook/completion/complete_constraints.h"
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/parts/brief_parts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
@@ -72,6 +73,16 @@ absl::StatusOr<v1::CleanConstraintsResponse> LanguageHandlers::Handle(const v1::
                                                                       runtime::CallContext& call) const {
   RETURN_IF_ERROR(Validate(request));
   return Answer(request, call);
+}
+
+absl::StatusOr<v1::CompleteConstraintsResponse> LanguageHandlers::Handle(const v1::CompleteConstraintsRequest& request,
+                                                                         runtime::CallContext& call) const {
+  RETURN_IF_ERROR(Validate(request));
+  auto response = AnsweredBy<v1::CompleteConstraintsResponse>("handbook", handbook_.version());
+  *response.mutable_constraint_list() =
+      CompleteConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(),
+                          request.constraint_list(), handbook_);
+  return response;
 }
 
 absl::StatusOr<v1::DescribeRoomResponse> LanguageHandlers::Answer(const v1::DescribeRoomRequest& request,

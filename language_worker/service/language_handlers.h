@@ -10,9 +10,9 @@
 
 namespace flair::language {
 
-// Answers the six requests of the language phase. Each validates its request, and returns what the brief itself brings,
-// by the method "brief" (INVALID_ARGUMENT when that does not go with what it belongs to); else the handbook answers, or
-// what overrides Answer (model/model_handlers.h). Thread-safe.
+// Answers the seven requests of the language phase. Each validates its request, and returns what the brief itself
+// brings, by the method "brief" (INVALID_ARGUMENT when that does not go with what it belongs to); else the handbook
+// answers, or what overrides Answer (model/model_handlers.h). Thread-safe.
 class LanguageHandlers {
  public:
   // `handbook` must outlive it.
@@ -30,6 +30,9 @@ class LanguageHandlers {
                                                      runtime::CallContext& call) const;
   absl::StatusOr<v1::CleanConstraintsResponse> Handle(const v1::CleanConstraintsRequest& request,
                                                       runtime::CallContext& call) const;
+  // The same with a model: what pieces are for is the handbook's to know.
+  absl::StatusOr<v1::CompleteConstraintsResponse> Handle(const v1::CompleteConstraintsRequest& request,
+                                                         runtime::CallContext& call) const;
 
  protected:
   // The answers to valid requests, of which the brief brings nothing. Here: the handbook's.

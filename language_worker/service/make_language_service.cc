@@ -46,6 +46,11 @@ class Service final : public v1::LanguageService::CallbackService {
                                              v1::CleanConstraintsResponse* response) override {
     return runtime::ServeUnary(worker_, "CleanConstraints", context, request, response, *handlers_);
   }
+  grpc::ServerUnaryReactor* CompleteConstraints(grpc::CallbackServerContext* context,
+                                                const v1::CompleteConstraintsRequest* request,
+                                                v1::CompleteConstraintsResponse* response) override {
+    return runtime::ServeUnary(worker_, "CompleteConstraints", context, request, response, *handlers_);
+  }
 
  private:
   runtime::WorkerContext& worker_;

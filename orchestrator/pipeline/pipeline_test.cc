@@ -353,6 +353,7 @@ class EmptyRoomStages final : public StageClients {
   NEVER(ChooseStyle)
   NEVER(ListConstraints)
   NEVER(CleanConstraints)
+  NEVER(CompleteConstraints)
   NEVER(Translate)
   NEVER(ListConstraintTypes)
   NEVER(Solve)

@@ -79,8 +79,9 @@ TEST_F(ReplayTest, FromAStageTakesWhatTheEarlierJobHadBeforeIt) {
   ASSERT_TRUE(Run(stages, First()).status.ok());
   FakeStages again;
   ASSERT_TRUE(Run(again, NewJob("again", SpecOfReplay("first", "solve"))).status.ok());
-  EXPECT_THAT(WhatHappened("again"), ElementsAre("=brief", "=cleaning", "=constraints", "=objects", "=room", "=style",
-                                                 "=translation", "=zones", "render", "report", "solve"));
+  EXPECT_THAT(WhatHappened("again"),
+              ElementsAre("=brief", "=cleaning", "=completion", "=constraints", "=objects", "=room", "=style",
+                          "=translation", "=zones", "render", "report", "solve"));
   EXPECT_EQ(again.all_calls(), 3);
   EXPECT_EQ(IdOf("again", "solve"), IdOf("first", "solve"));
 }
@@ -107,8 +108,8 @@ TEST_F(ReplayTest, ThatWasInterruptedGoesOnFromItsOwnArtifacts) {
   EXPECT_EQ(rest.calls("ListObjects"), 0);
   EXPECT_EQ(rest.calls("Translate"), 0);
   EXPECT_EQ(rest.calls("Solve"), 1);
-  EXPECT_THAT(WhatHappened("again"), ElementsAre("=brief", "=room", "=zones", "cleaning", "constraints", "objects",
-                                                 "render", "report", "solve", "style", "translation"));
+  EXPECT_THAT(WhatHappened("again"), ElementsAre("=brief", "=room", "=zones", "cleaning", "completion", "constraints",
+                                                 "objects", "render", "report", "solve", "style", "translation"));
 }
 
 TEST_F(ReplayTest, IsNeitherUsedByOtherJobsNorReplacesWhatTheyUse) {

@@ -63,6 +63,9 @@ class StageClients {
                                                                       Call& call) = 0;
   virtual absl::StatusOr<v1::CleanConstraintsResponse> CleanConstraints(const v1::CleanConstraintsRequest& request,
                                                                         Call& call) = 0;
+  // UNIMPLEMENTED of a language worker that completes nothing.
+  virtual absl::StatusOr<v1::CompleteConstraintsResponse> CompleteConstraints(
+      const v1::CompleteConstraintsRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(
       const v1::ListConstraintTypesRequest& request, Call& call) = 0;

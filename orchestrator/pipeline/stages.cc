@@ -33,8 +33,8 @@ Request RequestOf(const StageRun& run) {
     const google::protobuf::Reflection& of_artifact = *input->GetReflection();
     const google::protobuf::FieldDescriptor* content = of_artifact.GetOneofFieldDescriptor(*input, kContent);
     if (content == nullptr) continue;
-    // What is to be cleaned is a list of constraints as well.
-    const std::string name(absl::StripPrefix(content->name(), "raw_"));
+    // What is to be cleaned, and what has been completed, is a list of constraints as well.
+    const std::string name(absl::StripPrefix(absl::StripPrefix(content->name(), "raw_"), "completed_"));
     const google::protobuf::FieldDescriptor* field = Request::descriptor()->FindFieldByName(name);
     if (field == nullptr) continue;
     request.GetReflection()->MutableMessage(&request, field)->CopyFrom(of_artifact.GetMessage(*input, content));
@@ -93,6 +93,28 @@ std::string AskedOfModels(const v1::JobSpec& spec) {
   v1::ModelOptions options = spec.model_options();
   options.clear_budget();
   return runtime::CanonicalBytes(options);
+}
+
+std::string AskedOfCompletion(const v1::JobSpec& spec) { return spec.no_completion() ? "none" : AskedOfModels(spec); }
+
+// Where nobody completes, the list goes on as it is, and a remark says so.
+absl::StatusOr<v1::Artifact> RunCompletion(const StageRun& run) {
+  std::string why = "The user wants the constraints as they were written.";
+  if (!run.spec.no_completion()) {
+    absl::StatusOr<v1::Artifact> completed =
+        AskLanguage(run, &StageClients::CompleteConstraints, &v1::CompleteConstraintsResponse::mutable_constraint_list,
+                    &v1::Artifact::mutable_completed_constraint_list);
+    if (!absl::IsUnimplemented(completed.status())) return completed;
+    why = "The language worker completes no constraints: what everybody knows of the use of furniture was not added.";
+  }
+  v1::Artifact artifact = OwnArtifact(run, "completion");
+  v1::ConstraintList& list = *artifact.mutable_completed_constraint_list();
+  list = Input(run, v1::ARTIFACT_KIND_CONSTRAINT_LIST).constraint_list();
+  v1::Diagnostic& remark = *list.add_diagnostics();
+  remark.set_severity(v1::SEVERITY_NOTE);
+  remark.set_code("not_completed");
+  remark.set_message(why);
+  return artifact;
 }
 
 // The catalogue decides what can be translated to, so it counts as an option: another optimizer, another graph.
@@ -271,10 +293,17 @@ std::span<const Stage> Stages() {
        nullptr,
        RunLanguage<&Clients::CleanConstraints, &CleanConstraintsResponse::mutable_constraint_list,
                    &Artifact::mutable_constraint_list>},
+      {"completion",
+       ARTIFACT_KIND_COMPLETED_CONSTRAINT_LIST,
+       {ARTIFACT_KIND_BRIEF, ARTIFACT_KIND_ROOM, ARTIFACT_KIND_ZONE_PLAN, ARTIFACT_KIND_OBJECT_LIST,
+        ARTIFACT_KIND_CONSTRAINT_LIST},
+       AskedOfCompletion,
+       nullptr,
+       RunCompletion},
       {"translation",
        ARTIFACT_KIND_LAYOUT_GRAPH,
        {ARTIFACT_KIND_ROOM, ARTIFACT_KIND_ZONE_PLAN, ARTIFACT_KIND_OBJECT_LIST, ARTIFACT_KIND_STYLE_SHEET,
-        ARTIFACT_KIND_CONSTRAINT_LIST},
+        ARTIFACT_KIND_COMPLETED_CONSTRAINT_LIST},
        AskedOfModels,
        TranslationOptions,
        RunTranslation},

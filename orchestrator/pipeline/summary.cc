@@ -70,6 +70,12 @@ std::string OfCleaned(const v1::ConstraintList& list) {
   return fmt::format("{} ({})", sentences, done);
 }
 
+std::string OfCompleted(const v1::ConstraintList& list) {
+  const auto implied = std::ranges::count_if(
+      list.sentences(), [](const v1::Sentence& one) { return one.origin() == v1::SENTENCE_ORIGIN_IMPLIED; });
+  return fmt::format("{}, {} of them implied", Count(list.sentences_size(), "sentence"), implied);
+}
+
 std::string OfLayout(const v1::SolvedLayout& layout) {
   const auto held =
       std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
@@ -103,6 +109,8 @@ std::string Summarize(const v1::Artifact& artifact) {
       return Counted(artifact.raw_constraint_list().sentences_size(), "sentence");
     case v1::Artifact::kConstraintList:
       return OfCleaned(artifact.constraint_list());
+    case v1::Artifact::kCompletedConstraintList:
+      return OfCompleted(artifact.completed_constraint_list());
     case v1::Artifact::kLayoutGraph:
       return fmt::format("{} of {}", Counted(artifact.layout_graph().edges_size(), "constraint"),
                          Counted(artifact.layout_graph().constraint_list().sentences_size(), "sentence"));

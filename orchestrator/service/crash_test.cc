@@ -122,7 +122,7 @@ void ExpectEachStageRunOnce(JobStore& store, const v1::Job& replay) {
   }
   for (const char* stage : {"brief", "room", "zones"}) EXPECT_EQ(finished[stage], 0) << replay.id() << " " << stage;
   for (const char* stage :
-       {"objects", "style", "constraints", "cleaning", "translation", "solve", "render", "report"}) {
+       {"objects", "style", "constraints", "cleaning", "completion", "translation", "solve", "render", "report"}) {
     EXPECT_EQ(finished[stage], 1) << replay.id() << " " << stage;
   }
 }

@@ -127,6 +127,15 @@ absl::StatusOr<v1::CleanConstraintsResponse> FakeStages::CleanConstraints(const 
   return response;
 }
 
+absl::StatusOr<v1::CompleteConstraintsResponse> FakeStages::CompleteConstraints(
+    const v1::CompleteConstraintsRequest& request, Call& call) {
+  RETURN_IF_ERROR(Begin("CompleteConstraints", call));
+  v1::CompleteConstraintsResponse response;
+  *response.mutable_constraint_list() = request.constraint_list();
+  *response.mutable_producer() = Fake("completion");
+  return response;
+}
+
 absl::StatusOr<v1::ListConstraintTypesResponse> FakeStages::ListConstraintTypes(const v1::ListConstraintTypesRequest&,
                                                                                 Call& call) {
   RETURN_IF_ERROR(Begin("ListConstraintTypes", call));

@@ -32,6 +32,8 @@ class FakeStages : public StageClients {
   absl::StatusOr<v1::ChooseStyleResponse> ChooseStyle(const v1::ChooseStyleRequest&, Call&) override;
   absl::StatusOr<v1::ListConstraintsResponse> ListConstraints(const v1::ListConstraintsRequest&, Call&) override;
   absl::StatusOr<v1::CleanConstraintsResponse> CleanConstraints(const v1::CleanConstraintsRequest&, Call&) override;
+  absl::StatusOr<v1::CompleteConstraintsResponse> CompleteConstraints(const v1::CompleteConstraintsRequest&,
+                                                                      Call&) override;
   absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest&, Call&) override;
   absl::StatusOr<v1::ListConstraintTypesResponse> ListConstraintTypes(const v1::ListConstraintTypesRequest&,
                                                                       Call&) override;

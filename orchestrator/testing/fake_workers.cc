@@ -57,6 +57,12 @@ class FakeLanguage final : public v1::LanguageService::CallbackService {
                                              v1::CleanConstraintsResponse* response) override {
     return Forward(worker_, stages_, "CleanConstraints", context, request, response, &StageClients::CleanConstraints);
   }
+  grpc::ServerUnaryReactor* CompleteConstraints(grpc::CallbackServerContext* context,
+                                                const v1::CompleteConstraintsRequest* request,
+                                                v1::CompleteConstraintsResponse* response) override {
+    return Forward(worker_, stages_, "CompleteConstraints", context, request, response,
+                   &StageClients::CompleteConstraints);
+  }
 
  private:
   runtime::WorkerContext& worker_;

@@ -227,6 +227,7 @@ class GrpcStageClients final : public StageClients {
   FLAIR_ASK(language_, LanguageService, ChooseStyle)
   FLAIR_ASK(language_, LanguageService, ListConstraints)
   FLAIR_ASK(language_, LanguageService, CleanConstraints)
+  FLAIR_ASK(language_, LanguageService, CompleteConstraints)
   FLAIR_ASK(translator_, TranslatorService, Translate)
   FLAIR_ASK(optimizer_, OptimizerService, ListConstraintTypes)
   FLAIR_ASK(optimizer_, OptimizerService, Solve)

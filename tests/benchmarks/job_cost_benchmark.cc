@@ -79,6 +79,10 @@ class RecordedStages final : public StageClients {
   absl::StatusOr<v1::CleanConstraintsResponse> CleanConstraints(const v1::CleanConstraintsRequest&, Call&) override {
     return With(&v1::CleanConstraintsResponse::mutable_constraint_list, graph_.constraint_list());
   }
+  absl::StatusOr<v1::CompleteConstraintsResponse> CompleteConstraints(const v1::CompleteConstraintsRequest&,
+                                                                      Call&) override {
+    return With(&v1::CompleteConstraintsResponse::mutable_constraint_list, graph_.constraint_list());
+  }
   absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest&, Call&) override {
     return With(&v1::TranslateResponse::mutable_layout_graph, graph_);
   }

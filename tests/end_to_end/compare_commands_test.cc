@@ -63,7 +63,7 @@ TEST_F(CompareCommands, DiffOfEveryKindOfArtifactWithItselfAndWithAnotherSeed) {
   const std::string other = Path("other");
   ASSERT_EQ(Flair({"design", "A bedroom that is 3m x 4m.", "--seed", "8", "--out", other, "--quiet"}).exit_code, 0);
   for (const char* name :
-       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "graph", "layout"}) {
+       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed", "graph", "layout"}) {
     const std::string own = (Design() / (std::string(name) + ".pb")).string();
     EXPECT_EQ(Flair({"diff", own, own}).exit_code, 0) << name;
     const Finished run = Flair({"diff", own, other + "/" + name + ".pb"});

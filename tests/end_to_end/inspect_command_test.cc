@@ -108,7 +108,7 @@ TEST_F(InspectCommand, AnOrchestratorElsewhereIsAskedForTheSame) {
 TEST_F(InspectCommand, EveryFormTurnsIntoEveryOtherWithoutLoss) {
   Design();
   for (const char* kind :
-       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "graph", "layout"}) {
+       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed", "graph", "layout"}) {
     const std::string first = Path("out/" + std::string(kind) + ".pb");
     std::string last = first;
     for (const char* form : {"a.json", "b.textproto", "c.pb", "d.textproto", "e.json", "f.pb"}) {
@@ -130,7 +130,7 @@ TEST_F(InspectCommand, WhatIsEditedByHandIsTakenAndSaysSo) {
   for (const char* graph : {"out/mine.json", "out/mine.pb"}) {
     Good({"solve", Path(graph), "--out", Path("out/own.pb")});
     EXPECT_THAT(Good({"inspect", Path("out/own.pb")}),
-                HasSubstr("style > constraints_raw > constraints > graph > graph (edited) > layout\n"));
+                HasSubstr("style > constraints_raw > constraints > constraints_completed > graph > graph (edited) > layout\n"));
     EXPECT_EQ(Good({"inspect", Path("out/own.pb"), "--field", "made_from_ids[0]"}),
               Good({"inspect", Path(graph), "--field", "id"}));
   }

@@ -98,8 +98,8 @@ TEST(Figures, TellWhatOneDesignTook) {
   EXPECT_EQ(orchestrator["flair_jobs_running"], 0);
   EXPECT_GT(orchestrator["flair_jobs_running_limit"], 0);
   EXPECT_EQ(orchestrator["flair_job_duration_seconds_count"], 1);
-  for (const std::string stage :
-       {"room", "zones", "objects", "style", "constraints", "cleaning", "translation", "solve", "render", "report"}) {
+  for (const std::string stage : {"room", "zones", "objects", "style", "constraints", "cleaning", "completion",
+                                  "translation", "solve", "render", "report"}) {
     EXPECT_EQ(orchestrator["flair_stages_total{outcome=\"made\",stage=\"" + stage + "\"}"], 1) << stage;
     EXPECT_GT(orchestrator["flair_stage_duration_seconds_sum{stage=\"" + stage + "\"}"], 0) << stage;
   }

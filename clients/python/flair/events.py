@@ -14,6 +14,7 @@ STAGES = {
     "style": v1.ArtifactKind.ARTIFACT_KIND_STYLE_SHEET,
     "constraints": v1.ArtifactKind.ARTIFACT_KIND_RAW_CONSTRAINT_LIST,
     "cleaning": v1.ArtifactKind.ARTIFACT_KIND_CONSTRAINT_LIST,
+    "completion": v1.ArtifactKind.ARTIFACT_KIND_COMPLETED_CONSTRAINT_LIST,
     "translation": v1.ArtifactKind.ARTIFACT_KIND_LAYOUT_GRAPH,
     "solve": v1.ArtifactKind.ARTIFACT_KIND_SOLVED_LAYOUT,
     "render": v1.ArtifactKind.ARTIFACT_KIND_PREVIEW,

@@ -181,21 +181,25 @@ bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::F
 class ConstraintLister {
  public:
   ConstraintLister(const BriefFacts& facts, const v1::Room& room, const v1::ZonePlan& zones,
-                   const v1::ObjectList& objects, const Handbook& handbook, const Choice& choice)
+                   const v1::ObjectList& objects, const Handbook& handbook, const Choice& choice,
+                   const v1::ObjectList* spoken = nullptr)
       : handbook_(handbook),
         choice_(choice),
         objects_(objects),
         places_(facts.places),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
-        writer_(room, zones, objects, handbook, program_, choice),
+        writer_(room, zones, objects, handbook, program_, choice, spoken),
         place_writer_(room, program_, writer_),
         kept_(facts.places.size(), false) {}
 
+  // What of all that is how one uses the pieces.
+  std::vector<UseSentence> Uses() {
+    WriteAll();
+    return std::move(uses_);
+  }
+
   v1::ConstraintList List() {
-    std::set<std::string> done;
-    for (const v1::Object& object : objects_.objects()) {
-      if (done.insert(object.name()).second) WriteParts(object.name(), writer_.groups().at(object.name()));
-    }
+    WriteAll();
     // Ids follow the translation passes: the room first, then pairs, then tertiaries.
     std::stable_sort(sentences_.begin(), sentences_.end(),
                      [](const v1::Sentence& a, const v1::Sentence& b) { return a.scope() < b.scope(); });
@@ -210,6 +214,13 @@ class ConstraintLister {
 
  private:
   using Relations = std::vector<const hb::Relation*>;
+
+  void WriteAll() {
+    std::set<std::string> done;
+    for (const v1::Object& object : objects_.objects()) {
+      if (done.insert(object.name()).second) WriteParts(object.name(), writer_.groups().at(object.name()));
+    }
+  }
 
   // Objects of one name that are attached in the same way: with a host or without, in the middle of its top or at its
   // edge, on the floor of the same zone: the chairs at the meeting table are others than those at the desks.
@@ -253,7 +264,10 @@ class ConstraintLister {
       const Place& place = places_[i];
       if (!IsMeant(*place.furniture, name)) continue;
       const std::vector<v1::Sentence> written = place_writer_.Write(place, group);
-      sentences_.insert(sentences_.end(), written.begin(), written.end());
+      for (v1::Sentence sentence : written) {
+        sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
+        sentences_.push_back(std::move(sentence));
+      }
       if (written.empty()) continue;
       kept_[i] = true;
       topics.insert(place.asked->silences().begin(), place.asked->silences().end());
@@ -328,6 +342,10 @@ class ConstraintLister {
       std::vector<v1::Sentence> written = writer_.Write(*relation, group);
       if (written.empty()) continue;
       topics.insert(relation->topic());
+      if (relation->use()) {
+        const std::vector<std::string> overrules(relation->overrules().begin(), relation->overrules().end());
+        for (const v1::Sentence& sentence : written) uses_.push_back({sentence, overrules});
+      }
       if (relation->choice().empty()) {
         sentences_.insert(sentences_.end(), written.begin(), written.end());
       } else {
@@ -351,6 +369,7 @@ class ConstraintLister {
   const PlaceWriter place_writer_;
   std::vector<bool> kept_;  // of a place: sentences were written
   std::vector<v1::Sentence> sentences_;
+  std::vector<UseSentence> uses_;
 };
 
 }  // namespace
@@ -361,6 +380,14 @@ absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
   return ConstraintLister(facts, room, zones, objects, handbook, choice).List();
+}
+
+absl::StatusOr<std::vector<UseSentence>> ListUses(const v1::Brief& brief, const v1::Room& room,
+                                                  const v1::ZonePlan& zones, const v1::ObjectList& objects,
+                                                  const v1::ObjectList& spoken, const Handbook& handbook) {
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
+  const Choice choice(brief.seed(), brief.text());
+  return ConstraintLister(facts, room, zones, objects, handbook, choice, &spoken).Uses();
 }
 
 }  // namespace flair::language

@@ -3,6 +3,7 @@
 #include "language_worker/handbook/sentences/sentence_writer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,8 @@ std::string WithVerb(std::string text, const std::string& object, bool plural) {
 }  // namespace
 
 SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
-                               const Handbook& handbook, const RoomProgram& program, const Choice& choice)
+                               const Handbook& handbook, const RoomProgram& program, const Choice& choice,
+                               const v1::ObjectList* spoken)
     : room_(room),
       zones_(zones),
       objects_(objects),
@@ -54,6 +56,10 @@ SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, 
       choice_(choice),
       area_m2_(FloorArea(room)) {
   for (const v1::Object& object : objects.objects()) groups_[object.name()].push_back(&object);
+  for (const v1::Object& object : (spoken != nullptr ? *spoken : objects).objects()) {
+    spoken_by_id_[object.id()] = object.name();
+    ids_by_spoken_[object.name()].push_back(object.id());
+  }
 }
 
 bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) const {
@@ -262,15 +268,22 @@ bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object) {
 }
 
 std::string SentenceWriter::NameOf(const v1::Object& object) const {
-  const Group& group = groups_.at(object.name());
-  if (group.size() == 1) return object.name();
-  const auto at = static_cast<std::size_t>(std::find(group.begin(), group.end(), &object) - group.begin());
-  return at < kOrdinals.size() ? fmt::format("{} {}", kOrdinals[at], object.name())
-                               : fmt::format("{} {}", object.name(), at + 1);
+  const std::string& name = spoken_by_id_.at(object.id());
+  const std::vector<std::string>& ids = ids_by_spoken_.at(name);
+  if (ids.size() == 1) return name;
+  const auto at = static_cast<std::size_t>(std::ranges::find(ids, object.id()) - ids.begin());
+  return at < kOrdinals.size() ? fmt::format("{} {}", kOrdinals[at], name) : fmt::format("{} {}", name, at + 1);
 }
 
 std::string SentenceWriter::NameOf(const Group& group) const {
-  return group.size() == 1 ? NameOf(*group.front()) : PluralOf(group.front()->name(), handbook_);
+  if (group.size() == 1) return NameOf(*group.front());
+  const std::string& name = spoken_by_id_.at(group.front()->id());
+  if (std::ranges::all_of(group, [&](const v1::Object* one) { return spoken_by_id_.at(one->id()) == name; })) {
+    return PluralOf(name, handbook_);
+  }
+  std::vector<std::string> names;
+  for (const v1::Object* one : group) names.push_back(NameOf(*one));
+  return fmt::format("{} and the {}", fmt::join(names.begin(), names.end() - 1, ", the "), names.back());
 }
 
 std::string PluralOf(const std::string& name, const Handbook& handbook) {

@@ -29,8 +29,10 @@ std::string PluralOf(const std::string& name, const Handbook& handbook);
 // partners and fills in the words. The arguments must outlive it.
 class SentenceWriter {
  public:
+  // `spoken` has the same objects by the names that sentences call them by, where those are others than their classes'.
   SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
-                 const Handbook& handbook, const RoomProgram& program, const Choice& choice);
+                 const Handbook& handbook, const RoomProgram& program, const Choice& choice,
+                 const v1::ObjectList* spoken = nullptr);
 
   const std::map<std::string, Group>& groups() const { return groups_; }
 
@@ -69,6 +71,9 @@ class SentenceWriter {
   const Choice& choice_;
   double area_m2_;
   std::map<std::string, Group> groups_;
+  // Names that sentences call objects by, and ids of those that share one, in list order.
+  std::map<std::string, std::string> spoken_by_id_;
+  std::map<std::string, std::vector<std::string>> ids_by_spoken_;
 };
 
 }  // namespace flair::language

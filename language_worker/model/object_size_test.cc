@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/furniture_index.h"
+#include "language_worker/model/object_size.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/completion/complete_constraints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "language_worker/handbook/parts/furniture_index.h"
+#include "language_worker/handbook/sentences/list_constraints.h"
+
+namespace flair::language {
+namespace {
+
+// The objects by the names of their classes; those of no class keep their own.
+v1::ObjectList ByClass(const v1::ObjectList& objects, const Handbook& handbook) {
+  const FurnitureIndex index(handbook);
+  v1::ObjectList named = objects;
+  for (v1::Object& object : *named.mutable_objects()) {
+    const hb::Furniture* furniture = index.Find(object.name());
+    if (furniture == nullptr) continue;
+    object.set_name(furniture->name());
+    object.set_category(furniture->category());
+  }
+  return named;
+}
+
+class Completion {
+ public:
+  Completion(const v1::ObjectList& objects, const v1::ConstraintList& list) : list_(list) {
+    for (const v1::Object& object : objects.objects()) {
+      if (object.role() == v1::OBJECT_ROLE_TERTIARY) tertiary_ids_.insert(object.id());
+    }
+    for (const v1::Sentence& sentence : list.sentences()) {
+      texts_.insert(PlainName(sentence.text()));
+      if (sentence.subject_ids_size() > 0) placed_ids_.insert(sentence.subject_ids(0));
+    }
+  }
+
+  void Add(const UseSentence& use) {
+    const v1::Sentence& sentence = use.sentence;
+    // [Paper] One constraint per tertiary object: where somebody has placed it, there it stays.
+    const std::string& mover = sentence.subject_ids(0);
+    if (tertiary_ids_.contains(mover) && placed_ids_.contains(mover)) return;
+    if (!texts_.insert(PlainName(sentence.text())).second) return;
+    Overrule(use);
+    v1::Sentence& added = implied_.emplace_back(sentence);
+    added.set_origin(v1::SENTENCE_ORIGIN_IMPLIED);
+    added.set_id(NextId());
+  }
+
+  v1::ConstraintList Take() && {
+    for (v1::Sentence& sentence : implied_) *list_.add_sentences() = std::move(sentence);
+    // In the order of the translation's passes.
+    std::stable_sort(list_.mutable_sentences()->begin(), list_.mutable_sentences()->end(),
+                     [](const v1::Sentence& a, const v1::Sentence& b) { return a.scope() < b.scope(); });
+    return std::move(list_);
+  }
+
+ private:
+  // Takes out what others wish of the pieces that the use moves, of these alone.
+  void Overrule(const UseSentence& use) {
+    const std::set<std::string> used(use.sentence.subject_ids().begin(), use.sentence.subject_ids().end());
+    const auto gives_way = [&](const v1::Sentence& other) {
+      if (other.origin() == v1::SENTENCE_ORIGIN_BRIEF || other.scope() == v1::SENTENCE_SCOPE_TERTIARY) return false;
+      if (other.subject_ids().empty() || other.subject_ids(0) != use.sentence.subject_ids(0)) return false;
+      const bool alone = std::ranges::all_of(other.subject_ids(), [&](const auto& id) { return used.contains(id); });
+      const std::string words = fmt::format(" {} ", PlainName(other.text()));
+      return alone && std::ranges::any_of(use.overrules, [&](const std::string& word) {
+               return words.find(fmt::format(" {} ", word)) != std::string::npos;
+             });
+    };
+    auto& sentences = *list_.mutable_sentences();
+    for (int i = 0; i < sentences.size();) {
+      if (!gives_way(sentences[i])) {
+        ++i;
+        continue;
+      }
+      v1::CleaningStep& step = *list_.add_cleaning_steps();
+      step.set_action(v1::CLEANING_ACTION_USE_FIRST);
+      step.add_from_ids(sentences[i].id());
+      step.set_reason(fmt::format("\"{}\" gives way to \"{}\"", sentences[i].text(), use.sentence.text()));
+      sentences.DeleteSubrange(i, 1);
+    }
+  }
+
+  std::string NextId() {
+    const auto is_taken = [&](const std::string& id) {
+      return std::ranges::any_of(list_.sentences(), [&](const v1::Sentence& one) { return one.id() == id; });
+    };
+    std::string id;
+    do id = fmt::format("u{}", ++last_number_);
+    while (is_taken(id));
+    return id;
+  }
+
+  v1::ConstraintList list_;
+  std::set<std::string> tertiary_ids_;
+  std::set<std::string> placed_ids_;
+  std::set<std::string> texts_;
+  std::vector<v1::Sentence> implied_;
+  int last_number_ = 0;
+};
+
+}  // namespace
+
+v1::ConstraintList CompleteConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
+                                       const v1::ConstraintList& list, const Handbook& handbook) {
+  const absl::StatusOr<std::vector<UseSentence>> uses =
+      ListUses(request.brief, request.room, request.zones, ByClass(objects, handbook), objects, handbook);
+  if (!uses.ok()) {
+    v1::ConstraintList same = list;
+    AddDiagnostic(v1::SEVERITY_NOTE, "not_completed",
+                  fmt::format("Nothing was added of how one uses the pieces: {}", std::string(uses.status().message())),
+                  same);
+    return same;
+  }
+  Completion completion(objects, list);
+  for (const UseSentence& use : *uses) completion.Add(use);
+  return std::move(completion).Take();
+}
+
+}  // namespace flair::language
