@@ -198,6 +198,14 @@ std::string CleanedText(const v1::ConstraintList& list, const v1::ConstraintList
   return text + SentencesText(list, most_rows);
 }
 
+std::string CompletedText(const v1::ConstraintList& list, size_t most_rows) {
+  std::string text;
+  for (const v1::CleaningStep& step : list.cleaning_steps()) {
+    if (step.action() == v1::CLEANING_ACTION_USE_FIRST) text += fmt::format("gave way   {}\n", step.reason());
+  }
+  return text + SentencesText(list, most_rows);
+}
+
 std::string GraphText(const v1::LayoutGraph& graph, size_t most_rows) {
   std::map<std::string_view, std::vector<const v1::ConstraintEdge*>> calls;
   for (const v1::ConstraintEdge& edge : graph.edges()) calls[edge.sentence_id()].push_back(&edge);
@@ -258,7 +266,7 @@ std::string ContentText(const v1::Artifact& artifact, const v1::ConstraintList* 
     case v1::Artifact::kConstraintList:
       return CleanedText(artifact.constraint_list(), raw, most_rows);
     case v1::Artifact::kCompletedConstraintList:
-      return SentencesText(artifact.completed_constraint_list(), most_rows);
+      return CompletedText(artifact.completed_constraint_list(), most_rows);
     case v1::Artifact::kLayoutGraph:
       return GraphText(artifact.layout_graph(), most_rows);
     case v1::Artifact::kSolvedLayout:

@@ -15,13 +15,19 @@
 namespace flair::language {
 namespace {
 
+// Whether the object is carried as the class is: a "reading lamp" on a desk is no floor lamp.
+bool IsCarriedAlike(const v1::Object& object, const hb::Furniture& furniture) {
+  const int kind = furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED ? hb::FURNITURE_KIND_FLOOR : furniture.kind();
+  return static_cast<int>(object.kind()) == kind;
+}
+
 // The objects by the names of their classes; those of no class keep their own.
 v1::ObjectList ByClass(const v1::ObjectList& objects, const Handbook& handbook) {
   const FurnitureIndex index(handbook);
   v1::ObjectList named = objects;
   for (v1::Object& object : *named.mutable_objects()) {
     const hb::Furniture* furniture = index.Find(object.name());
-    if (furniture == nullptr) continue;
+    if (furniture == nullptr || !IsCarriedAlike(object, *furniture)) continue;
     object.set_name(furniture->name());
     object.set_category(furniture->category());
   }
@@ -50,6 +56,8 @@ class Completion {
     v1::Sentence& added = implied_.emplace_back(sentence);
     added.set_origin(v1::SENTENCE_ORIGIN_IMPLIED);
     added.set_id(NextId());
+    added.set_reason(fmt::format("nobody asked for it: {}",
+                                 sentence.reason().empty() ? "it is how one uses it" : sentence.reason()));
   }
 
   v1::ConstraintList Take() && {

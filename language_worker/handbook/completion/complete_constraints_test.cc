@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,11 @@ TEST_F(Strangers, ChairIsDrawnUpToItsDesk) {
   Complete();
   EXPECT_THAT(Implied(),
               Contains("The front of the ergonomic desk chair is next to the front of the oak writing desk."));
+  const auto chair = std::ranges::find_if(completed_.sentences(), [](const v1::Sentence& one) {
+    return one.text().find("chair is next") != std::string::npos;
+  });
+  ASSERT_NE(chair, completed_.sentences().end());
+  EXPECT_EQ(chair->reason(), "nobody asked for it: one sits down to work there");
 }
 
 TEST_F(Strangers, ChairsSurroundTheirTable) {
@@ -82,6 +88,22 @@ TEST_F(Strangers, ChairsSurroundTheirTable) {
   for (const char* id : {"a", "b", "c", "d"}) Piece(id, "dining_chair");
   Complete();
   EXPECT_THAT(Implied(), Contains("The dining_chairs surround the walnut dining table."));
+}
+
+TEST_F(Strangers, NamesInThePluralAreOnePieceEach) {
+  Piece("table", "dining table");
+  Piece("a", "dining chairs");
+  Piece("b", "dining chairs");
+  Complete();
+  EXPECT_THAT(Implied(), Contains("The dining chairs surround the dining table."));
+}
+
+TEST_F(Strangers, LampOnADeskIsNoFloorLamp) {
+  Piece("seat", "armchair");
+  Piece("light", "reading lamp", v1::OBJECT_ROLE_TERTIARY);
+  objects_.mutable_objects(1)->set_kind(v1::OBJECT_KIND_SURFACE);
+  Complete();
+  for (const std::string& text : Implied()) EXPECT_THAT(text, Not(::testing::HasSubstr("lamp")));
 }
 
 TEST_F(Strangers, WhatGoesAgainstAUseGivesWayAndIsTold) {

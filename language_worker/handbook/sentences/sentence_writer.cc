@@ -289,7 +289,8 @@ std::string SentenceWriter::NameOf(const Group& group) const {
 std::string PluralOf(const std::string& name, const Handbook& handbook) {
   const hb::Furniture* furniture = handbook.FindFurniture(name);
   if (furniture != nullptr && !furniture->plural().empty()) return furniture->plural();
-  return english::Plural(name);
+  // A stranger's "dining chairs" are one chair each.
+  return english::Plural(english::Singular(name));
 }
 
 bool SentenceWriter::IsPlural(const std::string& name) const {
