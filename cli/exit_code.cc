@@ -40,6 +40,10 @@ int ExitCodeOf(const absl::Status& status) {
 
 absl::Status FileError(const std::string& message) { return absl::FailedPreconditionError(message); }
 
+absl::Status About(const std::string& subject, const absl::Status& status) {
+  return absl::Status(status.code(), subject + ": " + std::string(status.message()));
+}
+
 absl::Status EndWith(ExitCode code, const std::string& message) {
   absl::Status status = absl::UnknownError(message);
   // By a view: clang names the constructor from a string otherwise than the GCC that built the library.

@@ -36,6 +36,8 @@ absl::Status DiffersStatus();
 // What stands for kExitBroken.
 absl::Status BrokenPromises(const std::string& message);
 
+// The same status about `subject`: "SUBJECT: message".
+absl::Status About(const std::string& subject, const absl::Status& status);
 // What stands for a code that no status code stands for.
 absl::Status EndWith(ExitCode code, const std::string& message);
 

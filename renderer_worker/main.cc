@@ -11,7 +11,8 @@ namespace flair {
 namespace {
 
 absl::Status Assemble(const config::v1::RendererWorkerConfig& config, runtime::Worker& worker) {
-  ASSIGN_OR_RETURN(std::unique_ptr<grpc::Service> service, renderer::MakeRendererService(config, worker.context()));
+  ASSIGN_OR_RETURN(std::unique_ptr<grpc::Service> service,
+                   renderer::MakeRendererService(config, worker.context(), renderer::OurSceneFiles()));
   worker.Serve(v1::RendererService::service_full_name(), std::move(service));
   return absl::OkStatus();
 }

@@ -12,9 +12,11 @@
 #include <limits>
 #include <memory>
 
+#include "absl/cleanup/cleanup.h"
 #include "absl/strings/escaping.h"
 #include "cli/exit_code.h"
-#include "cli/input/artifact_bytes.h"
+#include "cli/input/artifact_file.h"
+#include "cli/output/output_folder.h"
 #include "cli/progress/progress.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
@@ -28,20 +30,6 @@ constexpr size_t kReadAtOnce = 1u << 20;
 absl::Status Cannot(const char* what, const std::string& path) {
   return FileError(fmt::format("{}: cannot be {}: {}", path, what, std::strerror(errno)));
 }
-
-class OpenFile {
- public:
-  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
-  ~OpenFile() {
-    if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int descriptor() const { return descriptor_; }
-
- private:
-  const int descriptor_;
-};
 
 // SHA-256 of what comes piece by piece.
 class StreamDigest {
@@ -62,15 +50,6 @@ class StreamDigest {
  private:
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
 };
-
-bool WriteWhole(int file, const std::string& bytes) {
-  for (size_t written = 0; written < bytes.size();) {
-    const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) written += static_cast<size_t>(count);
-  }
-  return true;
-}
 
 absl::Status CheckKind(const std::string& name, const std::string& beginning) {
   std::string kind = ForeignKind(beginning);
@@ -100,7 +79,7 @@ absl::Status Digest(int file, const std::string& name, int copy, runtime::Cancel
     }
     digest.Add(bytes);
     input.size_bytes += count;
-    if (copy >= 0 && !WriteWhole(copy, bytes)) return Cannot("written", input.path.string());
+    if (copy >= 0 && WriteAll(copy, bytes) != 0) return Cannot("written", input.path.string());
   }
   return absl::CancelledError(fmt::format("{}: interrupted while it was read; nothing was submitted", name));
 }
@@ -111,26 +90,30 @@ absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::f
                                           runtime::Cancellation& stop) {
   const bool standard = given == "-";
   const std::string name = standard ? "standard input" : given;
-  const OpenFile file(standard ? STDIN_FILENO : ::open(given.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.descriptor() < 0 && errno == ENOENT) {
+  const int file = standard ? STDIN_FILENO : ::open(given.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0 && errno == ENOENT) {
     return absl::NotFoundError(fmt::format("{}: no such file; should be a file with a brief a line, or -", given));
   }
   struct stat status = {};
-  if (file.descriptor() < 0 || ::fstat(file.descriptor(), &status) != 0) return Cannot("read", name);
+  if (file < 0 || ::fstat(file, &status) != 0) return Cannot("read", name);
+  const absl::Cleanup close = [file] {
+    if (file > STDERR_FILENO) ::close(file);
+  };
   if (S_ISDIR(status.st_mode)) return FileError(fmt::format("{}: is a folder; should be a file of briefs", given));
   BatchInput input;
   input.name = standard ? "" : std::filesystem::path(given).filename().string();
   absl::Status read;
   if (S_ISREG(status.st_mode) && !standard) {
     input.path = std::filesystem::absolute(given);
-    read = Digest(file.descriptor(), name, -1, stop, input);
+    read = Digest(file, name, -1, stop, input);
   } else {
     input.path = std::filesystem::absolute(copy);
     std::error_code error;
     std::filesystem::create_directories(input.path.parent_path(), error);
-    const OpenFile made(::open(input.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (made.descriptor() < 0) return Cannot("written", input.path.string());
-    read = Digest(file.descriptor(), name, made.descriptor(), stop, input);
+    const int made = ::open(input.path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (made < 0) return Cannot("written", input.path.string());
+    read = Digest(file, name, made, stop, input);
+    ::close(made);
   }
   if (!read.ok()) return read;
   return input;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/batch_monitor.h"
-
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -11,7 +9,9 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/time/clock.h"
+#include "cli/batch/batch_run.h"
 #include "cli/batch/result_row.h"
+#include "cli/output/message_view.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
 #include "fmt/format.h"
@@ -35,8 +35,7 @@ std::string FailuresText(const v1::Batch& batch) {
 }
 
 std::string BatchStateWord(v1::BatchState state) {
-  if (!v1::BatchState_IsValid(state) || state == v1::BATCH_STATE_UNSPECIFIED) return "active";
-  return absl::AsciiStrToLower(v1::BatchState_Name(state).substr(std::string("BATCH_STATE_").size()));
+  return state == v1::BATCH_STATE_UNSPECIFIED ? "active" : EnumInWords(state);
 }
 
 int64_t EndedCount(const v1::Batch& batch) {
@@ -83,7 +82,7 @@ size_t TerminalWidth() {
 
 }  // namespace
 
-BatchMonitor::BatchMonitor(BatchSession& session, std::string batch_id, Options options)
+BatchMonitor::BatchMonitor(Session& session, std::string batch_id, Options options)
     : session_(session),
       batch_id_(std::move(batch_id)),
       options_(std::move(options)),

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/batch_report.h"
-
 #include <stdio.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/batch/results_file.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"

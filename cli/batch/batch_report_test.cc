@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/batch_report.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/batch/batch_monitor.h"
-#include "cli/batch/kept_files.h"
+#include "cli/batch/batch_run.h"
+#include "cli/batch/result_writer.h"
+#include "cli/batch/results_file.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/programs.h"

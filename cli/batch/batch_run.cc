@@ -12,11 +12,11 @@
 #include <thread>
 
 #include "absl/time/clock.h"
-#include "cli/batch/batch_monitor.h"
 #include "cli/batch/collector.h"
 #include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
+#include "cli/progress/progress.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/status/status_macros.h"
@@ -78,7 +78,7 @@ namespace {
 // Rows that may wait for the files of others.
 constexpr size_t kHeldRows = 2048;
 
-absl::Status Collect(BatchSession& session, BatchFolder& folder, const std::string& batch_id) {
+absl::Status Collect(Session& session, BatchFolder& folder, const std::string& batch_id) {
   ASSIGN_OR_RETURN(const BatchPlace place, folder.Place());
   ASSIGN_OR_RETURN(KeptFiles kept, KeptFiles::Parse(place.kept));
   const auto shard_size = static_cast<size_t>(place.shard_size);
@@ -123,11 +123,10 @@ absl::Status GoesOn(const BatchFolder& folder, const v1::Batch& batch, bool with
   return EndWith(kExitStopped, fmt::format("stopped; batch {} goes on where it was: {}", batch.id(), how));
 }
 
-absl::Status Summarize(BatchSession& session, const v1::Batch& batch, BatchFolder& folder,
-                       const BatchRunOptions& options) {
+absl::Status Summarize(Session& session, const v1::Batch& batch, BatchFolder& folder, const BatchRunOptions& options) {
   ASSIGN_OR_RETURN(const BatchReport report, MakeBatchReport(folder.results()));
   if (options.json) {
-    fmt::print("{}\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", JsonText(report));
   } else if (!options.quiet) {
     fmt::print(stderr, "{}", BatchOutcomeText(report));
   }
@@ -161,7 +160,7 @@ absl::Status EndOf(const BatchReport& report, const std::string& name) {
   return absl::OkStatus();
 }
 
-absl::Status RunBatch(const v1::Batch& batch, BatchSession& session, BatchFolder& folder, Submission* submission,
+absl::Status RunBatch(const v1::Batch& batch, Session& session, BatchFolder& folder, Submission* submission,
                       Interruption& interruption, const BatchRunOptions& options) {
   absl::Status collected;
   absl::Status submitted;
@@ -189,9 +188,6 @@ absl::Status RunBatch(const v1::Batch& batch, BatchSession& session, BatchFolder
 
 namespace {
 
-// Where no terminal is, how far it came is said so seldom.
-constexpr absl::Duration kBetweenLines = absl::Minutes(1);
-
 std::string NameOfBatch(const v1::Batch& batch) {
   return batch.label().empty() ? batch.id() : fmt::format("{} ({})", batch.id(), Printable(batch.label()));
 }
@@ -210,30 +206,6 @@ absl::Status Confirm(const v1::Batch& batch) {
   return EndWith(kExitStopped, "nothing was deleted");
 }
 
-// Says how far it came, on one line of a terminal.
-class DeletionProgress {
- public:
-  explicit DeletionProgress(int64_t job_count) : job_count_(job_count) {}
-  ~DeletionProgress() {
-    if (shown_ && on_terminal_) fmt::print(stderr, "\r\033[K");
-  }
-  void Show(const v1::DeleteBatchResponse& all) {
-    if (!on_terminal_ && absl::Now() - told_ < kBetweenLines) return;
-    told_ = absl::Now();
-    shown_ = true;
-    fmt::print(stderr, "{}deleted {} of {}, {}{}", on_terminal_ ? "\r" : "",
-               std::min(job_count_, all.deleted_job_count()), Counted(job_count_, "job"),
-               Counted(all.deleted_artifact_count(), "artifact"), on_terminal_ ? "\033[K" : "\n");
-    std::fflush(stderr);
-  }
-
- private:
-  const int64_t job_count_;
-  const bool on_terminal_ = ::isatty(STDERR_FILENO) != 0;
-  absl::Time told_ = absl::Now();
-  bool shown_ = false;
-};
-
 }  // namespace
 
 absl::Status CheckHasEnded(const v1::Batch& batch) {
@@ -245,12 +217,12 @@ absl::Status CheckHasEnded(const v1::Batch& batch) {
                                             batch.id(), why, batch.id()));
 }
 
-absl::Status DeleteWholeBatch(const v1::Batch& batch, BatchSession& batches, const DeletionOptions& options) {
+absl::Status DeleteWholeBatch(const v1::Batch& batch, Session& batches, const DeletionOptions& options) {
   RETURN_IF_ERROR(CheckHasEnded(batch));
   RETURN_IF_ERROR(options.yes ? absl::OkStatus() : Confirm(batch));
   v1::DeleteBatchResponse all;
   {
-    DeletionProgress progress(batch.job_count());
+    SlowNote note("deleting");
     while (!all.done()) {
       const absl::StatusOr<v1::DeleteBatchResponse> some = batches.DeleteBatch(batch.id());
       // Somebody else was faster with the rest of it.
@@ -265,7 +237,8 @@ absl::Status DeleteWholeBatch(const v1::Batch& batch, BatchSession& batches, con
       all.set_deleted_job_count(all.deleted_job_count() + some->deleted_job_count());
       all.set_deleted_artifact_count(all.deleted_artifact_count() + some->deleted_artifact_count());
       all.set_done(some->done());
-      if (!all.done()) progress.Show(all);
+      note.Set(fmt::format("deleted {} of {}, {}", std::min<int64_t>(batch.job_count(), all.deleted_job_count()),
+                           Counted(batch.job_count(), "job"), Counted(all.deleted_artifact_count(), "artifact")));
     }
   }
   all.set_done(true);

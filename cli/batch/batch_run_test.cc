@@ -26,7 +26,8 @@ class BatchDeletionTest : public ::testing::Test {
  protected:
   absl::Status Delete(const v1::Batch& batch, const DeletionOptions& options = {.yes = true}) {
     ::testing::internal::CaptureStdout();
-    BatchSession session(service_.channel(), {.address = "the test", .patience = absl::ZeroDuration()}, stop_);
+    Session session(service_.channel(), "the test");
+    session.SetLimits({.patience = absl::ZeroDuration(), .stop = &stop_});
     absl::Status status = DeleteWholeBatch(batch, session, options);
     said_ = ::testing::internal::GetCapturedStdout();
     return status;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/brief_line.h"
-
 #include <google/protobuf/descriptor.h>
 
 #include <initializer_list>
@@ -11,8 +9,11 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_replace.h"
+#include "cli/batch/batch_input.h"
+#include "cli/input/artifact_file.h"
+#include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
-#include "cli/input/room_file.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "room/validation/validate.h"
@@ -40,7 +41,7 @@ std::optional<json> Take(json& object, std::initializer_list<const char*> names)
 }
 
 absl::Status Wrong(std::string_view field, const json& value, std::string_view right) {
-  std::string shown = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string shown = JsonText(value);
   if (shown.size() > 80) shown = shown.substr(0, 77) + "...";
   return absl::InvalidArgumentError(fmt::format("{}: is {}; {}", field, shown, right));
 }
@@ -189,7 +190,6 @@ using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
-using nlohmann::json;
 
 const FieldDescriptor* FieldNamed(const Descriptor& type, const std::string& name) {
   const FieldDescriptor* field = type.FindFieldByName(name);
@@ -199,14 +199,7 @@ const FieldDescriptor* FieldNamed(const Descriptor& type, const std::string& nam
 // "leave-out" to MISFIT_POLICY_LEAVE_OUT; what is no word of the enum stays.
 void SpellOutWord(const EnumDescriptor& type, json& value) {
   if (!value.is_string()) return;
-  const std::string word = absl::StrReplaceAll(absl::AsciiStrToUpper(value.get<std::string>()), {{"-", "_"}});
-  for (int i = 0; i < type.value_count(); ++i) {
-    const std::string& name = type.value(i)->name();
-    if (name.size() > word.size() && name.ends_with(word) && name[name.size() - word.size() - 1] == '_') {
-      value = name;
-      return;
-    }
-  }
+  if (const auto* const word = FindWord(type, value.get<std::string>())) value = word->name();
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the text, whose depth was checked.
@@ -270,15 +263,14 @@ bool NestsWithin(std::string_view json, int most) {
 
 absl::Status SetFromJson(const json& object, std::string_view path, Message& message) {
   if (!object.is_object()) {
-    return absl::InvalidArgumentError(fmt::format(
-        "{}: is {}; expected an object of {}", path,
-        object.dump(-1, ' ', false, json::error_handler_t::replace).substr(0, 80), message.GetDescriptor()->name()));
+    return absl::InvalidArgumentError(fmt::format("{}: is {}; expected an object of {}", path,
+                                                  JsonText(object).substr(0, 80), message.GetDescriptor()->name()));
   }
   json spelt = object;
   SpellOutWords(*message.GetDescriptor(), spelt);
   const std::unique_ptr<Message> said(message.New());
   // The parser says NAME:LINE: FIELD: what; everything here is on one line.
-  const absl::Status status = ParseJsonMessage("", spelt.dump(-1, ' ', false, json::error_handler_t::replace), *said);
+  const absl::Status status = ParseJsonMessage("", JsonText(spelt), *said);
   if (!status.ok()) {
     std::string words = absl::StrReplaceAll(status.message(), {{"; or a newer Flair wrote it", ""}});
     if (words.starts_with(":1: ")) words = words.substr(4);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/brief_line.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/batch/batch_input.h"
 #include "cli/output/artifact_text.h"
 
 namespace flair::cli {

@@ -29,7 +29,7 @@ bool IsOfJob(const absl::Status& status) {
 
 }  // namespace
 
-Collector::Collector(BatchSession& session, ResultsFile& results, ResultWriter& writer, const Options& options)
+Collector::Collector(Session& session, ResultsFile& results, ResultWriter& writer, const Options& options)
     : session_(session), results_(results), writer_(writer), options_(options) {}
 
 absl::StatusOr<int64_t> Collector::FirstSequence() {

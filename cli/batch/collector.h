@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "cli/batch/kept_files.h"
 #include "cli/batch/result_writer.h"
 #include "cli/batch/results_file.h"
-#include "cli/session/batch_session.h"
+#include "cli/session/session.h"
 
 namespace flair::cli {
 
@@ -37,7 +36,7 @@ class Collector {
   };
 
   // All outlive it.
-  Collector(BatchSession& session, ResultsFile& results, ResultWriter& writer, const Options& options);
+  Collector(Session& session, ResultsFile& results, ResultWriter& writer, const Options& options);
 
   // Collects until the batch is closed and all its jobs have ended and are fetched. CANCELLED when the session is
   // stopped; then, as after every error, another collector goes on where this one was.
@@ -71,7 +70,7 @@ class Collector {
   absl::Status Remember(bool all);
   void Fail(const absl::Status& status);
 
-  BatchSession& session_;
+  Session& session_;
   ResultsFile& results_;
   ResultWriter& writer_;
   const Options& options_;

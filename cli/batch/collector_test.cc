@@ -17,7 +17,8 @@ using ::testing::HasSubstr;
 class CollectorTest : public ::testing::Test {
  protected:
   CollectorTest() : results_(*ResultsFile::Open(folder_ / "results.db")) {
-    BatchSession session(service_.channel(), {.address = "the test"}, stop_);
+    Session session(service_.channel(), "the test");
+    session.SetLimits({.patience = absl::Minutes(2), .stop = &stop_});
     v1::AddToBatchRequest request;
     for (int i = 0; i < 10; ++i) request.add_specs()->mutable_brief()->set_text(fmt::format("Room {}.", i));
     (void)session.AddToBatch(request, [](const std::string&) {});
@@ -25,7 +26,8 @@ class CollectorTest : public ::testing::Test {
 
   // A collector of its own.
   absl::Status Collect(const std::string& kept = KeptFiles::kDefault, int shard_size = 0) {
-    BatchSession session(service_.channel(), {.address = "the test", .patience = absl::ZeroDuration()}, stop_);
+    Session session(service_.channel(), "the test");
+    session.SetLimits({.patience = absl::ZeroDuration(), .stop = &stop_});
     std::unique_ptr<ResultWriter> writer = MakeJobFolders(folder_.path());
     if (shard_size > 0) writer = *MakeTarShards(folder_.path(), shard_size);
     const Collector::Options options{

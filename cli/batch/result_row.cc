@@ -8,6 +8,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/time/time.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/message_view.h"
 #include "fmt/format.h"
 
 namespace flair::cli {
@@ -68,18 +69,23 @@ std::vector<ResultColumn> MakeColumns() {
   return columns;
 }
 
-double Seconds(const google::protobuf::Duration& duration) {
-  return static_cast<double>(duration.seconds()) + 1e-9 * duration.nanos();
-}
-
 std::string TimeText(const google::protobuf::Timestamp& time) {
   const absl::Time value = absl::FromUnixSeconds(time.seconds()) + absl::Nanoseconds(time.nanos());
   return absl::FormatTime("%Y-%m-%d %H:%M:%E3S", value, absl::UTCTimeZone());
 }
 
-template <typename Word>
-std::string LowerWithout(const Word& name, std::string_view prefix) {
-  return absl::AsciiStrToLower(std::string(name).substr(prefix.size()));
+// The fields of a message that have a column of their name.
+void AddFields(const google::protobuf::Message& message, ResultRow& row) {
+  using google::protobuf::FieldDescriptor;
+  for (const ResultColumn& column : ResultColumns()) {
+    const FieldDescriptor* const field = message.GetDescriptor()->FindFieldByName(column.name);
+    if (field == nullptr) continue;
+    if (field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+      row.Set(column.name, message.GetReflection()->GetDouble(message, field));
+    } else {
+      row.Set(column.name, int64_t{message.GetReflection()->GetInt32(message, field)});
+    }
+  }
 }
 
 void AddArtifacts(const v1::Job& job, ResultRow& row) {
@@ -123,36 +129,15 @@ int64_t ResultRow::Int(std::string_view column) const {
   return number == nullptr ? 0 : *number;
 }
 
-std::string JobStateWord(v1::JobState state) {
-  if (state == v1::JOB_STATE_QUEUED) return "waiting";
-  return v1::JobState_IsValid(state) ? LowerWithout(v1::JobState_Name(state), "JOB_STATE_") : "unknown";
-}
-
 std::string FailureKindWord(v1::FailureKind kind) {
-  if (kind == v1::FAILURE_KIND_UNSPECIFIED) return "";
-  return v1::FailureKind_IsValid(kind) ? LowerWithout(v1::FailureKind_Name(kind), "FAILURE_KIND_") : "unknown";
-}
-
-v1::FailureKind FailureKindOf(std::string_view word) {
-  for (int kind = v1::FAILURE_KIND_INPUT; kind < v1::FailureKind_ARRAYSIZE; ++kind) {
-    if (FailureKindWord(static_cast<v1::FailureKind>(kind)) == word) return static_cast<v1::FailureKind>(kind);
-  }
-  return v1::FAILURE_KIND_UNSPECIFIED;
-}
-
-std::vector<std::string> FailureKindWords() {
-  std::vector<std::string> words;
-  for (int kind = v1::FAILURE_KIND_INPUT; kind < v1::FailureKind_ARRAYSIZE; ++kind) {
-    words.push_back(FailureKindWord(static_cast<v1::FailureKind>(kind)));
-  }
-  return words;
+  return kind == v1::FAILURE_KIND_UNSPECIFIED ? "" : EnumInWords(kind);
 }
 
 ResultRow RowOf(const v1::Job& job) {
   ResultRow row;
   row.Set("batch_index", job.batch_index());
   row.Set("job_id", job.id());
-  row.Set("state", JobStateWord(job.state()));
+  row.Set("state", job.state() == v1::JOB_STATE_QUEUED ? "waiting" : EnumInWords(job.state()));
   if (job.state() == v1::JOB_STATE_FAILED) {
     row.Set("failure_kind", FailureKindWord(job.failure_kind()));
     row.Set("stage", job.stage());
@@ -169,24 +154,14 @@ ResultRow RowOf(const v1::Job& job) {
 }
 
 void AddReport(const v1::Report& report, ResultRow& row) {
-  const v1::LayoutMetrics& metrics = report.metrics();
-  row.Set("oob_percent", metrics.oob_percent());
-  row.Set("oor_percent", metrics.oor_percent());
-  row.Set("reachable_floor_share", metrics.reachable_floor_share());
-  row.Set("reachable_front_share", metrics.reachable_front_share());
-  row.Set("pathway_cost_m3", metrics.pathway_cost_m3());
-  row.Set("deepest_overlap_m", metrics.deepest_overlap_m());
-  const v1::ConstraintSummary& constraints = report.constraints();
-  row.Set("satisfied_count", int64_t{constraints.satisfied_count()});
-  row.Set("violated_count", int64_t{constraints.violated_count()});
-  row.Set("dropped_count", int64_t{constraints.dropped_count()});
-  row.Set("untranslated_count", int64_t{constraints.untranslated_count()});
+  AddFields(report.metrics(), row);
+  AddFields(report.constraints(), row);
   double time_s = 0;
   for (const v1::StageTiming& timing : report.stage_timings()) {
     if (timing.reused()) continue;
-    time_s += Seconds(timing.duration());
+    time_s += SecondsOf(timing.duration());
     if (std::ranges::find(kStages, timing.stage()) != kStages.end()) {
-      row.Set(timing.stage() + "_s", Seconds(timing.duration()));
+      row.Set(timing.stage() + "_s", SecondsOf(timing.duration()));
     }
   }
   row.Set("time_s", time_s);

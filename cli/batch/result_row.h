@@ -46,14 +46,8 @@ class ResultRow {
   std::vector<ResultValue> values_;
 };
 
-// "waiting", "succeeded", "failed", ...
-std::string JobStateWord(v1::JobState state);
 // "worker", "infeasible", ...; empty for a job that has not failed.
 std::string FailureKindWord(v1::FailureKind kind);
-// Such as "worker" or "timeout"; UNSPECIFIED when it is none.
-v1::FailureKind FailureKindOf(std::string_view word);
-// All such words.
-std::vector<std::string> FailureKindWords();
 
 // Everything that a job says of itself: not what only the submission (line, key) or the collection (path) knows.
 ResultRow RowOf(const v1::Job& job);

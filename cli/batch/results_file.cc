@@ -3,6 +3,7 @@
 
 #include <sqlite3.h>
 
+#include "absl/cleanup/cleanup.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
 #include "cli/exit_code.h"
@@ -65,26 +66,16 @@ ResultValue Read(sqlite3_stmt* statement, int column) {
   }
 }
 
+std::string TextOf(const ResultValue& value) {
+  const auto* const text = std::get_if<std::string>(&value);
+  return text == nullptr ? "" : *text;
+}
+
 ResultRow ReadRow(sqlite3_stmt* statement) {
   ResultRow row;
   for (size_t i = 0; i < row.values().size(); ++i) row.values()[i] = Read(statement, static_cast<int>(i));
   return row;
 }
-
-// Resets a statement when it goes, so that it holds no lock.
-class Use {
- public:
-  explicit Use(sqlite3_stmt* statement) : statement_(statement) {}
-  ~Use() {
-    sqlite3_reset(statement_);
-    sqlite3_clear_bindings(statement_);
-  }
-  Use(const Use&) = delete;
-  Use& operator=(const Use&) = delete;
-
- private:
-  sqlite3_stmt* const statement_;
-};
 
 }  // namespace
 
@@ -140,21 +131,36 @@ absl::Status ResultsFile::Configure() {
   });
 }
 
-sqlite3_stmt* ResultsFile::Prepare(const std::string& sql) {
+absl::Status ResultsFile::Run(const std::string& sql, std::span<const ResultValue> values, const RowTaker& see) {
+  const std::lock_guard lock(mutex_);
   sqlite3_stmt*& statement = statements_[sql];
   if (statement == nullptr) {
     sqlite3_prepare_v3(connection_, sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT, &statement,
                        nullptr);
   }
-  return statement;
+  if (statement == nullptr) return Error();
+  // So that it holds no lock.
+  const absl::Cleanup reset = [used = statement] {
+    sqlite3_reset(used);
+    sqlite3_clear_bindings(used);
+  };
+  sqlite3_stmt* const used = statement;
+  for (size_t i = 0; i < values.size(); ++i) Bind(used, static_cast<int>(i) + 1, values[i]);
+  while (true) {
+    const int code = sqlite3_step(used);
+    if (code == SQLITE_DONE) return absl::OkStatus();
+    if (code != SQLITE_ROW) return Error();
+    RETURN_IF_ERROR(see(used));
+  }
 }
 
-absl::StatusOr<bool> ResultsFile::Step(sqlite3_stmt* statement) {
-  if (statement == nullptr) return Error();
-  const int code = sqlite3_step(statement);
-  if (code == SQLITE_ROW) return true;
-  if (code == SQLITE_DONE) return false;
-  return Error();
+absl::StatusOr<ResultValue> ResultsFile::First(const std::string& sql, std::span<const ResultValue> values) {
+  ResultValue first;
+  RETURN_IF_ERROR(Run(sql, values, [&first](sqlite3_stmt* row) {
+    first = Read(row, 0);
+    return absl::OkStatus();
+  }));
+  return first;
 }
 
 absl::Status ResultsFile::Change(const std::function<absl::Status()>& change) {
@@ -168,13 +174,9 @@ absl::Status ResultsFile::Change(const std::function<absl::Status()>& change) {
 }
 
 absl::StatusOr<std::string> ResultsFile::State(std::string_view name) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare("SELECT value FROM state WHERE name = ?");
-  const Use use(statement);
-  Bind(statement, 1, std::string(name));
-  ASSIGN_OR_RETURN(const bool row, Step(statement));
-  if (!row) return "";
-  return std::get<std::string>(Read(statement, 0));
+  const ResultValue values[] = {std::string(name)};
+  ASSIGN_OR_RETURN(const ResultValue value, First("SELECT value FROM state WHERE name = ?", values));
+  return TextOf(value);
 }
 
 absl::StatusOr<int64_t> ResultsFile::IntState(std::string_view name) {
@@ -183,16 +185,11 @@ absl::StatusOr<int64_t> ResultsFile::IntState(std::string_view name) {
 }
 
 absl::Status ResultsFile::SetState(std::string_view name, std::string_view value) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare("INSERT OR REPLACE INTO state (name, value) VALUES (?, ?)");
-  const Use use(statement);
-  Bind(statement, 1, std::string(name));
-  Bind(statement, 2, std::string(value));
-  return Step(statement).status();
+  const ResultValue values[] = {std::string(name), std::string(value)};
+  return First("INSERT OR REPLACE INTO state (name, value) VALUES (?, ?)", values).status();
 }
 
 absl::Status ResultsFile::Put(const ResultRow& row) {
-  const std::lock_guard lock(mutex_);
   static const std::string& sql = *new std::string([] {
     std::string places;
     std::string updates;
@@ -205,74 +202,53 @@ absl::Status ResultsFile::Put(const ResultRow& row) {
     return fmt::format("INSERT INTO jobs ({}) VALUES ({}) ON CONFLICT (batch_index) DO UPDATE SET {}", ColumnNames(),
                        places, updates);
   }());
-  sqlite3_stmt* statement = Prepare(sql);
-  const Use use(statement);
-  for (size_t i = 0; i < row.values().size(); ++i) Bind(statement, static_cast<int>(i) + 1, row.values()[i]);
-  return Step(statement).status();
+  return First(sql, row.values()).status();
 }
 
 absl::Status ResultsFile::ForgetEnd(int64_t batch_index) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare(
-      "UPDATE jobs SET failure_kind = NULL, stage = NULL, error = NULL, error_code = NULL, fetch_error = NULL, "
-      "path = NULL, size_bytes = NULL WHERE batch_index = ?");
-  const Use use(statement);
-  sqlite3_bind_int64(statement, 1, batch_index);
-  return Step(statement).status();
+  const ResultValue values[] = {batch_index};
+  return First(
+             "UPDATE jobs SET failure_kind = NULL, stage = NULL, error = NULL, error_code = NULL, fetch_error = NULL, "
+             "path = NULL, size_bytes = NULL WHERE batch_index = ?",
+             values)
+      .status();
 }
 
 absl::StatusOr<std::optional<ResultRow>> ResultsFile::Find(int64_t batch_index) {
-  const std::lock_guard lock(mutex_);
-  static const std::string& sql =
-      *new std::string(fmt::format("SELECT {} FROM jobs WHERE batch_index = ?", ColumnNames()));
-  sqlite3_stmt* statement = Prepare(sql);
-  const Use use(statement);
-  sqlite3_bind_int64(statement, 1, batch_index);
-  ASSIGN_OR_RETURN(const bool found, Step(statement));
-  if (!found) return std::nullopt;
-  return ReadRow(statement);
+  const ResultValue values[] = {batch_index};
+  std::optional<ResultRow> found;
+  RETURN_IF_ERROR(
+      Run(fmt::format("SELECT {} FROM jobs WHERE batch_index = ?", ColumnNames()), values, [&found](sqlite3_stmt* row) {
+        found = ReadRow(row);
+        return absl::OkStatus();
+      }));
+  return found;
 }
 
 absl::Status ResultsFile::ForEach(std::string_view where, const std::function<absl::Status(const ResultRow&)>& see) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare(fmt::format("SELECT {} FROM jobs{}{} ORDER BY batch_index", ColumnNames(),
-                                                where.empty() ? "" : " WHERE ", where));
-  const Use use(statement);
-  while (true) {
-    ASSIGN_OR_RETURN(const bool row, Step(statement));
-    if (!row) return absl::OkStatus();
-    RETURN_IF_ERROR(see(ReadRow(statement)));
-  }
+  return Run(
+      fmt::format("SELECT {} FROM jobs{}{} ORDER BY batch_index", ColumnNames(), where.empty() ? "" : " WHERE ", where),
+      {}, [&see](sqlite3_stmt* row) { return see(ReadRow(row)); });
 }
 
 absl::StatusOr<int64_t> ResultsFile::Count(const std::string& query) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare(query);
-  const Use use(statement);
-  ASSIGN_OR_RETURN(const bool row, Step(statement));
-  return row ? sqlite3_column_int64(statement, 0) : 0;
+  ASSIGN_OR_RETURN(const ResultValue value, First(query));
+  const auto* const count = std::get_if<int64_t>(&value);
+  return count == nullptr ? 0 : *count;
 }
 
 absl::StatusOr<std::string> ResultsFile::Text(const std::string& query) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare(query);
-  const Use use(statement);
-  ASSIGN_OR_RETURN(const bool row, Step(statement));
-  const ResultValue value = row ? Read(statement, 0) : ResultValue();
-  const auto* text = std::get_if<std::string>(&value);
-  return text == nullptr ? "" : *text;
+  ASSIGN_OR_RETURN(const ResultValue value, First(query));
+  return TextOf(value);
 }
 
 absl::StatusOr<std::vector<double>> ResultsFile::Numbers(const std::string& query) {
-  const std::lock_guard lock(mutex_);
-  sqlite3_stmt* statement = Prepare(query);
-  const Use use(statement);
   std::vector<double> numbers;
-  while (true) {
-    ASSIGN_OR_RETURN(const bool row, Step(statement));
-    if (!row) return numbers;
-    numbers.push_back(sqlite3_column_double(statement, 0));
-  }
+  RETURN_IF_ERROR(Run(query, {}, [&numbers](sqlite3_stmt* row) {
+    numbers.push_back(sqlite3_column_double(row, 0));
+    return absl::OkStatus();
+  }));
+  return numbers;
 }
 
 }  // namespace flair::cli

@@ -8,6 +8,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "cli/batch/result_row.h"
+#include "nlohmann/json_fwd.hpp"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -59,14 +61,33 @@ class ResultsFile {
   absl::Status Configure();
   absl::Status Execute(const std::string& sql);
   absl::Status Error() const;
-  // A statement of this sql, reset; null when it cannot be prepared.
-  sqlite3_stmt* Prepare(const std::string& sql);
-  absl::StatusOr<bool> Step(sqlite3_stmt* statement);
+  using RowTaker = std::function<absl::Status(sqlite3_stmt*)>;
+  // Gives every row of what the sql selects to `see`, until that fails.
+  absl::Status Run(const std::string& sql, std::span<const ResultValue> values, const RowTaker& see);
+  // The first column of the last row; nothing when there is no row.
+  absl::StatusOr<ResultValue> First(const std::string& sql, std::span<const ResultValue> values = {});
 
   sqlite3* const connection_;
   const std::string path_;
   std::recursive_mutex mutex_;
   std::map<std::string, sqlite3_stmt*> statements_;
 };
+
+// What became of a batch, made of results.db alone: batch_id, label, counts of jobs, lines, constraints, model calls
+// and bytes, first_time and last_time (from the first job's creation to the last one's end; empty when none has ended);
+// "failures", a list with an example of each kind: kind, count, batch_index, line (0 when nobody knows), stage, error;
+// and "columns" by name, measures and times, how their values are spread: count, mean, p50, p90, p99, most.
+using BatchReport = nlohmann::ordered_json;
+
+absl::StatusOr<BatchReport> MakeBatchReport(ResultsFile& results);
+int64_t CountIn(const BatchReport& report, const char* name);
+
+// For people.
+std::string BatchReportText(const BatchReport& report);
+// The lines on which it says how the jobs ended and why some failed.
+std::string BatchOutcomeText(const BatchReport& report);
+
+// All rows as RFC 4180 CSV with the names of the columns first, whole or not at all.
+absl::Status WriteResultsCsv(ResultsFile& results, const std::string& path);
 
 }  // namespace flair::cli

@@ -6,6 +6,7 @@
 #include "absl/strings/ascii.h"
 #include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/files/files.h"
@@ -210,7 +211,7 @@ void RejectedLines::Add(int64_t line, const std::string& reason, std::string_vie
   if (!file_.is_open()) file_.open(path_, std::ios::app | std::ios::binary);
   const nlohmann::ordered_json object = {
       {"line", line}, {"reason", reason}, {"text", std::string(text.substr(0, kLongestText))}};
-  const std::string written = object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const std::string written = JsonText(object) + "\n";
   file_ << written;
   size_bytes_ += static_cast<int64_t>(written.size());
 }

@@ -11,9 +11,8 @@
 
 #include "absl/status/status.h"
 #include "cli/batch/batch_input.h"
-#include "cli/batch/brief_line.h"
 #include "cli/batch/results_file.h"
-#include "cli/session/batch_session.h"
+#include "cli/session/session.h"
 
 namespace flair::cli {
 
@@ -53,7 +52,7 @@ class Submission {
   };
 
   // All outlive the submission.
-  Submission(BatchSession& session, ResultsFile& results, const BatchInput& input, const Options& options)
+  Submission(Session& session, ResultsFile& results, const BatchInput& input, const Options& options)
       : session_(session),
         results_(results),
         input_(input),
@@ -80,7 +79,7 @@ class Submission {
   absl::Status SendOneByOne();
   absl::Status Remember();
 
-  BatchSession& session_;
+  Session& session_;
   ResultsFile& results_;
   const BatchInput& input_;
   const Options& options_;

@@ -22,7 +22,8 @@ class SubmissionTest : public ::testing::Test {
     testing::WriteAll(folder_ / "briefs", lines);
     const auto input = OpenBatchInput(folder_ / "briefs", folder_ / "copy", stop_);
     if (!input.ok()) return input.status();
-    BatchSession session(service_.channel(), {.address = "the test"}, stop_);
+    Session session(service_.channel(), "the test");
+    session.SetLimits({.patience = absl::Minutes(2), .stop = &stop_});
     const auto results = *ResultsFile::Open(folder_ / "results.db");
     const Submission::Options options{
         .defaults = {}, .seed_count = seed_count, .folder = folder_.path(), .waits = [this](const std::string& why) {

@@ -5,13 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/bench/problem.h"
-#include "cli/bench/restarts_measure.h"
-#include "cli/bench/solve_bench.h"
-#include "cli/bench/statistics.h"
+#include "cli/bench/measures.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 
 namespace flair::cli {
 namespace {
@@ -81,26 +77,30 @@ TEST_F(BenchTest, FilesOfAnotherKindAreRefusedWithAReason) {
 }
 
 TEST(SolveMeasureTest, CountsTheWorkOfEveryStage) {
-  const SolveMeasure& measure = Measure();
-  EXPECT_GT(measure.cpu_s, 0);
-  for (const StageTally& stage : measure.stages) {
-    EXPECT_GT(stage.restarts, 0);
-    EXPECT_GT(stage.evaluations, 0);
-    EXPECT_GT(stage.cpu_s, 0);
-    EXPECT_LE(stage.cpu_s, measure.cpu_s);
+  const Record& solve = Measure().record;
+  EXPECT_GT(solve["cpu_s"], 0);
+  EXPECT_EQ(solve["stages"].size(), 4u);
+  for (const auto& [name, stage] : solve["stages"].items()) {
+    EXPECT_GT(stage["restarts"], 0);
+    EXPECT_GT(stage["evaluations"], 0);
+    EXPECT_GT(stage["cpu_s"], 0);
+    EXPECT_LE(stage["cpu_s"], solve["cpu_s"]);
   }
   // The account of the branch that won is part of it.
   int64_t winner = 0;
-  for (const v1::StageOutcome& outcome : measure.layout.stage_outcomes()) winner += outcome.evaluation_count();
-  EXPECT_LE(winner, measure.evaluation_count());
+  for (const v1::StageOutcome& outcome : Measure().layout.stage_outcomes()) winner += outcome.evaluation_count();
+  EXPECT_LE(winner, solve["evaluations"]);
 }
 
 TEST(SolveMeasureTest, MeasuresTheRecordedLayoutOnTheSameScale) {
-  const SolveMeasure& measure = Measure();
-  ASSERT_TRUE(measure.recorded);
-  EXPECT_EQ(measure.quality.held + measure.quality.missed + measure.quality.dropped, Study().graph.edges_size());
-  EXPECT_EQ(measure.recorded->held + measure.recorded->missed + measure.recorded->dropped, Study().graph.edges_size());
-  EXPECT_GE(measure.quality.held, measure.recorded->held);
+  const auto all = [](const Record& quality) {
+    return quality["held"].get<int>() + quality["missed"].get<int>() + quality["dropped"].get<int>();
+  };
+  const Record& solve = Measure().record;
+  ASSERT_TRUE(solve.contains("recorded"));
+  EXPECT_EQ(all(solve["ours"]), Study().graph.edges_size());
+  EXPECT_EQ(all(solve["recorded"]), Study().graph.edges_size());
+  EXPECT_GE(solve["ours"]["held"], solve["recorded"]["held"]);
 }
 
 TEST(SolveMeasureTest, AProblemThatDoesNotValidateIsAnError) {
@@ -110,22 +110,23 @@ TEST(SolveMeasureTest, AProblemThatDoesNotValidateIsAnError) {
 }
 
 TEST(SolveTableTest, RowsHaveACellForEveryTitle) {
-  EXPECT_EQ(SolveCells(Measure()).size(), 19u);
-  const std::string header = SolveTable(12).Header(), row = SolveTable(12).Row(SolveCells(Measure()));
+  EXPECT_EQ(SolveCells(Measure().record).size(), 19u);
+  const std::string header = SolveTable(12).Header(), row = SolveTable(12).Row(SolveCells(Measure().record));
   EXPECT_EQ(row.find('\n'), header.find('\n')) << header << row;
 }
 
 TEST(SolveTableTest, TheSummaryComparesWithTheRecordedLayout) {
-  const std::string summary = SolveSummary({Measure()}, 10);
+  const std::string summary = SolveSummary({Measure().record}, 10);
   EXPECT_THAT(summary, HasSubstr("1 room: CPU median"));
   EXPECT_THAT(summary, HasSubstr("mean over 1 room with a recorded layout"));
   EXPECT_THAT(summary, HasSubstr("10.0 MiB before the first solve"));
 }
 
 TEST(SolveJsonTest, HoldsRoomsFailuresAndMissedConstraints) {
-  const auto json = nlohmann::json::parse(SolveMeasuresToJson({Measure()}, {{"bad.json", "no"}}, 10));
+  const auto json =
+      nlohmann::json::parse(SolvesToJson({Measure().record}, {{{"file", "bad.json"}, {"reason", "no"}}}, 10));
   EXPECT_EQ(json["rooms"][0]["name"], "small_study");
-  EXPECT_EQ(json["rooms"][0]["missed"].size(), static_cast<size_t>(Measure().quality.missed));
+  EXPECT_EQ(json["rooms"][0]["missed"].size(), Measure().record["ours"]["missed"].get<size_t>());
   EXPECT_EQ(json["failures"][0]["reason"], "no");
   EXPECT_EQ(json["summary"]["rooms"], 1);
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bench/resolve_bench.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "cli/bench/statistics.h"
-#include "cli/output/text.h"
+#include "cli/bench/measures.h"
 #include "fmt/format.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "optimizer_worker/solver/solver.h"
@@ -68,89 +65,70 @@ std::vector<std::string> EditsOf(const v1::SolvedLayout& layout, int per_kind) {
   return lines;
 }
 
-std::string KindOf(const ResolveMeasure& measure) { return measure.edit.substr(0, measure.edit.find(' ')); }
-
-TextTable Table(const std::vector<ResolveMeasure>& measures) {
+TextTable Table(const std::vector<Record>& edits) {
   size_t width = 12;
-  for (const ResolveMeasure& measure : measures) width = std::max(width, measure.room.size());
+  for (const Record& edit : edits) width = std::max(width, edit["room"].get<std::string>().size());
   return TextTable(
       {"edits of", "edits", "CPU ms", "95 %", "most", "moved", "held", "after", "of these", "anew", "deep mm"}, width,
       7);
 }
 
-std::vector<std::string> Cells(const std::string& name, const std::vector<const ResolveMeasure*>& measures) {
-  std::vector<double> cpu_ms;
-  double moved = 0, before = 0, after = 0, anew = 0, after_compared = 0;
-  double deepest_m = 0;
-  int compared = 0;
-  for (const ResolveMeasure* m : measures) {
-    cpu_ms.push_back(1e3 * m->cpu_s);
-    moved += m->moved_count;
-    before += m->held_before;
-    after += m->held_after;
-    deepest_m = std::max(deepest_m, m->deepest_overlap_m);
-    if (m->held_anew < 0) continue;
-    ++compared;
-    anew += m->held_anew;
-    after_compared += m->held_after;
+std::vector<std::string> Cells(const std::string& name, const std::vector<Record>& edits) {
+  std::vector<Record> compared;
+  std::ranges::copy_if(edits, std::back_inserter(compared),
+                       [](const Record& edit) { return edit.contains("held_anew"); });
+  std::vector<std::string> cells = {name, fmt::format("{}", edits.size())};
+  for (const double share : {0.5, 0.95, 1.0}) {
+    cells.push_back(fmt::format("{:.1f}", Quantile(NumbersAt(edits, "/cpu_s", 1e3), share)));
   }
-  const double n = static_cast<double>(measures.size());
-  return {name,
-          fmt::format("{}", measures.size()),
-          fmt::format("{:.1f}", Quantile(cpu_ms, 0.5)),
-          fmt::format("{:.1f}", Quantile(cpu_ms, 0.95)),
-          fmt::format("{:.1f}", Quantile(cpu_ms, 1)),
-          fmt::format("{:.2f}", moved / n),
-          fmt::format("{:.2f}", before / n),
-          fmt::format("{:.2f}", after / n),
-          compared > 0 ? fmt::format("{:.2f}", after_compared / compared) : "-",
-          compared > 0 ? fmt::format("{:.2f}", anew / compared) : "-",
-          fmt::format("{:.3f}", 1e3 * deepest_m)};
+  const auto add_mean = [&cells](const std::vector<Record>& of, const char* at) {
+    cells.push_back(of.empty() ? "-" : fmt::format("{:.2f}", Mean(NumbersAt(of, at))));
+  };
+  for (const char* at : {"/moved", "/held_before", "/held_after"}) add_mean(edits, at);
+  for (const char* at : {"/held_after", "/held_anew"}) add_mean(compared, at);
+  cells.push_back(fmt::format("{:.3f}", Quantile(NumbersAt(edits, "/deepest_overlap_m", 1e3), 1)));
+  return cells;
 }
 
 }  // namespace
 
-absl::StatusOr<std::vector<ResolveMeasure>> MeasureResolves(const BenchProblem& problem,
-                                                            const v1::SolveOptions& options, int per_kind,
-                                                            int compare_every) {
+absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem, const v1::SolveOptions& options,
+                                                    int per_kind, int compare_every) {
   const optimizer::NloptSolver solver;
   ASSIGN_OR_RETURN(const optimizer::SolveResult start, optimizer::SolveLayout(problem.graph, options, solver));
-  std::vector<ResolveMeasure> measures;
+  std::vector<Record> edits;
   for (const std::string& line : EditsOf(start.layout, per_kind)) {
     ASSIGN_OR_RETURN(v1::LayoutEdit edit, optimizer::EditFromText(line, start.layout));
-    google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
-    *edits.Add() = std::move(edit);
+    google::protobuf::RepeatedPtrField<v1::LayoutEdit> one;
+    *one.Add() = std::move(edit);
     const double began = ProcessCpu_s();
     const absl::StatusOr<optimizer::ResolveResult> result =
-        optimizer::ResolveLayout(start.layout, edits, options, solver);
+        optimizer::ResolveLayout(start.layout, one, options, solver);
     const double cpu_s = ProcessCpu_s() - began;
     // An object grown or added beyond what validation lets through is no measure of the solver.
     if (!result.ok()) continue;
-    ResolveMeasure& measure = measures.emplace_back();
-    measure.room = problem.name;
-    measure.edit = line;
-    measure.cpu_s = cpu_s;
-    measure.object_count = problem.graph.object_list().objects_size();
-    measure.moved_count = static_cast<int>(result->moved_ids.size());
-    measure.held_before = Held(start.layout);
-    measure.held_after = Held(result->layout);
-    measure.deepest_overlap_m = result->layout.metrics().deepest_overlap_m();
-    if (compare_every == 0 || measures.size() % compare_every != 1 % compare_every) continue;
+    Record& record = edits.emplace_back(Record{{"room", problem.name},
+                                               {"edit", line},
+                                               {"cpu_s", cpu_s},
+                                               {"moved", result->moved_ids.size()},
+                                               {"held_before", Held(start.layout)},
+                                               {"held_after", Held(result->layout)},
+                                               {"deepest_overlap_m", result->layout.metrics().deepest_overlap_m()}});
+    if (compare_every == 0 || edits.size() % compare_every != 1 % compare_every) continue;
     const auto anew = optimizer::SolveLayout(result->layout.graph(), options, solver);
-    if (anew.ok()) measure.held_anew = Held(anew->layout);
+    if (anew.ok()) record["held_anew"] = Held(anew->layout);
   }
-  return measures;
+  return edits;
 }
 
-std::string ResolveTable(const std::vector<ResolveMeasure>& measures) {
-  std::map<std::string, std::vector<const ResolveMeasure*>> rooms, kinds;
-  std::vector<const ResolveMeasure*> all;
-  for (const ResolveMeasure& measure : measures) {
-    rooms[measure.room].push_back(&measure);
-    kinds[KindOf(measure)].push_back(&measure);
-    all.push_back(&measure);
+std::string ResolveTable(const std::vector<Record>& edits) {
+  std::map<std::string, std::vector<Record>> rooms, kinds;
+  for (const Record& edit : edits) {
+    const std::string line = edit["edit"];
+    rooms[edit["room"]].push_back(edit);
+    kinds[line.substr(0, line.find(' '))].push_back(edit);
   }
-  const TextTable table = Table(measures);
+  const TextTable table = Table(edits);
   std::string text =
       "CPU ms    of one edit: median, 95th percentile, most\n"
       "moved     objects; held, after: constraints that hold before and after it; means\n"
@@ -160,7 +138,7 @@ std::string ResolveTable(const std::vector<ResolveMeasure>& measures) {
   for (const auto& [name, list] : rooms) text += table.Row(Cells(name, list));
   text += "\n" + table.Header();
   for (const auto& [name, list] : kinds) text += table.Row(Cells("all: " + name, list));
-  return text + table.Row(Cells("all", all));
+  return text + table.Row(Cells("all", edits));
 }
 
 }  // namespace flair::cli

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bench/restarts_measure.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "cli/bench/statistics.h"
-#include "cli/output/text.h"
+#include "cli/bench/measures.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/stage.h"
 #include "worker_runtime/text/counted.h"
@@ -125,7 +121,7 @@ std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
 }
 
 std::string RestartsToJson(const std::vector<RestartsMeasure>& measures) {
-  nlohmann::ordered_json json{{"hit_share", MeanHitShare(measures)}};
+  Record json{{"hit_share", MeanHitShare(measures)}};
   for (const CurvePoint& point : Curve(measures)) {
     json["curve"].push_back({{"restarts", point.restarts},
                              {"share_of_rooms", point.rooms_found},
@@ -135,7 +131,7 @@ std::string RestartsToJson(const std::vector<RestartsMeasure>& measures) {
   for (const RestartsMeasure& room : measures) {
     json["rooms"].push_back({{"name", room.name}, {"scores", room.scores}, {"cpu_s", room.cpu_s}});
   }
-  return json.dump(1) + "\n";
+  return RecordText(json);
 }
 
 }  // namespace flair::cli

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bench/solve_bench.h"
-
 #include <algorithm>
+#include <array>
 #include <functional>
-#include <vector>
+#include <mutex>
 
-#include "cli/bench/statistics.h"
+#include "cli/bench/measures.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "worker_runtime/text/counted.h"
@@ -15,13 +13,73 @@
 namespace flair::cli {
 namespace {
 
-template <typename Message>  // SolvedLayout or EvaluateResponse
-Quality QualityOf(const Message& message) {
-  Quality quality{message.metrics(), 0, 0, 0};
-  for (const v1::EdgeOutcome& edge : message.edge_outcomes()) {
-    quality.held += edge.status() == v1::OUTCOME_STATUS_SATISFIED;
-    quality.missed += edge.status() == v1::OUTCOME_STATUS_VIOLATED;
-    quality.dropped += edge.status() == v1::OUTCOME_STATUS_DROPPED;
+constexpr std::array kStages = {optimizer::StageKind::kPrimary, optimizer::StageKind::kSecondary,
+                                optimizer::StageKind::kPolish, optimizer::StageKind::kTertiary};
+
+std::string NameOf(optimizer::StageKind stage) { return std::string(optimizer::StageName(stage)); }
+
+struct StageTally {
+  int64_t restarts = 0;
+  int64_t evaluations = 0;
+  // CPU time of the threads that called; all of it when the solve has one thread.
+  double cpu_s = 0;
+};
+using StageTallies = std::array<StageTally, kStages.size()>;
+
+// Runs restarts on this process's threads and counts them by stage. Thread-safe.
+class CountingRunner final : public optimizer::RestartRunner {
+ public:
+  absl::StatusOr<std::vector<optimizer::RestartResult>> Run(const optimizer::SolveInput& input,
+                                                            const optimizer::StageSpec& stage,
+                                                            const optimizer::PartialLayout& before, int first,
+                                                            int count) const override {
+    const double started = ThreadCpu_s();
+    absl::StatusOr<std::vector<optimizer::RestartResult>> results = local_.Run(input, stage, before, first, count);
+    const double cpu_s = ThreadCpu_s() - started;
+    if (!results.ok()) return results;
+    const std::lock_guard lock(mutex_);
+    StageTally& tally = tallies_[static_cast<size_t>(stage.kind)];
+    tally.cpu_s += cpu_s;
+    tally.restarts += static_cast<int64_t>(results->size());
+    for (const optimizer::RestartResult& result : *results) tally.evaluations += result.evaluations;
+    return results;
+  }
+  // In the order of kStages. After the solve.
+  const StageTallies& tallies() const { return tallies_; }
+
+ private:
+  const optimizer::LocalRestartRunner local_;
+  mutable std::mutex mutex_;
+  mutable StageTallies tallies_;
+};
+
+// One of the measures of a layout: its name in LayoutMetrics, what people read, and which end is good.
+struct Metric {
+  const char* name;
+  const char* title;
+  bool less_is_better;
+};
+constexpr Metric kMetrics[] = {{"oob_percent", "OOB, % of the room", true},
+                               {"oor_percent", "OOR, % of the room", true},
+                               {"deepest_overlap_m", "deepest overlap, m", true},
+                               {"reachable_floor_share", "reachable floor, share", false},
+                               {"reachable_front_share", "reachable fronts, share", false},
+                               {"pathway_cost_m3", "pathway cost, m3", true}};
+
+// Verdicts and measures of a SolvedLayout or an EvaluateResponse.
+template <typename Message>
+Record QualityOf(const Message& message) {
+  const auto count = [&message](v1::OutcomeStatus status) {
+    return std::ranges::count(message.edge_outcomes(), status, &v1::EdgeOutcome::status);
+  };
+  // Dropped are calls that no term could be made of.
+  Record quality{{"held", count(v1::OUTCOME_STATUS_SATISFIED)},
+                 {"missed", count(v1::OUTCOME_STATUS_VIOLATED)},
+                 {"dropped", count(v1::OUTCOME_STATUS_DROPPED)}};
+  const v1::LayoutMetrics& metrics = message.metrics();
+  for (const Metric& metric : kMetrics) {
+    const auto* const field = metrics.GetDescriptor()->FindFieldByName(metric.name);
+    quality[metric.name] = metrics.GetReflection()->GetDouble(metrics, field);
   }
   return quality;
 }
@@ -36,102 +94,22 @@ std::string FirstDifference(const v1::SolvedLayout& a, const v1::SolvedLayout& b
   return "report";
 }
 
-std::optional<Quality> MeasureRecorded(const BenchProblem& problem, const v1::SolveOptions& options,
-                                       const optimizer::Solver& solver) {
-  if (!problem.recorded) return std::nullopt;
+// The layout that the problem came with, by our own measures.
+void MeasureRecorded(const BenchProblem& problem, const v1::SolveOptions& options, const optimizer::Solver& solver,
+                     Record& record) {
+  if (!problem.recorded) return;
   v1::EvaluateRequest request;
   request.set_request_id("flair-bench");
   *request.mutable_layout_graph() = problem.graph;
   *request.mutable_placements() = problem.recorded->placements();
   *request.mutable_options() = options;
   const absl::StatusOr<v1::EvaluateResponse> response = optimizer::EvaluateLayout(request, solver);
-  if (!response.ok()) return std::nullopt;
-  return QualityOf(*response);
-}
-
-using Measures = std::vector<SolveMeasure>;
-using Figure = std::function<double(const SolveMeasure&)>;
-
-std::vector<double> Collect(const Measures& measures, const Figure& figure) {
-  std::vector<double> values;
-  for (const SolveMeasure& measure : measures) values.push_back(figure(measure));
-  return values;
-}
-
-double HeldShare(const Quality& quality) {
-  return static_cast<double>(quality.held) / std::max(1, quality.held + quality.missed);
-}
-
-// "name 1.23, name 1.11, name 0.9": the worst three of those that are not perfect.
-std::string Worst(const Measures& measures, const Figure& figure, const char* form, double perfect) {
-  std::vector<std::pair<double, std::string>> order;
-  for (const SolveMeasure& m : measures) {
-    if (std::abs(figure(m) - perfect) > 1e-9) order.emplace_back(std::abs(figure(m) - perfect), m.name);
-  }
-  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::string text;
-  for (size_t i = 0; i < std::min<size_t>(3, order.size()); ++i) {
-    const double value = perfect > 0 ? perfect - order[i].first : order[i].first;
-    text += fmt::format("{}{} {}", i > 0 ? ", " : "", order[i].second, fmt::format(fmt::runtime(form), value));
-  }
-  return text.empty() ? "none" : text;
-}
-
-std::string WorstRooms(const Measures& measures) {
-  const auto metric = [](const MetricColumn& column) {
-    return [&column](const SolveMeasure& m) { return column.of(m.quality.metrics); };
-  };
-  std::string text = "worst rooms, and what they have\n";
-  const auto line = [&](const char* name, const Figure& figure, const char* form, double perfect) {
-    text += fmt::format("  {:<24} {}\n", name, Worst(measures, figure, form, perfect));
-  };
-  line(
-      "CPU time, s", [](const SolveMeasure& m) { return m.cpu_s; }, "{:.3f}", 0);
-  line(
-      "missed constraints", [](const SolveMeasure& m) { return m.quality.missed; }, "{:.0f}", 0);
-  for (const MetricColumn& column : kMetrics)
-    line(column.title, metric(column), "{:.4g}", column.less_is_better ? 0 : 1);
-  return text;
-}
-
-// The measures beside those of the recorded layouts, over the rooms that have one.
-std::string BesideRecorded(const Measures& all) {
-  Measures paired;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(paired),
-               [](const SolveMeasure& m) { return m.recorded.has_value(); });
-  if (paired.empty()) return "";
-  const TextTable table({fmt::format("mean over {} with a recorded layout", Counted(std::ssize(paired), "room")),
-                         "ours", "recorded", "ratio", "ours no worse in"},
-                        46, 9);
-  std::string text = table.Header();
-  const auto row = [&](const std::string& name, bool less_is_better, const std::function<double(const Quality&)>& of) {
-    const double ours = Mean(Collect(paired, [&](const SolveMeasure& m) { return of(m.quality); }));
-    const double theirs = Mean(Collect(paired, [&](const SolveMeasure& m) { return of(*m.recorded); }));
-    const auto no_worse = std::count_if(paired.begin(), paired.end(), [&](const SolveMeasure& m) {
-      const double difference = of(m.quality) - of(*m.recorded);
-      return less_is_better ? difference <= 1e-9 : difference >= -1e-9;
-    });
-    text += table.Row({name, fmt::format("{:.4f}", ours), fmt::format("{:.4f}", theirs),
-                       theirs > 0 ? fmt::format("{:.3f}", ours / theirs) : "", Counted(no_worse, "room")});
-  };
-  row("share of constraints that hold, by our terms", false, HeldShare);
-  for (const MetricColumn& column : kMetrics) {
-    row(column.title, column.less_is_better, [&](const Quality& quality) { return column.of(quality.metrics); });
-  }
-  return text;
-}
-
-using nlohmann::ordered_json;
-
-ordered_json QualityToJson(const Quality& quality) {
-  ordered_json json{{"held", quality.held}, {"missed", quality.missed}, {"dropped", quality.dropped}};
-  for (const MetricColumn& column : kMetrics) json[column.name] = column.of(quality.metrics);
-  return json;
+  if (response.ok()) record["recorded"] = QualityOf(*response);
 }
 
 // The constraints that do not hold, and why.
-ordered_json MissedToJson(const v1::SolvedLayout& layout) {
-  ordered_json missed = ordered_json::array();
+Record MissedOf(const v1::SolvedLayout& layout) {
+  Record missed = Record::array();
   for (int i = 0; i < layout.edge_outcomes_size() && i < layout.graph().edges_size(); ++i) {
     const v1::EdgeOutcome& edge = layout.edge_outcomes(i);
     if (edge.status() != v1::OUTCOME_STATUS_VIOLATED) continue;
@@ -143,75 +121,116 @@ ordered_json MissedToJson(const v1::SolvedLayout& layout) {
   return missed;
 }
 
-ordered_json RoomToJson(const SolveMeasure& m) {
-  ordered_json room{{"name", m.name},
-                    {"objects", m.object_count()},
-                    {"cpu_s", m.cpu_s},
-                    {"wall_s", m.wall_s},
-                    {"restarts", m.restart_count()},
-                    {"evaluations", m.evaluation_count()},
-                    {"total_cost", m.layout.total_cost()}};
-  for (size_t s = 0; s < kStages.size(); ++s) {
-    room["stages"][std::string(optimizer::StageName(kStages[s]))] = {{"cost", m.CostOf(kStages[s])},
-                                                                     {"restarts", m.stages[s].restarts},
-                                                                     {"evaluations", m.stages[s].evaluations},
-                                                                     {"cpu_s", m.stages[s].cpu_s}};
-  }
-  room["ours"] = QualityToJson(m.quality);
-  if (m.recorded) room["recorded"] = QualityToJson(*m.recorded);
-  room["missed"] = MissedToJson(m.layout);
-  return room;
-}
-
-}  // namespace
-
-absl::StatusOr<std::vector<optimizer::RestartResult>> CountingRunner::Run(const optimizer::SolveInput& input,
-                                                                          const optimizer::StageSpec& stage,
-                                                                          const optimizer::PartialLayout& before,
-                                                                          int first, int count) const {
-  const double started = ThreadCpu_s();
-  absl::StatusOr<std::vector<optimizer::RestartResult>> results = local_.Run(input, stage, before, first, count);
-  const double cpu_s = ThreadCpu_s() - started;
-  if (!results.ok()) return results;
-  const std::lock_guard lock(mutex_);
-  StageTally& tally = tallies_[static_cast<size_t>(stage.kind)];
-  tally.cpu_s += cpu_s;
-  tally.restarts += static_cast<int64_t>(results->size());
-  for (const optimizer::RestartResult& result : *results) tally.evaluations += result.evaluations;
-  return results;
-}
-
-std::array<StageTally, kStages.size()> CountingRunner::Tallies() const {
-  const std::lock_guard lock(mutex_);
-  return tallies_;
-}
-
-int64_t SolveMeasure::restart_count() const {
-  int64_t count = 0;
-  for (const StageTally& stage : stages) count += stage.restarts;
-  return count;
-}
-
-int64_t SolveMeasure::evaluation_count() const {
-  int64_t count = 0;
-  for (const StageTally& stage : stages) count += stage.evaluations;
-  return count;
-}
-
-double SolveMeasure::CostOf(optimizer::StageKind stage) const {
+// Sum of the costs of a stage's outcomes, of the branch that won.
+double CostOf(const v1::SolvedLayout& layout, const std::string& stage) {
   double cost = 0;
   for (const v1::StageOutcome& outcome : layout.stage_outcomes()) {
-    if (outcome.stage() == optimizer::StageName(stage)) cost += outcome.cost();
+    if (outcome.stage() == stage) cost += outcome.cost();
   }
   return cost;
 }
 
+// `stage_cpu_s` of each repeat; all else is the same in all of them.
+Record StagesOf(const v1::SolvedLayout& layout, const StageTallies& tallies,
+                const std::array<std::vector<double>, kStages.size()>& stage_cpu_s) {
+  Record stages;
+  for (size_t s = 0; s < kStages.size(); ++s) {
+    stages[NameOf(kStages[s])] = {{"cost", CostOf(layout, NameOf(kStages[s]))},
+                                  {"restarts", tallies[s].restarts},
+                                  {"evaluations", tallies[s].evaluations},
+                                  {"cpu_s", Quantile(stage_cpu_s[s], 0.5)}};
+  }
+  return stages;
+}
+
+// "name 1.23, name 1.11, name 0.9": the worst three of those that are not perfect.
+std::string Worst(const std::vector<Record>& solves, const std::string& at, const char* form, double perfect) {
+  std::vector<std::pair<double, std::string>> order;
+  for (const Record& solve : solves) {
+    const double distance = std::abs(*NumberAt(solve, at) - perfect);
+    if (distance > 1e-9) order.emplace_back(distance, solve["name"]);
+  }
+  std::ranges::stable_sort(order, std::greater(), [](const auto& entry) { return entry.first; });
+  std::string text;
+  for (size_t i = 0; i < std::min<size_t>(3, order.size()); ++i) {
+    const double value = perfect > 0 ? perfect - order[i].first : order[i].first;
+    text += fmt::format("{}{} {}", i > 0 ? ", " : "", order[i].second, fmt::format(fmt::runtime(form), value));
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string WorstRooms(const std::vector<Record>& solves) {
+  std::string text = "worst rooms, and what they have\n";
+  const auto line = [&](const char* name, const std::string& at, const char* form, double perfect) {
+    text += fmt::format("  {:<24} {}\n", name, Worst(solves, at, form, perfect));
+  };
+  line("CPU time, s", "/cpu_s", "{:.3f}", 0);
+  line("missed constraints", "/ours/missed", "{:.0f}", 0);
+  for (const Metric& metric : kMetrics) {
+    line(metric.title, fmt::format("/ours/{}", metric.name), "{:.4g}", metric.less_is_better ? 0 : 1);
+  }
+  return text;
+}
+
+// The measures beside those of the recorded layouts, over the rooms that have one.
+std::string BesideRecorded(const std::vector<Record>& all) {
+  std::vector<Record> paired;
+  std::ranges::copy_if(all, std::back_inserter(paired), [](const Record& solve) { return solve.contains("recorded"); });
+  if (paired.empty()) return "";
+  const TextTable table({fmt::format("mean over {} with a recorded layout", Counted(std::ssize(paired), "room")),
+                         "ours", "recorded", "ratio", "ours no worse in"},
+                        46, 9);
+  std::string text = table.Header();
+  const auto row = [&](const std::string& name, bool less_is_better, const auto& of) {
+    std::vector<double> ours, theirs;
+    int no_worse = 0;
+    for (const Record& solve : paired) {
+      ours.push_back(of(solve["ours"]));
+      theirs.push_back(of(solve["recorded"]));
+      const double difference = ours.back() - theirs.back();
+      no_worse += less_is_better ? difference <= 1e-9 : difference >= -1e-9;
+    }
+    text += table.Row({name, fmt::format("{:.4f}", Mean(ours)), fmt::format("{:.4f}", Mean(theirs)),
+                       Mean(theirs) > 0 ? fmt::format("{:.3f}", Mean(ours) / Mean(theirs)) : "",
+                       Counted(no_worse, "room")});
+  };
+  row("share of constraints that hold, by our terms", false, [](const Record& quality) {
+    const double held = quality["held"], missed = quality["missed"];
+    return held / std::max(1.0, held + missed);
+  });
+  for (const Metric& metric : kMetrics) {
+    row(metric.title, metric.less_is_better, [&](const Record& quality) { return quality[metric.name].get<double>(); });
+  }
+  return text;
+}
+
+constexpr Figure kFigures[] = {{"objs", "/objects"},
+                               {"CPU ms", "/cpu_s", 0, 1e3},
+                               {"runs", "/restarts"},
+                               {"evals k", "/evaluations", 0, 1e-3},
+                               {"primary", "/stages/primary/cost", 3},
+                               {"second", "/stages/secondary/cost", 3},
+                               {"polish", "/stages/polish/cost", 3},
+                               {"tertiary", "/stages/tertiary/cost", 3},
+                               {"OOB %", "/ours/oob_percent", 4},
+                               {"OOR %", "/ours/oor_percent", 4},
+                               {"deep mm", "/ours/deepest_overlap_m", 3, 1e3},
+                               {"floor", "/ours/reachable_floor_share", 3},
+                               {"fronts", "/ours/reachable_front_share", 3},
+                               {"path m3", "/ours/pathway_cost_m3", 4},
+                               {"held", "/ours/held"},
+                               {"missed", "/ours/missed"},
+                               {"rec path", "/recorded/pathway_cost_m3", 4},
+                               {"rec held", "/recorded/held"}};
+
+}  // namespace
+
 absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1::SolveOptions& options, int repeats) {
   SolveMeasure measure;
-  measure.name = problem.name;
   const optimizer::NloptSolver solver;
   std::vector<double> cpu_s, wall_s;
   std::array<std::vector<double>, kStages.size()> stage_cpu_s;
+  StageTallies tallies;
   for (int i = 0; i < repeats; ++i) {
     const CountingRunner runner;
     const double cpu = ProcessCpu_s(), wall = Wall_s();
@@ -226,14 +245,25 @@ absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1:
                       FirstDifference(measure.layout, result->layout)));
     }
     measure.layout = std::move(result->layout);
-    measure.stages = runner.Tallies();
-    for (size_t s = 0; s < kStages.size(); ++s) stage_cpu_s[s].push_back(measure.stages[s].cpu_s);
+    tallies = runner.tallies();
+    for (size_t s = 0; s < kStages.size(); ++s) stage_cpu_s[s].push_back(tallies[s].cpu_s);
   }
-  measure.cpu_s = Quantile(cpu_s, 0.5);
-  measure.wall_s = Quantile(wall_s, 0.5);
-  for (size_t s = 0; s < kStages.size(); ++s) measure.stages[s].cpu_s = Quantile(stage_cpu_s[s], 0.5);
-  measure.quality = QualityOf(measure.layout);
-  measure.recorded = MeasureRecorded(problem, options, solver);
+  int64_t restarts = 0, evaluations = 0;
+  for (const StageTally& tally : tallies) {
+    restarts += tally.restarts;
+    evaluations += tally.evaluations;
+  }
+  measure.record = {{"name", problem.name},
+                    {"objects", problem.graph.object_list().objects_size()},
+                    {"cpu_s", Quantile(cpu_s, 0.5)},
+                    {"wall_s", Quantile(wall_s, 0.5)},
+                    {"restarts", restarts},
+                    {"evaluations", evaluations},
+                    {"total_cost", measure.layout.total_cost()},
+                    {"stages", StagesOf(measure.layout, tallies, stage_cpu_s)},
+                    {"ours", QualityOf(measure.layout)}};
+  MeasureRecorded(problem, options, solver, measure.record);
+  measure.record["missed"] = MissedOf(measure.layout);
   return measure;
 }
 
@@ -248,78 +278,57 @@ std::string SolveLegend() {
 }
 
 TextTable SolveTable(size_t name_width) {
-  return TextTable({"room", "objs", "CPU ms", "runs", "evals k", "primary", "second", "polish", "tertiary", "OOB %",
-                    "OOR %", "deep mm", "floor", "fronts", "path m3", "held", "missed", "rec path", "rec held"},
-                   name_width);
+  std::vector<std::string> titles = {"room"};
+  for (const Figure& figure : kFigures) titles.emplace_back(figure.title);
+  return TextTable(titles, name_width);
 }
 
-std::vector<std::string> SolveCells(const SolveMeasure& m) {
-  const v1::LayoutMetrics& metrics = m.quality.metrics;
-  std::vector<std::string> cells = {m.name, fmt::format("{}", m.object_count()), fmt::format("{:.0f}", 1e3 * m.cpu_s),
-                                    fmt::format("{}", m.restart_count()),
-                                    fmt::format("{:.0f}", 1e-3 * static_cast<double>(m.evaluation_count()))};
-  for (const optimizer::StageKind stage : kStages) cells.push_back(fmt::format("{:.3f}", m.CostOf(stage)));
-  for (const std::string& cell :
-       {fmt::format("{:.4f}", metrics.oob_percent()), fmt::format("{:.4f}", metrics.oor_percent()),
-        fmt::format("{:.3f}", 1e3 * metrics.deepest_overlap_m()),
-        fmt::format("{:.3f}", metrics.reachable_floor_share()), fmt::format("{:.3f}", metrics.reachable_front_share()),
-        fmt::format("{:.4f}", metrics.pathway_cost_m3()), fmt::format("{}", m.quality.held),
-        fmt::format("{}", m.quality.missed),
-        m.recorded ? fmt::format("{:.4f}", m.recorded->metrics.pathway_cost_m3()) : "-",
-        m.recorded ? fmt::format("{}", m.recorded->held) : "-"}) {
-    cells.push_back(cell);
-  }
+std::vector<std::string> SolveCells(const Record& solve) {
+  std::vector<std::string> cells = {solve["name"]};
+  for (const Figure& figure : kFigures) cells.push_back(CellOf(solve, figure));
   return cells;
 }
 
-std::string SolveSummary(const Measures& measures, double memory_before_MiB) {
-  int held = 0, missed = 0;
-  for (const SolveMeasure& m : measures) {
-    held += m.quality.held;
-    missed += m.quality.missed;
-  }
-  const std::vector<double> cpu_s = Collect(measures, [](const SolveMeasure& m) { return m.cpu_s; });
-  const double restarts = Mean(Collect(measures, [](const SolveMeasure& m) { return m.restart_count(); }));
-  const double evaluations = Mean(Collect(measures, [](const SolveMeasure& m) { return m.evaluation_count(); }));
+std::string SolveSummary(const std::vector<Record>& solves, double memory_before_MiB) {
+  const auto sum = [&solves](const char* at) {
+    return std::llround(Mean(NumbersAt(solves, at)) * static_cast<double>(solves.size()));
+  };
+  const int64_t held = sum("/ours/held"), judged = held + sum("/ours/missed");
+  const std::vector<double> cpu_s = NumbersAt(solves, "/cpu_s");
   std::string text = fmt::format(
       "\n{}: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
       "restarts {:.1f}, evaluations {:.0f} k a room; {} of {} ({:.1f} %)\n"
       "memory of the process: {:.1f} MiB before the first solve, {:.1f} MiB at most\n\n",
-      Counted(std::ssize(measures), "room"), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95),
-      Quantile(cpu_s, 1), restarts, 1e-3 * evaluations, held,
-      Counted(held + missed, "constraint holds", "constraints hold"), 100.0 * held / std::max(1, held + missed),
-      memory_before_MiB, PeakMemory_MiB());
+      Counted(std::ssize(solves), "room"), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95), Quantile(cpu_s, 1),
+      Mean(NumbersAt(solves, "/restarts")), Mean(NumbersAt(solves, "/evaluations", 1e-3)), held,
+      Counted(judged, "constraint holds", "constraints hold"),
+      100.0 * static_cast<double>(held) / static_cast<double>(std::max<int64_t>(1, judged)), memory_before_MiB,
+      PeakMemory_MiB());
   const TextTable stages({"stage", "CPU ms", "share", "runs", "evals k"}, 10, 8);
   text += "mean per room\n" + stages.Header();
-  for (size_t s = 0; s < kStages.size(); ++s) {
-    const auto mean = [&](const auto& of) {
-      return Mean(Collect(measures, [&](const auto& m) { return of(m.stages[s]); }));
-    };
-    const double stage_cpu_s = mean([](const StageTally& t) { return t.cpu_s; });
-    text += stages.Row({std::string(optimizer::StageName(kStages[s])), fmt::format("{:.1f}", 1e3 * stage_cpu_s),
-                        fmt::format("{:.0f} %", 100 * stage_cpu_s / std::max(1e-9, Mean(cpu_s))),
-                        fmt::format("{:.1f}", mean([](const StageTally& t) { return t.restarts; })),
-                        fmt::format("{:.0f}", 1e-3 * mean([](const StageTally& t) { return t.evaluations; }))});
+  for (const optimizer::StageKind stage : kStages) {
+    const std::string name = NameOf(stage);
+    const auto mean = [&](const char* of) { return Mean(NumbersAt(solves, fmt::format("/stages/{}/{}", name, of))); };
+    text += stages.Row({name, fmt::format("{:.1f}", 1e3 * mean("cpu_s")),
+                        fmt::format("{:.0f} %", 100 * mean("cpu_s") / std::max(1e-9, Mean(cpu_s))),
+                        fmt::format("{:.1f}", mean("restarts")), fmt::format("{:.0f}", 1e-3 * mean("evaluations"))});
   }
-  return text + "\n" + WorstRooms(measures) + "\n" + BesideRecorded(measures);
+  return text + "\n" + WorstRooms(solves) + "\n" + BesideRecorded(solves);
 }
 
-std::string SolveMeasuresToJson(const std::vector<SolveMeasure>& measures, const std::vector<BenchFailure>& failures,
-                                double memory_before_MiB) {
-  ordered_json json{{"rooms", ordered_json::array()}, {"failures", ordered_json::array()}};
-  std::vector<double> cpu_s;
-  for (const SolveMeasure& m : measures) {
-    json["rooms"].push_back(RoomToJson(m));
-    cpu_s.push_back(m.cpu_s);
-  }
-  for (const BenchFailure& failure : failures) {
-    json["failures"].push_back({{"file", failure.file}, {"reason", failure.reason}});
-  }
-  json["summary"] = {{"rooms", measures.size()},           {"cpu_median_s", Quantile(cpu_s, 0.5)},
-                     {"cpu_mean_s", Mean(cpu_s)},          {"cpu_p95_s", Quantile(cpu_s, 0.95)},
-                     {"cpu_most_s", Quantile(cpu_s, 1)},   {"memory_before_mib", memory_before_MiB},
-                     {"memory_peak_mib", PeakMemory_MiB()}};
-  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures,
+                         double memory_before_MiB) {
+  const std::vector<double> cpu_s = NumbersAt(solves, "/cpu_s");
+  return RecordText({{"rooms", solves},
+                     {"failures", failures},
+                     {"summary",
+                      {{"rooms", solves.size()},
+                       {"cpu_median_s", Quantile(cpu_s, 0.5)},
+                       {"cpu_mean_s", Mean(cpu_s)},
+                       {"cpu_p95_s", Quantile(cpu_s, 0.95)},
+                       {"cpu_most_s", Quantile(cpu_s, 1)},
+                       {"memory_before_mib", memory_before_MiB},
+                       {"memory_peak_mib", PeakMemory_MiB()}}}});
 }
 
 }  // namespace flair::cli

@@ -6,10 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "cli/bench/bench.h"
+#include "cli/exit_code.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -103,33 +105,19 @@ TranslateMiss MissOf(const LabelledRoom& room, const LabelledBullet& bullet,
     std::vector<std::string> alternatives;
     for (const auto& calls : label.alternatives) {
       std::vector<std::string> texts;
-      for (const v1::ConstraintEdge& gold : calls) texts.push_back(EdgeText(gold));
+      for (const v1::ConstraintEdge& gold : calls) texts.push_back(CallText(gold.type(), gold.arguments()));
       alternatives.push_back(fmt::format("{}", fmt::join(texts, " and ")));
     }
     miss.wanted.push_back(alternatives.empty() ? "nothing" : fmt::format("{}", fmt::join(alternatives, " or ")));
   }
-  for (const v1::ConstraintEdge& edge : made) miss.made.push_back(EdgeText(edge));
+  for (const v1::ConstraintEdge& edge : made) miss.made.push_back(CallText(edge.type(), edge.arguments()));
   for (const v1::Diagnostic& remark : translated.diagnostics()) {
     if (remark.subject_id() == bullet.sentence.id()) miss.remarks.push_back(remark.code() + ": " + remark.message());
   }
   return miss;
 }
 
-using nlohmann::ordered_json;
 using Tallies = std::map<std::string, TranslateTally>;
-
-std::string ValueText(const v1::ArgumentValue& value) {
-  switch (value.value_case()) {
-    case v1::ArgumentValue::kText:
-      return value.text();
-    case v1::ArgumentValue::kNumber:
-      return fmt::format("{:g}", value.number());
-    case v1::ArgumentValue::kFlag:
-      return value.flag() ? "true" : "false";
-    default:
-      return fmt::format("[{}]", fmt::join(value.texts().items(), ", "));
-  }
-}
 
 std::vector<std::string> Cells(const std::string& name, const TranslateTally& tally) {
   std::vector<std::string> cells = {name, fmt::format("{}", tally.Total())};
@@ -154,20 +142,20 @@ std::string TableText(const std::string& title, const Tallies& tallies) {
   return text + "\n";
 }
 
-ordered_json ToJson(const TranslateTally& tally) {
-  ordered_json json{{"labels", tally.Total()}};
+Record ToJson(const TranslateTally& tally) {
+  Record json{{"labels", tally.Total()}};
   for (size_t i = 0; i < tally.counts.size(); ++i) json[kTranslateOutcomes[i]] = tally.counts[i];
   json["correct_share"] = tally.CorrectShare();
   return json;
 }
 
-ordered_json ToJson(const Tallies& tallies) {
-  ordered_json json = ordered_json::object();
+Record ToJson(const Tallies& tallies) {
+  Record json = Record::object();
   for (const auto& [name, tally] : tallies) json[name] = ToJson(tally);
   return json;
 }
 
-ordered_json ToJson(const TranslateMiss& miss) {
+Record ToJson(const TranslateMiss& miss) {
   return {{"room", miss.room},     {"list", miss.list}, {"sentence", miss.text},
           {"wanted", miss.wanted}, {"made", miss.made}, {"remarks", miss.remarks}};
 }
@@ -256,30 +244,18 @@ absl::StatusOr<TranslateScore> MeasureTranslation(const std::vector<LabelledRoom
     request.set_request_id("bench-" + room.name);
     *request.mutable_catalog() = catalog;
     const absl::StatusOr<v1::TranslateResponse> response = translate(request);
-    if (!response.ok()) {
-      return absl::Status(response.status().code(),
-                          fmt::format("{}: {}", room.name, std::string(response.status().message())));
-    }
+    if (!response.ok()) return About(room.name, response.status());
     AddToScore(room, response->layout_graph(), score);
   }
   return score;
 }
 
-std::string EdgeText(const v1::ConstraintEdge& edge) {
-  std::vector<std::string> arguments;
-  for (const v1::Argument& argument : edge.arguments()) {
-    arguments.push_back(fmt::format("{}={}", argument.name(), ValueText(argument.value())));
-  }
-  return fmt::format("{}({})", edge.type(), fmt::join(arguments, ", "));
-}
-
 std::string TranslateScoreText(const TranslateScore& score, double cpu_ms) {
   std::string text = TableText("function", score.by_function) + TableText("room", score.by_room);
-  Tallies lists = score.by_list;
-  const TextTable table = Table("list", lists);
-  text += table.Header();
-  for (const auto& [name, tally] : lists) text += table.Row(Cells(name, tally));
-  text += table.Row(Cells("all", score.all));
+  const TextTable lists = Table("list", score.by_list);
+  text += lists.Header();
+  for (const auto& [name, tally] : score.by_list) text += lists.Row(Cells(name, tally));
+  text += lists.Row(Cells("all", score.all));
   if (score.silent > 0) text += Counted(score.silent, "sentence") + " gave neither a call nor a remark\n";
   return text + fmt::format("{:.1f} % of {} labels correct, {:.3f} ms of CPU a label\n", 100 * score.all.CorrectShare(),
                             score.all.Total(), cpu_ms / std::max(1, score.all.Total()));
@@ -297,16 +273,16 @@ std::string TranslateMissesText(const TranslateScore& score) {
 }
 
 std::string TranslateScoreToJson(const TranslateScore& score, const std::vector<std::string>& failures, double cpu_ms) {
-  ordered_json json{{"all", ToJson(score.all)},
-                    {"by_list", ToJson(score.by_list)},
-                    {"by_function", ToJson(score.by_function)},
-                    {"by_room", ToJson(score.by_room)},
-                    {"silent", score.silent},
-                    {"cpu_ms", cpu_ms},
-                    {"failures", failures},
-                    {"misses", ordered_json::array()}};
+  Record json{{"all", ToJson(score.all)},
+              {"by_list", ToJson(score.by_list)},
+              {"by_function", ToJson(score.by_function)},
+              {"by_room", ToJson(score.by_room)},
+              {"silent", score.silent},
+              {"cpu_ms", cpu_ms},
+              {"failures", failures},
+              {"misses", Record::array()}};
   for (const TranslateMiss& miss : score.misses) json["misses"].push_back(ToJson(miss));
-  return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return RecordText(json);
 }
 
 }  // namespace flair::cli

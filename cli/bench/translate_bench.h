@@ -74,9 +74,6 @@ v1::ConstraintCatalog TypesOfTheReference(const v1::ConstraintCatalog& catalog);
 absl::StatusOr<TranslateScore> MeasureTranslation(const std::vector<LabelledRoom>& rooms,
                                                   const v1::ConstraintCatalog& catalog, const TranslateCall& translate);
 
-// "near(object=floor_1, target=floor_0)".
-std::string EdgeText(const v1::ConstraintEdge& edge);
-
 // Tables by kind of list, by function and by room, and the totals. `cpu_ms` is of all translations together.
 std::string TranslateScoreText(const TranslateScore& score, double cpu_ms);
 

@@ -9,7 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "cli/input/files.h"
+#include "cli/output/output_folder.h"
+#include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
@@ -24,7 +25,7 @@ using evaluation::FlairGptKind;
 using evaluation::FlairGptParameter;
 using nlohmann::json;
 
-std::string Text(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+std::string Text(const json& value) { return JsonText(value); }
 
 v1::Argument& AddArgument(const std::string& name, v1::ConstraintEdge& edge) {
   v1::Argument& argument = *edge.add_arguments();
@@ -65,7 +66,6 @@ absl::Status AddParameter(const std::string& name, const json& given, const Flai
 }
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr const char* kLists[] = {"primary_intra", "primary_inter", "secondary_intra", "secondary_inter", "tertiary"};
 

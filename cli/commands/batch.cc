@@ -7,7 +7,7 @@
 
 #include "cli/batch/batch_input.h"
 #include "cli/batch/batch_run.h"
-#include "cli/batch/kept_files.h"
+#include "cli/batch/result_writer.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
@@ -112,8 +112,11 @@ absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& bat
 }
 
 absl::Status Submit(const BatchArguments& arguments) {
-  if (arguments.briefs.empty()) throw CLI::RequiredError("BRIEFS, or one of the subcommands,");
-  if (arguments.out.empty()) throw CLI::RequiredError("--out");
+  for (const auto& [name, value] :
+       {std::pair("BRIEFS, or one of the subcommands", &arguments.briefs), std::pair("--out", &arguments.out)}) {
+    if (!value->empty()) continue;
+    return absl::InvalidArgumentError(fmt::format("{}: missing; flair batch --help says more", name));
+  }
   ASSIGN_OR_RETURN(const v1::JobSpec defaults, MakeDefaults(arguments));
   ASSIGN_OR_RETURN(const KeptFiles kept, arguments.collect.Kept());
   const std::string& orchestrator = arguments.place.orchestrator;
@@ -130,7 +133,7 @@ absl::Status Submit(const BatchArguments& arguments) {
   RETURN_IF_ERROR(CheckFolder(*folder, request_id));
   ASSIGN_OR_RETURN(BatchWay way,
                    OpenBatchWay(arguments.place, arguments.submit_only ? nullptr : &arguments.runs, llm, interruption));
-  ASSIGN_OR_RETURN(const v1::Batch batch, way.batches->CreateBatch(request_id, label));
+  ASSIGN_OR_RETURN(const v1::Batch batch, way.session->CreateBatch(request_id, label));
   if (batch.state() == v1::BATCH_STATE_CANCELLED) {
     return EndWith(kExitCancelled,
                    fmt::format("these briefs are batch {}, which was cancelled; to run them all the same "
@@ -142,9 +145,9 @@ absl::Status Submit(const BatchArguments& arguments) {
   if (!arguments.quiet) {
     fmt::print(stderr, "batch {}{}\n", batch.id(), batch.job_count() > 0 ? ", which is known and goes on" : "");
   }
-  Submission submission(*way.batches, folder->results(), input, options);
+  Submission submission(*way.session, folder->results(), input, options);
   const absl::Status status = RunBatch(
-      batch, *way.batches, *folder, &submission, interruption,
+      batch, *way.session, *folder, &submission, interruption,
       {.remedy = way.remedy, .submit_only = arguments.submit_only, .quiet = arguments.quiet, .json = arguments.json});
   std::error_code ignored;
   std::filesystem::remove(copy, ignored);  // of standard input, which is given again where it is needed again
@@ -169,7 +172,6 @@ void AddBatch(const Commands& program) {
       "rejected.jsonl with the lines that are no briefs. After ^C or a crash the same command continues where "
       "it stopped; the same file with the same options is the same batch. ID is the batch's id, the beginning "
       "of it, or DIR. See docs/batches.md.");
-  batch.app.require_subcommand(0, 1);
   AddBatchActions(batch);
 }
 

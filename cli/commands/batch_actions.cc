@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "absl/strings/str_join.h"
-#include "cli/batch/batch_monitor.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/collector.h"
-#include "cli/batch/kept_files.h"
+#include "cli/batch/result_writer.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/exit_code.h"
+#include "cli/input/field_path.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
@@ -84,7 +84,7 @@ absl::Status InCode(const absl::Status& status) {
 absl::Status ListBatches(BatchListArguments& arguments) {
   Interruption interruption;
   ASSIGN_OR_RETURN(const BatchWay way, OpenBatchWay(arguments.place, nullptr, std::nullopt, interruption));
-  BatchSession& batches = *way.batches;
+  Session& batches = *way.session;
   ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, batches.ListBatches(arguments.count));
   for (const v1::Batch& listed : all) {
     // The list itself need not have the counts.
@@ -115,18 +115,18 @@ absl::Status RetryBatch(const RetryArguments& arguments, const NamedBatch& named
   v1::RetryBatchRequest request;
   request.set_batch_id(named.batch.id());
   for (const std::string& word : arguments.kinds) {
-    const v1::FailureKind kind = FailureKindOf(word);
-    if (kind == v1::FAILURE_KIND_UNSPECIFIED) {
+    const auto* const kind = FindWord(*v1::FailureKind_descriptor(), word);
+    if (kind == nullptr) {
       return absl::InvalidArgumentError(fmt::format("--kind: {}: there is no such kind of failure; one of {}", word,
-                                                    absl::StrJoin(FailureKindWords(), ", ")));
+                                                    absl::StrJoin(ShortWords(*v1::FailureKind_descriptor()), ", ")));
     }
-    request.add_kinds(kind);
+    request.add_kinds(static_cast<v1::FailureKind>(kind->number()));
   }
   for (const std::string& job : arguments.jobs) {
     const bool is_index = !job.empty() && job.size() < 10 && std::ranges::all_of(job, ::isdigit);
     request.add_job_ids(is_index ? orchestrator::BatchJobId(named.batch.id(), std::stoll(job)) : job);
   }
-  const absl::StatusOr<v1::RetryBatchResponse> response = way.batches->RetryBatch(request);
+  const absl::StatusOr<v1::RetryBatchResponse> response = way.session->RetryBatch(request);
   if (!response.ok()) return InCode(response.status());
   if (arguments.json) {
     fmt::print("{}\n", ToJsonLine(*response));
@@ -171,7 +171,7 @@ absl::Status WatchBatch(const WatchArguments& arguments, const NamedBatch& named
                "--out DIR\n",
                named.batch.id());
   }
-  return RunBatch(named.batch, *way.batches, *folder, nullptr, interruption,
+  return RunBatch(named.batch, *way.session, *folder, nullptr, interruption,
                   {.remedy = way.remedy, .quiet = arguments.quiet, .json = arguments.json});
 }
 
@@ -181,7 +181,7 @@ absl::Status ShowReport(ResultsFile& results, const ReportArguments& arguments) 
   }
   ASSIGN_OR_RETURN(const BatchReport report, MakeBatchReport(results));
   if (arguments.json) {
-    fmt::print("{}\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", JsonText(report, 2));
   } else if (arguments.csv != "-" && arguments.csv != "/dev/stdout") {
     fmt::print("{}", BatchReportText(report));
   }
@@ -189,7 +189,7 @@ absl::Status ShowReport(ResultsFile& results, const ReportArguments& arguments) 
 }
 
 // Of a batch that was never collected here: its reports are fetched, and nothing else.
-absl::Status ReportOfService(const ReportArguments& arguments, const NamedBatch& named, BatchSession& batches) {
+absl::Status ReportOfService(const ReportArguments& arguments, const NamedBatch& named, Session& batches) {
   ASSIGN_OR_RETURN(const std::unique_ptr<ResultsFile> results, ResultsFile::OpenTemporary());
   absl::Status status = results->SetState("batch_id", named.batch.id());
   if (status.ok()) status = results->SetState("label", named.batch.label());
@@ -208,8 +208,8 @@ absl::Status ReportBatch(ReportArguments& arguments) {
   }
   Interruption interruption;
   ASSIGN_OR_RETURN(const BatchWay way, OpenBatchWay(arguments.place, nullptr, std::nullopt, interruption));
-  ASSIGN_OR_RETURN(const NamedBatch named, FindBatch(arguments.id, *way.batches));
-  return ReportOfService(arguments, named, *way.batches);
+  ASSIGN_OR_RETURN(const NamedBatch named, FindBatch(arguments.id, *way.session));
+  return ReportOfService(arguments, named, *way.session);
 }
 
 absl::Status BatchStatus(const NamedArguments& arguments, const NamedBatch& named, const BatchWay&, Interruption&) {
@@ -219,7 +219,7 @@ absl::Status BatchStatus(const NamedArguments& arguments, const NamedBatch& name
 
 template <auto kChange>
 absl::Status ChangeBatch(const NamedArguments& arguments, const NamedBatch& named, const BatchWay& way, Interruption&) {
-  const absl::StatusOr<v1::Batch> batch = ((*way.batches).*kChange)(named.batch.id());
+  const absl::StatusOr<v1::Batch> batch = ((*way.session).*kChange)(named.batch.id());
   if (!batch.ok()) return InCode(batch.status());
   ShowBatch(*batch, arguments.json);
   return absl::OkStatus();
@@ -227,7 +227,7 @@ absl::Status ChangeBatch(const NamedArguments& arguments, const NamedBatch& name
 
 absl::Status DeleteBatch(const DeleteArguments& arguments, const NamedBatch& named, const BatchWay& way,
                          Interruption&) {
-  return DeleteWholeBatch(named.batch, *way.batches, {.yes = arguments.yes, .json = arguments.json});
+  return DeleteWholeBatch(named.batch, *way.session, {.yes = arguments.yes, .json = arguments.json});
 }
 
 // Does something with the batch that the arguments name.
@@ -242,7 +242,7 @@ absl::Status Act(Arguments& arguments) {
   }
   Interruption interruption;
   ASSIGN_OR_RETURN(const BatchWay way, OpenBatchWay(arguments.place, runs, llm, interruption));
-  ASSIGN_OR_RETURN(const NamedBatch named, FindBatch(arguments.id, *way.batches));
+  ASSIGN_OR_RETURN(const NamedBatch named, FindBatch(arguments.id, *way.session));
   return kAction(arguments, named, way, interruption);
 }
 
@@ -253,10 +253,9 @@ void AddBatchActions(const Commands& batch) {
   batch.Add("watch", "Collect the results of a batch, here or on another machine, until it has ended.",
             Act<WatchBatch, WatchArguments>, "Where jobs wait in this machine's own store, watching runs them.");
   batch.Add("pause", "Start no more jobs of a batch; running ones continue.",
-            Act<ChangeBatch<&BatchSession::PauseBatch>, NamedArguments>);
-  batch.Add("resume", "Resume a paused batch.", Act<ChangeBatch<&BatchSession::ResumeBatch>, NamedArguments>);
-  batch.Add("cancel", "Cancel a batch and all of its jobs.",
-            Act<ChangeBatch<&BatchSession::CancelBatch>, NamedArguments>);
+            Act<ChangeBatch<&Session::PauseBatch>, NamedArguments>);
+  batch.Add("resume", "Resume a paused batch.", Act<ChangeBatch<&Session::ResumeBatch>, NamedArguments>);
+  batch.Add("cancel", "Cancel a batch and all of its jobs.", Act<ChangeBatch<&Session::CancelBatch>, NamedArguments>);
   batch.Add("retry", "Run failed jobs of a batch again, from the results that they have.",
             Act<RetryBatch, RetryArguments>);
   batch.Add("delete",

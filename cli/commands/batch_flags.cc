@@ -54,14 +54,11 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchPlaceFlags& flags, const BatchR
   config.set_store_path(flags.store);
   config.set_running_job_limit(parallel.value_or(0));
   config.set_takes_no_jobs(runs == nullptr || (!flags.engine.address.empty() && !parallel.has_value()));
-  ASSIGN_OR_RETURN(
-      std::unique_ptr<Session> session,
-      Session::Open(flags.orchestrator, llm, runs == nullptr ? StageChoice() : StageChoice(runs->stages), config));
   BatchWay way;
-  way.batches = std::make_unique<BatchSession>(
-      session->channel(), BatchSession::Options{.address = session->address(), .embedded = session->embedded()},
-      interruption.stop());
-  way.session = std::move(session);
+  ASSIGN_OR_RETURN(way.session, Session::Open(flags.orchestrator, llm,
+                                              runs == nullptr ? StageChoice() : StageChoice(runs->stages), config));
+  way.session->SetLimits(
+      {.patience = absl::Minutes(2), .answer_within = absl::Minutes(1), .stop = &interruption.stop()});
   way.remedy = RemedyOf(flags, runs);
   return way;
 }
@@ -87,7 +84,7 @@ absl::Status TakePlaceOf(const std::string& name, BatchPlaceFlags& flags) {
   return absl::OkStatus();
 }
 
-absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batches) {
+absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session) {
   NamedBatch found;
   std::string id = name;
   if (BatchFolder::IsAt(name)) {
@@ -95,7 +92,7 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batc
     id = place.batch_id;
     found.folder = name;
   }
-  absl::StatusOr<v1::Batch> exact = batches.GetBatch(id);
+  absl::StatusOr<v1::Batch> exact = session.GetBatch(id);
   if (exact.ok()) found.batch = *std::move(exact);
   if (exact.ok()) return found;
   if (!absl::IsNotFound(exact.status()) && !absl::IsInvalidArgument(exact.status())) return exact.status();
@@ -103,16 +100,16 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batc
     return absl::NotFoundError(
         fmt::format("{}: its batch {} is not known to {}; say where it is with --orchestrator or "
                     "--engine",
-                    name, id, batches.address()));
+                    name, id, session.address()));
   }
-  ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, batches.ListBatches(kSearchedBatches));
+  ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, session.ListBatches(kSearchedBatches));
   std::vector<v1::Batch> fitting;
   for (const v1::Batch& batch : all) {
     if (!name.empty() && batch.id().starts_with(name)) fitting.push_back(batch);
   }
   if (fitting.size() == 1) {
     // The list need not have the counts.
-    ASSIGN_OR_RETURN(found.batch, batches.GetBatch(fitting.front().id()));
+    ASSIGN_OR_RETURN(found.batch, session.GetBatch(fitting.front().id()));
     return found;
   }
   if (fitting.empty()) {

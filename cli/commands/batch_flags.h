@@ -11,11 +11,10 @@
 #include "absl/status/statusor.h"
 #include "cli/batch/batch_folder.h"
 #include "cli/batch/batch_run.h"
-#include "cli/batch/kept_files.h"
+#include "cli/batch/result_writer.h"
 #include "cli/input/llm_flags.h"
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"
-#include "cli/session/batch_session.h"
 #include "cli/session/session.h"
 
 namespace flair::cli {
@@ -54,7 +53,6 @@ struct CollectFlags : Options {
 // An open way to the batches, alive while the command is.
 struct BatchWay {
   std::unique_ptr<Session> session;
-  std::unique_ptr<BatchSession> batches;
   // What to do when nobody takes jobs; empty when this process does.
   std::string remedy;
 };
@@ -78,7 +76,7 @@ void FillPlace(const BatchPlaceFlags& flags, BatchPlace& place);
 absl::Status TakePlaceOf(const std::string& name, BatchPlaceFlags& flags);
 
 // NOT_FOUND when there is none, INVALID_ARGUMENT when several ids begin so.
-absl::StatusOr<NamedBatch> FindBatch(const std::string& name, BatchSession& batches);
+absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session);
 
 // What is done with a batch that is there: status, watch, pause, resume, cancel, retry, delete, report, list.
 void AddBatchActions(const Commands& batch);

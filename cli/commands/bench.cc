@@ -1,30 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair-dev bench solve, resolve, restarts: measures the solver on folders of problems.
+// flair-dev bench: measures solver, renderer and translator on folders of problems.
+#include "cli/bench/bench.h"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
+#include "absl/time/clock.h"
 #include "cli/bench/complete_graph.h"
-#include "cli/bench/problem.h"
-#include "cli/bench/resolve_bench.h"
-#include "cli/bench/restarts_measure.h"
-#include "cli/bench/solve_bench.h"
-#include "cli/bench/statistics.h"
+#include "cli/bench/measures.h"
+#include "cli/bench/translate_bench.h"
 #include "cli/commands/commands.h"
+#include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
+#include "cli/input/artifact_file.h"
+#include "cli/input/llm_flags.h"
 #include "cli/input/message_text.h"
+#include "cli/input/options.h"
+#include "cli/input/service_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "evaluation/readers/flairgpt_room.h"
+#include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
+#include "optimizer_worker/constraints/facts.h"
+#include "renderer_worker/images/image_files.h"
 #include "worker_runtime/bootstrap/build_id.h"
+#include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
 namespace {
 
 struct BenchArguments : Options {
@@ -33,25 +46,26 @@ struct BenchArguments : Options {
 };
 
 // Measures every problem. Those that cannot be read or measured are named and returned.
-std::vector<BenchFailure> MeasureEach(const std::vector<ProblemFile>& files,
-                                      const std::function<absl::Status(BenchProblem&)>& measure) {
+std::vector<Record> MeasureEach(const std::vector<ProblemFile>& files,
+                                const std::function<absl::Status(BenchProblem&)>& measure) {
   // The lines on standard output show how far it is, unless they go elsewhere.
   const bool show_progress = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
   const char* const clear_line = show_progress ? "\r\033[K" : "";
-  std::vector<BenchFailure> failures;
+  std::vector<Record> failures;
   for (size_t i = 0; i < files.size(); ++i) {
     if (show_progress) fmt::print(stderr, "{}{}/{} {}", clear_line, i + 1, files.size(), files[i].name);
     absl::StatusOr<BenchProblem> problem = ReadBenchProblem(files[i]);
     const absl::Status status = problem.ok() ? measure(*problem) : problem.status();
     if (status.ok()) continue;
-    const BenchFailure& failure = failures.emplace_back(files[i].path.string(), std::string(status.message()));
-    fmt::print(stderr, "{}{}: {}\n", clear_line, failure.file, failure.reason);
+    const std::string file = files[i].path.string(), reason(status.message());
+    failures.push_back({{"file", file}, {"reason", reason}});
+    fmt::print(stderr, "{}{}: {}\n", clear_line, file, reason);
   }
   fmt::print(stderr, "{}", clear_line);
   return failures;
 }
 
-absl::Status AllMeasured(const std::vector<BenchFailure>& failures, const std::vector<ProblemFile>& files) {
+absl::Status AllMeasured(const std::vector<Record>& failures, const std::vector<ProblemFile>& files) {
   if (failures.empty()) return absl::OkStatus();
   return absl::UnknownError(
       fmt::format("{} of {} could not be measured", failures.size(), Counted(std::ssize(files), "problem")));
@@ -73,9 +87,10 @@ struct BenchSolveArguments : BenchArguments {
 // NAME.json for the judge of the reference data, NAME.pb for flair render and flair inspect.
 absl::Status WriteLayout(const SolveMeasure& measure, const std::filesystem::path& folder) {
   if (folder.empty()) return absl::OkStatus();
-  RETURN_IF_ERROR(WriteOutputFile(folder / (measure.name + ".json"),
-                                  evaluation::WriteFlairGptLayout(measure.layout, measure.name, measure.cpu_s)));
-  return WriteOutputFile(folder / (measure.name + ".pb"),
+  const std::string name = measure.record["name"];
+  RETURN_IF_ERROR(WriteOutputFile(folder / (name + ".json"),
+                                  evaluation::WriteFlairGptLayout(measure.layout, name, measure.record["cpu_s"])));
+  return WriteOutputFile(folder / (name + ".pb"),
                          LayoutArtifactBytes(measure.layout, "bench solve", runtime::BuildName()));
 }
 
@@ -116,21 +131,21 @@ absl::Status BenchSolve(const BenchSolveArguments& arguments) {
   const TextTable table = SolveTable(name_width);
   fmt::print("{}{}", SolveLegend(), table.Header());
   const double memory_before_MiB = Memory_MiB();
-  std::vector<SolveMeasure> measures;
-  const std::vector<BenchFailure> failures = MeasureEach(files, [&](BenchProblem& problem) {
+  std::vector<Record> solves;
+  const std::vector<Record> failures = MeasureEach(files, [&](BenchProblem& problem) {
     if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(problem.graph));
-    ASSIGN_OR_RETURN(SolveMeasure measure, MeasureSolve(problem, options, arguments.repeats));
-    fmt::print("{}", table.Row(SolveCells(measure)));
+    ASSIGN_OR_RETURN(const SolveMeasure measure, MeasureSolve(problem, options, arguments.repeats));
+    fmt::print("{}", table.Row(SolveCells(measure.record)));
     std::fflush(stdout);
-    measures.push_back(std::move(measure));
-    return WriteLayout(measures.back(), arguments.out);
+    solves.push_back(measure.record);
+    return WriteLayout(measure, arguments.out);
   });
-  if (!measures.empty()) fmt::print("{}", SolveSummary(measures, memory_before_MiB));
+  if (!solves.empty()) fmt::print("{}", SolveSummary(solves, memory_before_MiB));
   std::fflush(stdout);
   if (!arguments.json.empty()) {
-    RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolveMeasuresToJson(measures, failures, memory_before_MiB)));
+    RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolvesToJson(solves, failures, memory_before_MiB)));
   }
-  if (!arguments.out.empty() && !measures.empty()) {
+  if (!arguments.out.empty() && !solves.empty()) {
     fmt::print("layouts are in {0}: NAME.json for the judge, NAME.pb for flair render {0}/NAME.pb --out NAME.png\n",
                arguments.out);
   }
@@ -150,17 +165,17 @@ absl::Status BenchResolve(const BenchResolveArguments& arguments) {
   ASSIGN_OR_RETURN(const std::vector<ProblemFile> files, ListProblemFiles(arguments.problems));
   v1::SolveOptions options;
   options.set_thread_count(1);
-  std::vector<ResolveMeasure> all;
-  const std::vector<BenchFailure> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
-    ASSIGN_OR_RETURN(std::vector<ResolveMeasure> measures,
+  std::vector<Record> all;
+  const std::vector<Record> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
+    ASSIGN_OR_RETURN(const std::vector<Record> edits,
                      MeasureResolves(problem, options, arguments.per_kind, arguments.compare_every));
-    for (ResolveMeasure& measure : measures) {
-      if (arguments.list) {
-        fmt::print("{:<28}{:<60}{:>8.1f} ms {:>3} moved, {} -> {}{}\n", measure.room, measure.edit, 1e3 * measure.cpu_s,
-                   measure.moved_count, measure.held_before, measure.held_after,
-                   measure.held_anew >= 0 ? fmt::format(" (anew {})", measure.held_anew) : "");
-      }
-      all.push_back(std::move(measure));
+    all.insert(all.end(), edits.begin(), edits.end());
+    if (!arguments.list) return absl::OkStatus();
+    for (const Record& edit : edits) {
+      const std::string anew = edit.contains("held_anew") ? fmt::format(" (anew {})", edit["held_anew"].dump()) : "";
+      fmt::print("{:<28}{:<60}{:>8.1f} ms {:>3} moved, {} -> {}{}\n", edit["room"].get<std::string>(),
+                 edit["edit"].get<std::string>(), 1e3 * edit["cpu_s"].get<double>(), edit["moved"].dump(),
+                 edit["held_before"].dump(), edit["held_after"].dump(), anew);
     }
     return absl::OkStatus();
   });
@@ -181,7 +196,7 @@ absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
   v1::SolveOptions options;
   options.set_seed(arguments.seed);
   std::vector<RestartsMeasure> measures;
-  const std::vector<BenchFailure> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
+  const std::vector<Record> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
     ASSIGN_OR_RETURN(RestartsMeasure measure, MeasureRestarts(problem, options, arguments.restarts));
     measures.push_back(std::move(measure));
     return absl::OkStatus();
@@ -193,16 +208,142 @@ absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
   return AllMeasured(failures, files);
 }
 
+constexpr size_t kMostRooms = 10000;
+
+struct BenchRenderArguments : Options {
+  using Options::Options;
+  std::string& folder = Required("DIR", "Folder of designs, at any depth");
+  int& repeats = Whole("--repeat N", 1, 100, RenderBench().repeat_count,
+                       "Times that each is drawn, 1 to 100 (3); the quickest counts");
+  int& size_px = Whole("--size PX", 256, 4096, RenderBench().view_size_px,
+                       "Longer side of the bird's-eye view in pixels, 256 to 4096 (1024)");
+  int& samples =
+      Whole("--samples N", 1, 4096, RenderBench().sample_count, "Its paths of light per pixel, 1 to 4096 (16)");
+  int& threads = Whole("--threads N", 1, 256, RenderBench().thread_count, "Its threads, 1 to 256 (2)");
+  bool& no_views = Flag("--no-views", "Leave the views out");
+  bool& list = Flag("--list", "Every room, a line each");
+  std::string& json = Text("--json FILE", "Write all figures there");
+};
+
+absl::Status BenchRender(const BenchRenderArguments& arguments) {
+  RenderBench bench;
+  bench.repeat_count = arguments.repeats;
+  bench.view_size_px = arguments.size_px;
+  bench.sample_count = arguments.samples;
+  bench.thread_count = arguments.threads;
+  bench.views = !arguments.no_views;
+  ASSIGN_OR_RETURN(const std::vector<std::filesystem::path> folders,
+                   FindFoldersWith(arguments.folder, "layout.pb", kMostRooms));
+  RETURN_IF_ERROR(CheckOutputFile(arguments.json));
+  const std::unique_ptr<renderer::ImageWriter> writer = renderer::MakeImageWriter();
+  std::vector<Record> rooms;
+  for (const std::filesystem::path& folder : folders) {
+    ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(folder / "layout.pb"));
+    const v1::SolvedLayout& solved = layout.artifact.solved_layout();
+    const std::string room = folder.lexically_relative(arguments.folder).string();
+    // The first picture loads what all of them need.
+    if (rooms.empty()) {
+      RenderBench once = bench;
+      once.repeat_count = 1;
+      RETURN_IF_ERROR(MeasureRenders(room, solved, once, *writer).status());
+    }
+    const absl::StatusOr<Record> measure = MeasureRenders(room, solved, bench, *writer);
+    if (!measure.ok()) return About(folder.string(), measure.status());
+    if (arguments.list) {
+      fmt::print("{:<34}{:>4} objects", room, (*measure)["object_count"].dump());
+      for (const std::string& kind : RenderKinds()) {
+        const std::optional<double> cpu_s = NumberAt(*measure, fmt::format("/{}/cpu_s", kind));
+        if (cpu_s.has_value()) fmt::print("{:>9.1f} ms", 1e3 * *cpu_s);
+      }
+      fmt::print("\n");
+    }
+    rooms.push_back(*measure);
+  }
+  fmt::print("{}, {}, views of {} px with {} per pixel on {}\n{}", Counted(std::ssize(rooms), "room"),
+             Counted(bench.repeat_count, "repeat"), bench.view_size_px, Counted(bench.sample_count, "path"),
+             Counted(bench.thread_count, "thread"), RenderTable(rooms));
+  if (arguments.json.empty()) return absl::OkStatus();
+  return WriteOutputFile(arguments.json, RenderJson(rooms, bench));
+}
+
+constexpr absl::Duration kRoomWithin = absl::Minutes(10);
+
+struct BenchTranslateArguments : Options {
+  using Options::Options;
+  std::string& labels = Required("DIR", "Folder of .jsonl labels, or one file of them");
+  std::string& rooms = Text("--rooms DIR", "Folder of the recorded rooms; by default in DIR or beside it");
+  bool& misses = Flag("--misses", "List every sentence of which something is not correct");
+  std::string& json = Text("--json FILE", "All figures and misses, for programs");
+  std::string& address = Text("--translator HOST:PORT", "Translate there, not in this process");
+  LlmFlags llm{command()};
+  bool& all_types = Flag("--all-types", "Offer the whole catalogue; by default only the types that labels can name");
+};
+
+// The model that the flags name; none without them, whatever $FLAIR_LLM says: the grammar is what is measured then.
+absl::StatusOr<OptionalLlm> ReadModel(const BenchTranslateArguments& arguments) {
+  const std::string given = arguments.llm.Given();
+  if (given.empty()) return OptionalLlm();
+  if (arguments.address.empty()) return ReadLlmFlags(arguments.llm);
+  return absl::InvalidArgumentError(
+      fmt::format("{}: not with --translator {}, which has its own model or none; name the model in its config", given,
+                  arguments.address));
+}
+
+absl::StatusOr<TranslateScore> Measure(const std::vector<LabelledRoom>& rooms, const v1::ConstraintCatalog& catalog,
+                                       const std::string& address, const OptionalLlm& model) {
+  std::unique_ptr<EmbeddedServices> services;
+  std::shared_ptr<grpc::Channel> channel;
+  if (address.empty()) {
+    ASSIGN_OR_RETURN(services, EmbeddedServices::StartStages(model));
+    channel = services->stages().translator.channel;
+  } else {
+    ASSIGN_OR_RETURN(const runtime::ChannelOptions options, StageConnection());
+    ASSIGN_OR_RETURN(channel, runtime::MakeChannel(address, v1::TranslatorService::service_full_name(), options));
+  }
+  const auto stub = v1::TranslatorService::NewStub(channel);
+  size_t asked = 0;
+  return MeasureTranslation(rooms, catalog, [&](const v1::TranslateRequest& request) {
+    // The grammar is through with all rooms at once, a model takes its time for each.
+    if (model.has_value()) fmt::print(stderr, "{} of {}: {}\n", asked + 1, rooms.size(), rooms[asked].name);
+    ++asked;
+    runtime::CallContext call;
+    return runtime::UnaryRequest(*stub, &v1::TranslatorService::StubInterface::Translate, request, call,
+                                 absl::Now() + kRoomWithin);
+  });
+}
+
+absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
+  ASSIGN_OR_RETURN(const TranslateLabels labels, ReadTranslateLabels(arguments.labels, arguments.rooms));
+  for (const std::string& failure : labels.failures) fmt::print(stderr, "{}\n", failure);
+  ASSIGN_OR_RETURN(const OptionalLlm model, ReadModel(arguments));
+  const v1::ConstraintCatalog& all = optimizer::MakeCatalog();
+  const double started = ProcessCpu_s();
+  ASSIGN_OR_RETURN(
+      const TranslateScore score,
+      Measure(labels.rooms, arguments.all_types ? all : TypesOfTheReference(all), arguments.address, model));
+  const double cpu_ms = 1e3 * (ProcessCpu_s() - started);
+  if (arguments.misses) fmt::print("{}\n", TranslateMissesText(score));
+  fmt::print("{}", TranslateScoreText(score, cpu_ms));
+  std::fflush(stdout);
+  if (!arguments.json.empty()) {
+    RETURN_IF_ERROR(WriteOutputFile(arguments.json, TranslateScoreToJson(score, labels.failures, cpu_ms)));
+  }
+  if (labels.failures.empty()) return absl::OkStatus();
+  return absl::InvalidArgumentError(fmt::format(
+      "{} could not be measured", Counted(std::ssize(labels.failures), "line of labels", "lines of labels")));
+}
+
 }  // namespace
 
 void AddBench(const Commands& program) {
   const Commands bench = program.Group("bench", "Measure the solver.");
   bench.Add("solve", "Solve every problem of a folder: times, costs, measures.", BenchSolve);
-  AddBenchRender(bench);
+  bench.Add("render", "Draw the layouts of a folder: CPU of plans, bird's-eye views and scenes.", BenchRender);
   bench.Add("resolve", "Edit solved layouts of a folder's problems: times, moves, constraints that hold.",
             BenchResolve);
   bench.Add("restarts", "After how many restarts the best primary layout of many is found.", BenchRestarts);
-  AddBenchTranslate(bench);
+  bench.Add("translate", "Translate labelled sentences of recorded rooms: correct, wrong, missed, wrongly refused.",
+            BenchTranslate);
 }
 
 }  // namespace flair::cli

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/input/options.h"
-
 namespace flair::cli {
+
+struct Commands;  // input/options.h
 
 using AddCommand = void (*)(const Commands& program);
 
@@ -28,8 +28,8 @@ struct Program {
   void (*prepare)() = nullptr;
 };
 
-// Runs the command that the arguments name; returns the exit code.
-int RunProgram(int argc, char** argv, const Program& about);
+// Runs the command that the arguments name, of a program of the given build; returns the exit code.
+int RunProgram(int argc, char** argv, const Program& about, const std::string& build);
 
 // The commands in their groups, with what they share: how --help looks, and the flags of connections.
 void AddCommands(const Commands& program, const std::vector<CommandGroup>& groups);
@@ -65,13 +65,8 @@ void AddToken(const Commands& program);
 
 // Of flair-dev.
 void AddImport(const Commands& program);
-// Into the command that AddImport makes.
-void AddImportAnswers(const Commands& import);
 void AddExportFlairGpt(const Commands& program);
 void AddBench(const Commands& program);
-// Into the command that AddBench makes.
-void AddBenchRender(const Commands& bench);
-void AddBenchTranslate(const Commands& bench);
 
 // The programs: inline, so that each links only its own commands.
 

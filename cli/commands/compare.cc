@@ -6,15 +6,14 @@
 
 #include "cli/commands/commands.h"
 #include "cli/compare/trial.h"
-#include "cli/embedded/remote_stage.h"
+#include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
-#include "cli/input/files.h"
 #include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
-#include "cli/session/pictures.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
@@ -98,9 +97,7 @@ absl::Status CompareOne(const CompareArguments& arguments, const v1::SolveOption
     RETURN_IF_ERROR(DrawPicture(arguments, contest));
   }
   if (arguments.format == "json") {
-    fmt::print(
-        "{}\n",
-        ContestJson(contest, arguments.optimizers).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", JsonText(ContestJson(contest, arguments.optimizers), 2));
   } else {
     fmt::print("{}", Printable(ContestText(contest, arguments.optimizers, arguments.all)));
   }
@@ -130,7 +127,7 @@ absl::Status CompareFolder(const CompareArguments& arguments, const v1::SolveOpt
   if (arguments.format == "json") {
     nlohmann::json all = nlohmann::json::array();
     for (const Contest& contest : contests) all.push_back(ContestJson(contest, arguments.optimizers));
-    fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print("{}\n", JsonText(all, 2));
   } else {
     fmt::print("{}", Printable(ContestsTable(contests, arguments.optimizers)));
   }

@@ -9,10 +9,9 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/files.h"
 #include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/solve_text.h"
+#include "cli/output/report_text.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
 #include "cli/session/stage_calls.h"
@@ -181,22 +180,18 @@ absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
   ASSIGN_OR_RETURN(std::unique_ptr<RendererClient> renderer, RendererClient::Open(arguments.renderer));
   const Sheet sheet(arguments, *renderer, view);
   const std::vector<TileSource> sources = SourcesOf(*designs, arguments.variants);
-  absl::StatusOr<v1::ComposeContactSheetResponse> response;
-  {
+  ASSIGN_OR_RETURN(const v1::ContactSheetOptions options, MakeOptions(arguments, sources.size()));
+  ASSIGN_OR_RETURN(const v1::ComposeContactSheetResponse response, [&] {
     SlowNote note("drawing");
-    const std::unique_ptr<ContactSheetCall> call =
-        renderer->ComposeContactSheet(*MakeOptions(arguments, sources.size()));
-    for (size_t i = 0; i < sources.size(); ++i) {
+    return renderer->ComposeContactSheet(options, [&](int i) {
       note.Set(fmt::format("tile {} of {}", i + 1, sources.size()));
-      if (!call->Add(sheet.TileOf(sources[i]))) break;
-    }
-    response = call->Finish();
-  }
-  if (!response.ok()) return response.status();
-  RETURN_IF_ERROR(WriteOutputFile(arguments.out, response->sheet().image()));
-  for (const v1::Diagnostic& diagnostic : response->diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
+      return sheet.TileOf(sources[static_cast<size_t>(i)]);
+    });
+  }());
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, response.sheet().image()));
+  for (const v1::Diagnostic& diagnostic : response.diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
   fmt::print(stderr, "{}: {}, {} x {} px\n", arguments.out, Counted(std::ssize(sources), "tile"),
-             response->sheet().width_px(), response->sheet().height_px());
+             response.sheet().width_px(), response.sheet().height_px());
   return absl::OkStatus();
 }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "cli/commands/commands.h"
-#include "cli/contract/report.h"
+#include "cli/contract/check.h"
 #include "cli/contract/target.h"
 #include "cli/exit_code.h"
 #include "cli/input/command_line.h"
@@ -25,7 +25,8 @@ std::vector<std::string> StageNames() {
 
 struct ContractArguments : Options {
   using Options::Options;
-  std::string& stage = Text("STAGE", fmt::format("What the server is: {}", fmt::join(StageNames(), ", ")));
+  std::string& stage =
+      Word("STAGE", StageNames(), fmt::format("What the server is: {}", fmt::join(StageNames(), ", ")), "");
   std::string& target = Text("--target ADDRESS", "The server, HOST:PORT or unix:PATH");
   std::string& only = Text("--only TEXT", "Checks whose name contains this");
   double& patience_s = Decimal("--patience S", 0.1, 3600, 20,
@@ -34,7 +35,7 @@ struct ContractArguments : Options {
       Whole("--max-message-mib MIB", 4, 1024, 32, "The largest message that the server takes, 4 to 1024 MiB (32)");
   bool& list = Flag("--list", "Say what is promised, without a server");
   bool& json = Flag("--json", "As JSON; progress goes to standard error");
-  bool& markdown = Flag("--markdown", "As docs/contract.md", {"--json"});
+  bool& markdown = Flag("--markdown", "As docs/contract.md", {"--json"}, "--list");
 };
 
 // Those whose name contains `only`, and those without which no other makes sense.
@@ -106,13 +107,11 @@ absl::Status Contract(const ContractArguments& arguments) {
 }  // namespace
 
 void AddContract(const Commands& program) {
-  const Commands contract = program.Add(
-      "contract", "Put every promise of a stage to a server and say which it keeps and which it breaks.", Contract,
-      "Optional promises are put only to servers that claim them (GetWorkerResponse.capabilities). An "
-      "orchestrator is given real jobs, which stay in its store. Exits with 0 when all promises are kept, 8 "
-      "when one is broken, 3 when nobody answers at the address.");
-  contract.app.get_option("STAGE")->check(OneOf(StageNames()));
-  contract.app.get_option("--markdown")->needs(contract.app.get_option("--list"));
+  program.Add("contract", "Put every promise of a stage to a server and say which it keeps and which it breaks.",
+              Contract,
+              "Optional promises are put only to servers that claim them (GetWorkerResponse.capabilities). An "
+              "orchestrator is given real jobs, which stay in its store. Exits with 0 when all promises are kept, 8 "
+              "when one is broken, 3 when nobody answers at the address.");
 }
 
 }  // namespace flair::cli

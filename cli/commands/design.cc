@@ -11,15 +11,14 @@
 #include "cli/input/job_options.h"
 #include "cli/input/llm_flags.h"
 #include "cli/input/message_text.h"
-#include "cli/input/room_file.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/models_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
+#include "cli/output/text.h"
 #include "cli/progress/progress.h"
-#include "cli/session/pictures.h"
 #include "cli/session/session.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/pipeline/summary.h"
@@ -108,7 +107,7 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
   if (arguments.json) {
     nlohmann::json done = {{"job_id", job.id()}, {"layout_id", layout.id()}, {"out", arguments.out}};
     if (usage.call_count() > 0) done["model_usage"] = nlohmann::json::parse(ToJsonLine(usage), nullptr, false);
-    fmt::print(stdout, "{}\n", done.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    fmt::print(stdout, "{}\n", JsonText(done));
     return;
   }
   if (arguments.quiet) return;

@@ -9,9 +9,9 @@
 #include "cli/exit_code.h"
 #include "cli/input/artifact_source.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/solve_text.h"
+#include "cli/output/report_text.h"
 #include "cli/output/text.h"
-#include "cli/session/pictures.h"
+#include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
@@ -63,10 +63,7 @@ absl::Status Diff(const DiffArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact a, OpenArtifact(arguments.a, arguments.source));
   ASSIGN_OR_RETURN(const v1::Artifact b, OpenArtifact(arguments.b, arguments.source));
   const absl::StatusOr<Difference> difference = CompareArtifacts(a, b);
-  if (!difference.ok()) {
-    return absl::Status(difference.status().code(), fmt::format("{} and {}: {}", arguments.a, arguments.b,
-                                                                std::string(difference.status().message())));
-  }
+  if (!difference.ok()) return About(fmt::format("{} and {}", arguments.a, arguments.b), difference.status());
   if (!arguments.picture.empty()) {
     if (!a.has_solved_layout()) {
       return absl::InvalidArgumentError(

@@ -11,6 +11,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input/options.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/sentences/fill.h"
 #include "language_worker/handbook/sentences/sentence_writer.h"
@@ -107,7 +108,7 @@ class SentenceCheck {
 struct CheckArguments : Options {
   using Options::Options;
   std::vector<std::string>& folders =
-      List("DIR DIR...", "Folder with *.textproto files; more are laid over the ones before");
+      List("DIR DIR...", "Folder with *.textproto files; more are laid over the ones before", true);
 };
 
 absl::Status Check(const CheckArguments& arguments) {
@@ -141,9 +142,7 @@ void AddHandbook(const Commands& program) {
   program.Group("handbook", "Work on furniture, kinds of room and styles of your own.")
       .Add("check", "Check a folder of handbook data: names, sizes, sentences.", Check,
            "Every fault is named with file, line and field. Of sentences it says which ones the grammar does not "
-           "understand. Then use the folder: flair design ... --handbook DIR")
-      .app.get_option("DIR")
-      ->required();
+           "understand. Then use the folder: flair design ... --handbook DIR");
 }
 
 }  // namespace flair::cli

@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair jobs: what was designed before, and what is running.
+// flair jobs and flair replay: what was designed before and what is running, and a job once more.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "cli/commands/commands.h"
+#include "cli/exit_code.h"
+#include "cli/input/job_options.h"
+#include "cli/input/llm_flags.h"
+#include "cli/input/options.h"
+#include "cli/input/service_flags.h"
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/message_view.h"
+#include "cli/output/report_text.h"
 #include "cli/output/text.h"
+#include "cli/progress/progress.h"
+#include "cli/replay/comparison.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
+#include "orchestrator/pipeline/stage.h"
+#include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
 namespace {
 
 struct JobsArguments : Options {
@@ -28,31 +42,8 @@ struct JobArguments : JobsArguments {
   std::string& id = Required("ID", "Id of the job, as flair jobs prints it");
 };
 
-std::string StateName(v1::JobState state) {
-  std::string name = v1::JobState_Name(state).substr(std::string("JOB_STATE_").size());
-  for (char& c : name) c = static_cast<char>(c - 'A' + 'a');
-  return name;
-}
-
 // Of a brief, in the list.
 constexpr size_t kShownOfText = 60;
-
-// "20260521T134501123456-3fa2c1 from solve"; empty when it is no replay.
-std::string ReplayText(const v1::Job& job) {
-  if (!job.spec().has_replay()) return "";
-  const v1::Replay& replay = job.spec().replay();
-  return replay.job_id() + (replay.from_stage().empty() ? "" : " from " + replay.from_stage());
-}
-
-void ShowJob(const v1::Job& job) {
-  fmt::print("{:<11}{}\n{:<11}{}{}\n{:<11}{}\n{:<11}{}\n{:<11}{}\n", "job", job.id(), "state", StateName(job.state()),
-             job.stage().empty() ? "" : " at " + job.stage(), "asked for", PrintableLine(job.spec().brief().text()),
-             "seed", job.spec().brief().seed(), "created", LocalTimeText(job.create_time()));
-  if (job.spec().has_replay()) fmt::print("{:<11}{}\n", "replay of", ReplayText(job));
-  if (job.has_end_time()) fmt::print("{:<11}{}\n", "ended", LocalTimeText(job.end_time()));
-  if (!job.error().empty()) fmt::print("{:<11}{}\n", "error", Printable(job.error()));
-  fmt::print("{:<11}{}\n", "artifacts", job.artifacts_size());
-}
 
 absl::Status ListJobs(Session& session, const JobListArguments& arguments) {
   ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, session.ListJobs(arguments.count));
@@ -60,7 +51,7 @@ absl::Status ListJobs(Session& session, const JobListArguments& arguments) {
     if (arguments.json) {
       fmt::print("{}\n", ToJsonLine(job));
     } else {
-      fmt::print("{}  {:<9}  {}  {}{}\n", job.id(), StateName(job.state()), LocalTimeText(job.create_time()),
+      fmt::print("{}  {:<9}  {}  {}{}\n", job.id(), EnumInWords(job.state()), LocalTimeText(job.create_time()),
                  Shortened(PrintableLine(job.spec().brief().text()), kShownOfText),
                  job.spec().has_replay() ? "  (replay of " + ReplayText(job) + ")" : "");
     }
@@ -74,7 +65,8 @@ absl::Status ReportJob(const absl::StatusOr<v1::Job>& job, bool json) {
   if (json) {
     fmt::print("{}\n", ToJsonLine(*job));
   } else {
-    ShowJob(*job);
+    fmt::print("{}", JobLines(*job));
+    fmt::print("{:<11}{}\n", "artifacts", job->artifacts_size());
   }
   return absl::OkStatus();
 }
@@ -117,17 +109,183 @@ absl::Status InSession(const Arguments& arguments) {
   return kAction(*session, arguments);
 }
 
+struct ReplayArguments : Options {
+  using Options::Options;
+  std::string& job_id = Required("JOB", "Id of the job, as flair jobs prints it");
+  std::string& from =
+      Text("--from STAGE",
+           "Run from this stage on, take the rest from JOB: brief, room, zones, objects, style, constraints, "
+           "cleaning, translation, solve, render (all; with --set, the first that the options reach)");
+  std::vector<std::string>& options =
+      List("--set NAME=VALUE",
+           "Another option than JOB had, such as optimizer.restarts=500; \"NAME=\" for the default; again for "
+           "more");
+  std::string& out = Text("-o,--out DIR", "Also write what flair design writes to this folder");
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "A job of this one, not of the local store");
+  StageFlags stages{command()};
+  LlmFlags llm{command()};
+  ModelFlags model{command()};
+  bool& json = Flag("--json", "Events, then the comparison, as JSON lines on standard output");
+  bool& quiet = Flag("-q,--quiet", "One line only", {"--json"});
+};
+
+// Applies the options of --set and says from which stage on they matter; from the first when there are none.
+absl::StatusOr<std::string_view> SetOptions(const std::vector<std::string>& options, v1::JobSpec& spec) {
+  int first = static_cast<int>(orchestrator::Stages().size());
+  for (const std::string& option : options) {
+    ASSIGN_OR_RETURN(const std::string_view stage, SetOption(option, spec));
+    first = std::min(first, orchestrator::StageIndex(stage));
+  }
+  RETURN_IF_ERROR(Validate(spec.solve_options(), "--set optimizer"));
+  RETURN_IF_ERROR(Validate(spec.render_options(), "--set renderer"));
+  RETURN_IF_ERROR(Validate(spec, "--set"));
+  return options.empty() ? "" : orchestrator::Stages()[static_cast<size_t>(first)].name;
+}
+
+absl::StatusOr<v1::JobSpec> MakeSpec(const ReplayArguments& arguments, const v1::Job& earlier) {
+  v1::JobSpec spec = earlier.spec();
+  spec.mutable_model_options();
+  RETURN_IF_ERROR(arguments.model.Set(spec));
+  ASSIGN_OR_RETURN(const std::string_view reached, SetOptions(arguments.options, spec));
+  const std::string from = arguments.from.empty() ? std::string(reached) : arguments.from;
+  if (!reached.empty() && orchestrator::StageIndex(from) > orchestrator::StageIndex(reached)) {
+    return absl::InvalidArgumentError(fmt::format(
+        "--from {}: the options of --set reach \"{}\", which would be taken from the earlier job; --from {} "
+        "or an earlier stage",
+        from, reached, reached));
+  }
+  spec.mutable_replay()->set_job_id(earlier.id());
+  spec.mutable_replay()->set_from_stage(from);
+  return spec;
+}
+
+bool HasEnded(const v1::Job& job) { return job.has_end_time(); }
+
+// A replay of the same kind that was interrupted; empty when there is none.
+std::string Interrupted(Session& session, const v1::JobSpec& spec) {
+  constexpr int kJobsLookedAt = 200;
+  const absl::StatusOr<std::vector<v1::Job>> jobs = session.ListJobs(kJobsLookedAt);
+  if (!jobs.ok()) return "";
+  for (const v1::Job& job : *jobs) {
+    if (!HasEnded(job) && job.spec().SerializeAsString() == spec.SerializeAsString()) return job.id();
+  }
+  return "";
+}
+
+absl::StatusOr<std::string> Begin(Session& session, const v1::JobSpec& spec, bool quiet) {
+  const std::string interrupted = Interrupted(session, spec);
+  if (!interrupted.empty()) {
+    if (!quiet) fmt::print(stderr, "{:<12} goes on with replay {}, which was interrupted\n", "replay", interrupted);
+    return interrupted;
+  }
+  const absl::StatusOr<v1::Job> created = session.CreateJob(spec);
+  // The earlier job did not come so far: what was asked is not right, no file is at fault.
+  if (absl::IsFailedPrecondition(created.status())) return absl::InvalidArgumentError(created.status().message());
+  if (!created.ok()) return created.status();
+  return created->id();
+}
+
+// A model's work is not repeated by the handbook; said before, as the difference is then no riddle.
+void RemarkOnModel(const ReplayArguments& arguments, bool has_model, const ArtifactsByKind& earlier,
+                   const v1::Replay& replay) {
+  if (has_model || arguments.quiet || arguments.json || !arguments.orchestrator.empty()) return;
+  for (const orchestrator::Stage& stage : orchestrator::Stages()) {
+    const auto found = earlier.find(stage.output);
+    const bool runs =
+        orchestrator::StageIndex(stage.name) >= std::max(0, orchestrator::StageIndex(replay.from_stage()));
+    if (!runs || found == earlier.end() || found->second.model_calls().empty()) continue;
+    fmt::print(stderr, "{:<12} \"{}\" was made by {}; without --model, --llm or --replay it is made without a model\n",
+               "remark", stage.name, found->second.producer().method());
+    return;
+  }
+}
+
+absl::Status Tell(const ReplayArguments& arguments, const v1::Job& first, const v1::Job& replay,
+                  const std::vector<StageComparison>& stages) {
+  if (arguments.json) {
+    fmt::print("{}\n", ComparisonJson(stages, first.id(), replay.id()));
+  } else {
+    fmt::print("{}replay {} of {}: {}\n", arguments.quiet ? "" : ComparisonTable(stages), replay.id(), first.id(),
+               ComparisonSummary(stages));
+  }
+  std::fflush(stdout);
+  if (replay.state() != v1::JOB_STATE_SUCCEEDED) {
+    const bool as_before = first.state() == replay.state() && first.stage() == replay.stage() &&
+                           first.error() == replay.error() && AllAgree(stages);
+    if (as_before) {
+      fmt::print(stderr, "It fails as the first time, at \"{}\": {}\n", replay.stage(), replay.error());
+      return absl::OkStatus();
+    }
+    return ErrorOf(replay);
+  }
+  return AllAgree(stages) ? absl::OkStatus() : DiffersStatus();
+}
+
+absl::Status Run(Session& session, const ReplayArguments& arguments, const v1::Job& first, const v1::JobSpec& spec,
+                 bool has_model) {
+  ASSIGN_OR_RETURN(const ArtifactsByKind before, StoredArtifacts(session, first));
+  RemarkOnModel(arguments, has_model, before, spec.replay());
+  ASSIGN_OR_RETURN(const std::string id, Begin(session, spec, arguments.quiet || arguments.json));
+  absl::Status finished;
+  {
+    const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
+    finished = WaitForJob(session, id, *progress);
+  }
+  ASSIGN_OR_RETURN(const v1::Job replay, session.GetJob(id));
+  if (replay.state() != v1::JOB_STATE_SUCCEEDED && replay.state() != v1::JOB_STATE_FAILED) return finished;
+  ASSIGN_OR_RETURN(const ArtifactsByKind after, StoredArtifacts(session, replay));
+  if (!arguments.out.empty() && replay.state() == v1::JOB_STATE_SUCCEEDED) {
+    RETURN_IF_ERROR(WriteOutputFolder(arguments.out, MakeDesignFiles(replay, after)));
+  }
+  return Tell(arguments, first, replay, CompareStages(first, before, replay, after));
+}
+
+absl::Status Replay(const ReplayArguments& arguments) {
+  RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
+  if (!arguments.from.empty() && orchestrator::StageIndex(arguments.from) < 0) {
+    return absl::InvalidArgumentError(
+        fmt::format("--from {}: there is no such stage; one of {}", arguments.from, orchestrator::StageNames()));
+  }
+  v1::JobSpec limits;
+  RETURN_IF_ERROR(arguments.model.Set(limits));
+  ASSIGN_OR_RETURN(const OptionalLlm llm,
+                   ReadDesignModel(arguments.llm, limits.model_options(), arguments.orchestrator));
+  if (!arguments.out.empty()) {
+    RETURN_IF_ERROR(CheckOutputFolder(arguments.out, DesignFileNames()));
+  }
+  ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(arguments.orchestrator, llm, arguments.stages));
+  ASSIGN_OR_RETURN(const v1::Job first, session->GetJob(arguments.job_id));
+  if (!HasEnded(first)) {
+    return absl::InvalidArgumentError(
+        fmt::format("JOB: {} has not ended yet; see: flair jobs show {}", first.id(), first.id()));
+  }
+  ASSIGN_OR_RETURN(const v1::JobSpec spec, MakeSpec(arguments, first));
+  return Run(*session, arguments, first, spec, llm.has_value());
+}
+
 }  // namespace
 
 void AddJobs(const Commands& program) {
   const Commands jobs = program.Add("jobs", "List past and running jobs.", InSession<ListJobs, JobListArguments>);
-  jobs.app.require_subcommand(0, 1);
   jobs.Add("list", "Jobs, newest first (the default).", InSession<ListJobs, JobListArguments>);
   jobs.Add("show", "One job.", InSession<ShowOneJob, JobArguments>);
   jobs.Add("cancel", "Cancel a job.", InSession<CancelJob, JobArguments>);
   jobs.Add("delete", "Delete a job that has ended, with the artifacts that no other job has. Files that it wrote stay.",
            InSession<DeleteJob, JobArguments>);
   jobs.Add("artifacts", "List the artifacts of a job.", InSession<ListArtifacts, JobArguments>);
+}
+
+void AddReplay(const Commands& program) {
+  std::string names;
+  for (const OptionName& option : OptionNames()) {
+    constexpr size_t kValues = 44, kLine = 80;
+    const std::string margin(kValues, ' ');
+    names += fmt::format("  {:<42}{}\n", option.name, Wrapped(option.values, kLine, margin, kValues));
+  }
+  program.Add("replay", "Run a job again and say whether the result is the same.", Replay,
+              "Exits with 0 when all stages give the same content again, or another where --set asks for it; with 7 "
+              "when one differs that should not.\n\nNames for --set:\n" +
+                  names);
 }
 
 }  // namespace flair::cli

@@ -19,7 +19,6 @@
 #include "cli/input/service_flags.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
-#include "worker_runtime/bootstrap/build_id.h"
 
 namespace flair::cli {
 namespace {
@@ -58,14 +57,14 @@ void AddCommands(const Commands& commands, const std::vector<CommandGroup>& grou
   AddConnectionFlags(program);
 }
 
-int RunProgram(int argc, char** argv, const Program& about) {
+int RunProgram(int argc, char** argv, const Program& about, const std::string& build) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is an error like any other
   // What gRPC says to its authors of handshakes that fail is said again, for people, by whoever made the call.
   ::setenv("GRPC_VERBOSITY", "NONE", 0);
   if (about.prepare != nullptr) about.prepare();
   CLI::App program(about.description, about.name);
-  program.set_version_flag("--version", fmt::format("{} {}, build {}", about.name, FLAIR_VERSION, runtime::BuildName()),
+  program.set_version_flag("--version", fmt::format("{} {}, build {}", about.name, FLAIR_VERSION, build),
                            "Print version and build and exit");
   absl::Status result;
   AddCommands({program, result}, about.groups);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair solve: a layout from a graph, for trying other seeds, options and edited graphs.
+// flair solve and flair resolve: a layout from a graph, and a layout after edits, with as little moved as they ask for.
 #include <cstdio>
 #include <filesystem>
 #include <vector>
@@ -7,19 +7,22 @@
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/job_options.h"
-#include "cli/inspect/content_text.h"
+#include "cli/input/message_text.h"
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/solve_text.h"
+#include "cli/output/report_text.h"
 #include "cli/session/stage_calls.h"
-#include "cli/session/pictures.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
+
 namespace {
 
 struct SolveArguments : Options {
@@ -33,15 +36,15 @@ struct SolveArguments : Options {
   std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of one in this process");
 };
 
-// What all layouts of one solve have in common.
-v1::Artifact MakeArtifact(const v1::Artifact& graph, const v1::SolveRequest& request, const v1::Producer& producer) {
+// A layout as an artifact that was made from another one, with these options.
+v1::Artifact MadeFrom(const v1::Artifact& source, const google::protobuf::Message& options,
+                      const v1::Producer& producer, const v1::SolvedLayout& layout) {
   v1::Artifact artifact;
-  artifact.add_made_from_ids(graph.id());
+  artifact.add_made_from_ids(source.id());
   *artifact.mutable_producer() = producer;
-  // The number of threads changes no result, so it is none of what the layout was made with.
-  v1::SolveOptions options = request.options();
-  options.clear_thread_count();
   artifact.set_options_digest(runtime::Sha256Hex(runtime::CanonicalBytes(options)));
+  *artifact.mutable_solved_layout() = layout;
+  artifact.set_id(orchestrator::ComputeArtifactId(artifact));
   return artifact;
 }
 
@@ -59,12 +62,13 @@ absl::Status Solve(const SolveArguments& arguments) {
   *request.mutable_options() = std::move(options);
   ASSIGN_OR_RETURN(const v1::SolveResponse response, CallSolve(request, arguments.optimizer));
 
+  // The number of threads changes no result, so it is none of what the layout was made with.
+  v1::SolveOptions made_with = request.options();
+  made_with.clear_thread_count();
   std::vector<std::string> files;
   const std::vector<v1::SolvedLayout> layouts = VariantLayouts(response.solved_layout(), request.options());
   for (size_t i = 0; i < layouts.size(); ++i) {
-    v1::Artifact artifact = MakeArtifact(graph, request, response.producer());
-    *artifact.mutable_solved_layout() = layouts[i];
-    artifact.set_id(orchestrator::ComputeArtifactId(artifact));
+    const v1::Artifact artifact = MadeFrom(graph, made_with, response.producer(), layouts[i]);
     if (i == 0) {
       fmt::print(stderr, "{}{}\n", arguments.out.empty() ? "" : arguments.out + ": ",
                  orchestrator::Summarize(artifact));
@@ -90,8 +94,86 @@ absl::Status Solve(const SolveArguments& arguments) {
   return absl::OkStatus();
 }
 
+struct ResolveArguments : Options {
+  using Options::Options;
+  std::string& layout =
+      Required("LAYOUT", "A layout: layout.pb or layout.json of a design, digits of its id, or JOB/solve");
+  SourceFlags source{command()};
+  std::string& out = Required("-o,--out FILE", "Where the layout (.pb) goes");
+  std::vector<std::string>& edits = List("--edit TEXT", "A change, see below; may be given often");
+  std::string& edits_file = Text("--edits FILE", "Changes as protobuf text: edits { ... }, after all --edit");
+  int64_t& seed = SeedNumber("Seed; another seed, another layout (0)");
+  bool& leave_out = Flag("--leave-out", "Leave out what does not fit");
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of one in this process");
+};
+
+constexpr char kEditsExample[] = "changes, such as: edits { pin_object_id: \"bed\" }";
+
+absl::StatusOr<v1::ResolveRequest> MakeRequest(const ResolveArguments& arguments, const v1::Artifact& layout) {
+  v1::ResolveRequest request;
+  request.set_request_id("flair-resolve");
+  *request.mutable_solved_layout() = layout.solved_layout();
+  for (const std::string& line : arguments.edits) {
+    ASSIGN_OR_RETURN(v1::LayoutEdit edit, optimizer::EditFromText(line, layout.solved_layout()));
+    *request.add_edits() = std::move(edit);
+  }
+  if (!arguments.edits_file.empty()) {
+    v1::ResolveRequest read;
+    RETURN_IF_ERROR(ReadTextMessage("--edits", arguments.edits_file, kEditsExample, read));
+    request.mutable_edits()->MergeFrom(read.edits());
+  }
+  if (request.edits().empty())
+    return absl::InvalidArgumentError("no edits; give --edit \"move desk 0.3 1.5 270\" or --edits FILE");
+  request.mutable_options()->set_seed(arguments.seed);
+  if (arguments.leave_out) request.mutable_options()->set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
+  return request;
+}
+
+// "floor_1 (chair), floor_2 (armchair)": people know things by their names.
+std::string Moved(const v1::ResolveResponse& response) {
+  std::vector<std::string> texts;
+  for (const std::string& id : response.moved_object_ids()) {
+    std::string& text = texts.emplace_back(id);
+    for (const v1::Object& object : response.solved_layout().graph().object_list().objects()) {
+      if (object.id() == id && object.name() != id) text += " (" + object.name() + ")";
+    }
+  }
+  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+absl::Status Resolve(const ResolveArguments& arguments) {
+  ASSIGN_OR_RETURN(const v1::Artifact before, OpenArtifact(arguments.layout, arguments.source));
+  if (!before.has_solved_layout()) {
+    return absl::InvalidArgumentError(
+        fmt::format("{}: not a layout; give what flair solve or design wrote", arguments.layout));
+  }
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
+  ASSIGN_OR_RETURN(const v1::ResolveRequest request, MakeRequest(arguments, before));
+  ASSIGN_OR_RETURN(const v1::ResolveResponse response, CallResolve(request, arguments.optimizer));
+
+  const v1::Artifact layout = MadeFrom(before, request.options(), response.producer(), response.solved_layout());
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, ArtifactBytes(layout)));
+  fmt::print(stderr, "{}: {}\n", arguments.out, orchestrator::Summarize(layout));
+  fmt::print(stderr, "{:<11}{}\n", "moved", Moved(response));
+  fmt::print(stderr, "{}", LayoutRemarks(response.solved_layout()));
+  fmt::print(stderr, "{:<11}flair render {} --out plan.png\n", "next", arguments.out);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 void AddSolve(const Commands& program) { program.Add("solve", "Place the objects of a graph again.", Solve); }
+
+void AddResolve(const Commands& program) {
+  program.Add(
+      "resolve", "Change a layout and solve again what the change affects.", Resolve,
+      "Changes:\n"
+      "  move desk 0.3 1.5 270       pin bed        unpin bed       remove plant_1\n"
+      "  resize wardrobe 1.5x0.6x2.1                add lamp 0.4x0.4x1.5 near sofa\n"
+      "  weight e17 3                drop e17\n"
+      "  edge against_wall object=desk side=back\n"
+      "Metres and degrees, counter-clockwise: 0 faces north, 90 west. What is moved is pinned. flair inspect LAYOUT "
+      "lists the ids of objects and constraints. See docs/resolve.md.");
+}
 
 }  // namespace flair::cli

@@ -9,11 +9,10 @@
 
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
-#include "cli/embedded/embedded_services.h"
+#include "cli/input/options.h"
 #include "cli/session/session.h"
 #include "cli/top/cluster_state.h"
 #include "cli/top/terminal.h"
-#include "cli/top/top_text.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -43,7 +42,9 @@ class Top {
         interval_(absl::Seconds(arguments.interval_seconds)),
         watches_cluster_(!session.embedded()),
         address_(watches_cluster_ ? session.address() : "the local store " + DefaultStorePath()),
-        client_(session.channel()) {}
+        client_(session) {
+    session.SetLimits({.patience = absl::ZeroDuration(), .answer_within = absl::Seconds(4)});
+  }
 
   absl::Status Run() {
     if (absl::Status status = Look(); !status.ok()) return Explain(status);
@@ -57,7 +58,7 @@ class Top {
       return absl::UnimplementedError(
           fmt::format("{}: this orchestrator is too old to tell how its cluster does", address_));
     }
-    return watches_cluster_ ? NoOrchestrator(status, address_) : status;
+    return status;
   }
 
   absl::Status Look() {

@@ -229,7 +229,7 @@ std::string DifferenceJson(const Difference& difference, const std::string& a, c
     if (!section.note.empty()) entry["note"] = section.note;
     json["sections"].push_back(std::move(entry));
   }
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return JsonText(json, 2) + "\n";
 }
 
 }  // namespace flair::cli

@@ -2,6 +2,8 @@
 // All five services in this process, over channels that need no port; of the four stages those that nobody else runs.
 #pragma once
 
+#include <grpcpp/channel.h>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,20 +15,23 @@
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "language_worker/service/make_language_service.h"
 #include "orchestrator/service/make_orchestrator_service.h"
+#include "renderer_worker/service/make_renderer_service.h"
 #include "translator_worker/service/make_translator_service.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::cli {
 
-// How the language stage and the translator here come to ask a model.
+// How the language stage and the translator here come to ask a model, and the renderer to 3D models and scenes.
 struct ModelStages {
   language::ModelHandlersMaker language;
   translator::ModelTranslatorMaker translator;
+  renderer::SceneFiles renderer;
 };
 
-// Called at a program's start. Without it a model is refused, and the program need not link what asks one:
-// flair-design, which is built first, does without.
+// Called at a program's start. Without it they are refused, and the program need not link them: flair-design, which is
+// built first, does without.
 void UseModels(ModelStages stages);
+const ModelStages& UsedModels();
 // The same with ours, in the library flair_cli_models.
 void UseOurModels();
 
@@ -64,7 +69,27 @@ class EmbeddedServices {
   orchestrator::OrchestratorService* service_ = nullptr;
 };
 
-// $FLAIR_HOME, else $XDG_DATA_HOME/flair, else ~/.local/share/flair.
-std::string DefaultStorePath();
+// Servers of single stages that the user named, in place of those in this process.
+
+// What a stage is called on the command line and on the wire.
+struct StageName {
+  const char* flag;     // such as "--optimizer"
+  const char* service;  // full name, such as "flair.v1.OptimizerService"
+  // Asks nothing of it, which tells whether the service is there: a request without content costs no server anything.
+  absl::Status (*ask_nothing)(const std::shared_ptr<grpc::Channel>& channel);
+};
+extern const StageName kLanguageStage;
+extern const StageName kTranslatorStage;
+extern const StageName kOptimizerStage;
+extern const StageName kRendererStage;
+
+// A channel to the server at `address`, which has answered. INVALID_ARGUMENT when the address has no right form or
+// leads to a server of something else or of another version of the protocol, UNAVAILABLE when nobody answers; all name
+// flag and address. `max_message_mib` 0: as runtime::MakeChannel.
+absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& stage, const std::string& address,
+                                                              int max_message_mib = 0);
+
+// `status` of a later call in words, when it says that the server is not there any more; itself otherwise.
+absl::Status InWords(const StageName& stage, const std::string& address, const absl::Status& status);
 
 }  // namespace flair::cli

@@ -9,7 +9,7 @@ void UseOurModels() {
   UseModels({[](const auto& config, const language::Handbook& handbook, runtime::WorkerContext& worker) {
                return language::MakeModelHandlers(config, handbook, worker);
              },
-             translator::MakeModelTranslator});
+             translator::MakeModelTranslator, renderer::OurSceneFiles()});
 }
 
 }  // namespace flair::cli

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/embedded/remote_stage.h"
 
 #include <gmock/gmock.h>
 #include <grpcpp/server.h>

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/artifact_bytes.h"
-
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/unknown_field_set.h>
@@ -11,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/input/artifact_file.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/field.h"

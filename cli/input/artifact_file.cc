@@ -10,12 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "cli/input/artifact_bytes.h"
 #include "cli/input/field_path.h"
-#include "cli/input/files.h"
 #include "cli/input/message_text.h"
-#include "cli/input/room_file.h"
 #include "cli/output/artifact_text.h"
+#include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -87,5 +88,46 @@ void SetOrigin(const LayoutFile& file, Request& request) {
   request.set_brief_text(file.brief->text());
   request.set_brief_seed(file.brief->seed());
 }
+
+// Artifacts as bytes: what a file holds, and the binary form.
+
+enum class ArtifactForm { kBinary, kJson, kProtobufText };
+
+// How a message is written, by the ending of its file's name (.json; .textproto, .txtpb, .pbtxt) or else by its bytes.
+// What begins as Flair's binary artifacts do is one, whatever its name.
+ArtifactForm FormOf(const std::filesystem::path& path, std::string_view bytes);
+
+// What the bytes are when they are some well-known other kind of file: "a PNG picture", "a program"; empty otherwise.
+std::string ForeignKind(std::string_view bytes);
+
+// The id with which a binary artifact begins; empty when it begins otherwise.
+std::string_view LeadingId(std::string_view bytes);
+
+// Bytes before the rest of a binary artifact that begins with an id.
+inline constexpr size_t kLeadingIdBytes = 66;
+
+// The artifact in its binary form, with the id as it states it. DATA_LOSS, "NAME: ...", for bytes that are cut off,
+// damaged or none of an artifact; INVALID_ARGUMENT for whole artifacts with parts that only a newer Flair knows.
+absl::StatusOr<v1::Artifact> ParseBinaryArtifact(const std::string& name, const std::string& bytes);
+
+// Whether the artifact that was read from these bytes has the id of its bytes.
+bool IsWhole(const v1::Artifact& artifact, const std::string& bytes);
+
+// A user's own room, and what it may leave out (docs/rooms.md).
+
+// A room: an artifact that holds one (also a layout's or graph's), or a Room message itself, completed, in any of their
+// forms. Errors as ReadArtifact.
+absl::StatusOr<v1::Room> ReadRoom(const std::filesystem::path& path);
+
+// Fills in what a hand-written room leaves out and brings it into the form that the protocol asks for:
+//   - height_m 0: 3 m;
+//   - no walls: the sides of an upright rectangle are named south, east, north and west, those of any other floor
+//     wall_1, wall_2, ... in the order in which the corners were given;
+//   - a door without leaf opens inward, hinged at its start, by 90 degrees; an opening without id or head height gets
+//     one;
+//   - corners listed clockwise are turned round, with walls, offsets and hinges, so that everything stays in its place;
+//   - the floor is moved so that its bounding box begins at (0, 0).
+// Leaves everything else, faults included, as it is.
+void CompleteRoom(v1::Room& room);
 
 }  // namespace flair::cli

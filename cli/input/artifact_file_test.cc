@@ -206,8 +206,6 @@ TEST(ArtifactFile, AnArtifactWithoutContentSaysWhatItMayHold) {
   EXPECT_THAT(std::string(Refusal("a.json", "{}").message()), HasSubstr("without content; expected one of brief, "));
 }
 
-using ::testing::HasSubstr;
-
 std::string FileWith(const std::string& bytes) {
   const std::string path = fmt::format("{}/brief_{}", ::testing::TempDir(), getpid());
   std::ofstream(path, std::ios::binary) << bytes;

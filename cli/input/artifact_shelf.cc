@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/input/artifact_bytes.h"
 #include "cli/input/artifact_file.h"
 #include "fmt/format.h"
 #include "orchestrator/store/database.h"
@@ -73,8 +72,6 @@ std::unique_ptr<ArtifactShelf> MakeStoreShelf(const std::string& folder) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr size_t kMostFiles = 1000;
 constexpr size_t kMostTexts = 50;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "absl/strings/ascii.h"
-#include "cli/embedded/embedded_services.h"
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/session/session.h"

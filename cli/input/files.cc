@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/files.h"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 
 #include "absl/cleanup/cleanup.h"
 #include "cli/exit_code.h"
+#include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/files.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -10,6 +8,7 @@
 
 #include <fstream>
 
+#include "cli/output/output_folder.h"
 #include "orchestrator/testing/temporary_folder.h"
 
 namespace flair::cli {

@@ -10,7 +10,7 @@
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
 #include "cli/input/command_line.h"
-#include "cli/input/field_value.h"
+#include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"

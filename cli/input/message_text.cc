@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "cli/exit_code.h"
 #include "cli/input/field_path.h"
-#include "cli/input/files.h"
+#include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 
@@ -129,35 +130,26 @@ absl::Status ListProblems(const std::string& name, const std::vector<validation:
 namespace {
 
 using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
 
-// Takes no part of a JSON text and keeps what is wrong with it.
-class SyntaxCheck : public nlohmann::json_sax<nlohmann::json> {
- public:
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(size_t) override { return true; }
-  bool key(string_t&) override { return true; }
-  bool end_object() override { return true; }
-  bool start_array(size_t) override { return true; }
-  bool end_array() override { return true; }
-  bool parse_error(size_t position, const std::string&, const nlohmann::detail::exception& error) override {
-    offset = position;
-    // "[json.exception.parse_error.101] parse error at line 1, column 24: syntax error while ...".
-    problem = error.what();
-    const size_t column = problem.find("column ");
-    const size_t words = problem.find(": ", column == std::string::npos ? 0 : column);
-    if (words != std::string::npos) problem = problem.substr(words + 2);
-    return false;
-  }
-  size_t offset = 0;
+// What is wrong with a JSON text and behind which byte; nothing when it is JSON.
+struct Fault {
+  size_t offset;
   std::string problem;
 };
+std::optional<Fault> FindSyntaxFault(const std::string& json) {
+  try {
+    (void)nlohmann::json::parse(json);
+  } catch (const nlohmann::json::parse_error& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 24: syntax error while ...".
+    const std::string text = error.what();
+    const size_t column = text.find("column ");
+    const size_t words = text.find(": ", column == std::string::npos ? 0 : column);
+    return Fault{error.byte, words == std::string::npos ? text : text.substr(words + 2)};
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;  // a number out of range, of which protobuf says more
+  }
+  return std::nullopt;
+}
 
 // What protobuf complains about: "(layout_graph.edges[0].weight): invalid value "x" for type TYPE_DOUBLE",
 // "(layout_graph) edge: Cannot find field.".
@@ -234,12 +226,11 @@ absl::Status Explain(const std::string& name, const std::string& json, const Des
 absl::Status ParseJsonMessage(const std::string& name, const std::string& json, google::protobuf::Message& message) {
   const auto status = google::protobuf::util::JsonStringToMessage(json, &message);
   if (status.ok()) return absl::OkStatus();
-  SyntaxCheck check;
-  if (!nlohmann::json::sax_parse(json, &check)) {
-    const int line = LineAt(json, check.offset > 0 ? check.offset - 1 : 0);
-    const bool cut = check.offset >= json.size();
+  if (const std::optional<Fault> fault = FindSyntaxFault(json)) {
+    const int line = LineAt(json, fault->offset > 0 ? fault->offset - 1 : 0);
+    const bool cut = fault->offset >= json.size();
     return absl::InvalidArgumentError(
-        fmt::format("{}:{}: {}{}", name, line, cut ? "ends too early: " : "", check.problem));
+        fmt::format("{}:{}: {}{}", name, line, cut ? "ends too early: " : "", fault->problem));
   }
   const std::string text(status.message());
   if (const std::optional<Complaint> complaint = ReadComplaint(text)) {
@@ -251,18 +242,13 @@ absl::Status ParseJsonMessage(const std::string& name, const std::string& json, 
 absl::Status ReadTextMessage(const std::string& flag, const std::string& path, const std::string& example,
                              google::protobuf::Message& message) {
   const absl::StatusOr<std::string> text = ReadFile(path);
-  if (!text.ok()) {
-    return absl::Status(text.status().code(), fmt::format("{}: {}", flag, std::string(text.status().message())));
-  }
+  if (!text.ok()) return About(flag, text.status());
   const absl::Status read = ParseMessageText(TextForm::kProtobufText, path, *text, message);
   if (read.ok()) return read;
   return absl::InvalidArgumentError(fmt::format("{}: {}; should hold {}", flag, std::string(read.message()), example));
 }
 
 namespace {
-
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
 
 constexpr size_t kLongestName = 64;
 

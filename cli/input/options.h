@@ -13,8 +13,8 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,8 +22,13 @@
 #include <variant>
 #include <vector>
 
-#include "CLI/CLI.hpp"
 #include "absl/status/status.h"
+
+// CLI11, which costs every file that includes it seconds, is in the .cc files that need more than a reference.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace flair::cli {
 
@@ -41,17 +46,19 @@ class Options {
  protected:
   CLI::App& command() { return command_; }
 
+  // `not_with` names options, declared before, that exclude this one.
+
   // Adds an option that sets a value kept elsewhere.
   template <typename Value>
-  CLI::Option* Bind(const std::string& specification, Value& value, const std::string& help);
-
-  // `not_with` names options, declared before, that exclude this one.
+  CLI::Option* Bind(const std::string& specification, Value& value, const std::string& help,
+                    const Names& not_with = {});
   std::string& Text(const std::string& specification, const std::string& help, const Names& not_with = {});
   std::string& Required(const std::string& specification, const std::string& help);
-  // One of the words; the first of them when it is not given.
-  std::string& Word(const std::string& specification, const Names& words, const std::string& help);
+  // One of the words; the first of them when it is not given, or `otherwise`.
+  std::string& Word(const std::string& specification, const Names& words, const std::string& help,
+                    const std::optional<std::string>& otherwise = {});
   // One value each time that the option is given; a positional argument takes any number.
-  std::vector<std::string>& List(const std::string& specification, const std::string& help);
+  std::vector<std::string>& List(const std::string& specification, const std::string& help, bool required = false);
   // Values with commas between them.
   std::vector<std::string>& Commas(const std::string& specification, const std::string& help);
   // Whole numbers from `least` to `most`.
@@ -59,15 +66,15 @@ class Options {
   int& Whole(const std::string& specification, int least, int most, int initial, const std::string& help);
   double& Decimal(const std::string& specification, double least, double most, double initial, const std::string& help);
   int64_t& SeedNumber(const std::string& help);
-  bool& Flag(const std::string& names, const std::string& help, const Names& not_with = {});
+  // `only_with` names an option, declared before, without which this one is refused.
+  bool& Flag(const std::string& names, const std::string& help, const Names& not_with = {},
+             const std::string& only_with = "");
 
  private:
   template <typename Value>
   Value& Keep(Value value) {
     return std::get<Value>(values_.emplace_back(std::move(value)));
   }
-  void Exclude(CLI::Option& option, const Names& others);
-
   CLI::App& command_;
   const std::string group_;
   // A deque leaves its elements where they are.
@@ -80,28 +87,23 @@ struct Commands {
   CLI::App& app;
   absl::Status& result;
 
-  // A command that runs `run` with its options, unless a command below it is called; its own commands are added to what
-  // is returned.
+  // A command that runs `run` with its options, unless a command below it is called instead; its own commands are added
+  // to what is returned.
   template <typename OptionsType>
   Commands Add(const std::string& name, const std::string& description, absl::Status (*run)(OptionsType&),
                const std::string& footer = "") const {
-    CLI::App* const command = app.add_subcommand(name, description);
-    command->footer(footer);
-    command->callback(
-        [command, run, &status = result, options = std::make_shared<std::remove_const_t<OptionsType>>(*command)] {
-          if (!command->get_subcommands().empty()) return;
-          status = run(*options);
-          std::fflush(stdout);
-        });
-    return {*command, result};
+    return AddRunning(name, description, footer, [run](CLI::App& command) -> std::function<absl::Status()> {
+      return [run, options = std::make_shared<std::remove_const_t<OptionsType>>(command)] { return run(*options); };
+    });
   }
 
   // A command that only holds others.
-  Commands Group(const std::string& name, const std::string& description) const {
-    CLI::App* const command = app.add_subcommand(name, description);
-    command->require_subcommand(1);
-    return {*command, result};
-  }
+  Commands Group(const std::string& name, const std::string& description) const;
+
+ private:
+  // `declare` adds the command's options and returns what is called once they are set.
+  Commands AddRunning(const std::string& name, const std::string& description, const std::string& footer,
+                      const std::function<std::function<absl::Status()>(CLI::App& command)>& declare) const;
 };
 
 }  // namespace flair::cli

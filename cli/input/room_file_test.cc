@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/room_file.h"
-
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/input/artifact_file.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
 

@@ -165,6 +165,13 @@ void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config)
   config.set_artifact_store(flags.artifacts);
 }
 
+std::string DefaultStorePath() {
+  if (std::string home = Variable("FLAIR_HOME"); !home.empty()) return home;
+  if (std::string data = Variable("XDG_DATA_HOME"); !data.empty()) return data + "/flair";
+  if (std::string home = Variable("HOME"); !home.empty()) return home + "/.local/share/flair";
+  return "flair-store";
+}
+
 StageFlags::StageFlags(CLI::App& command) : Options(command, "Stages on other servers") {
   const auto add = [this](const std::string& stage, std::string* address, const std::string& more = "") {
     Bind(fmt::format("--{} HOST:PORT[,HOST:PORT...]", stage), *address,

@@ -44,6 +44,9 @@ absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orche
 // Tells an orchestrator of this process.
 void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config);
 
+// The local store: $FLAIR_HOME, else $XDG_DATA_HOME/flair, else ~/.local/share/flair.
+std::string DefaultStorePath();
+
 // Which stages run elsewhere, and what the language stage of this process reads.
 struct StageChoice {
   config::v1::StageAddresses addresses;  // an empty address: the stage runs in this process

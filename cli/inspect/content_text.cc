@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/inspect/content_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "cli/input/message_text.h"
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
 #include "cli/output/text.h"
@@ -286,8 +285,7 @@ std::string SolveStats(const v1::SolveResponse& response) {
   const v1::SolvedLayout& layout = response.solved_layout();
   const auto wall_ms = [&response](int i) {
     if (i >= response.stage_durations_size()) return std::string("-");
-    const google::protobuf::Duration& duration = response.stage_durations(i);
-    return fmt::format("{:.1f}", 1e3 * static_cast<double>(duration.seconds()) + 1e-6 * duration.nanos());
+    return fmt::format("{:.1f}", 1e3 * SecondsOf(response.stage_durations(i)));
   };
   return CostText(layout) + TermsText(layout) + EdgesText(layout, v1::OUTCOME_STATUS_VIOLATED, "NOT MET", SIZE_MAX) +
          EdgesText(layout, v1::OUTCOME_STATUS_DROPPED, "DROPPED", SIZE_MAX) +

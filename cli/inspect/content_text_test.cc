@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/inspect/content_text.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "tests/fixtures/bedroom.h"

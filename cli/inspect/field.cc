@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/inspect/field.h"
-
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/text_format.h>
 #include <google/protobuf/util/json_util.h>
@@ -9,6 +7,7 @@
 
 #include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
 #include "fmt/format.h"

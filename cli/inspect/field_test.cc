@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/inspect/field.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/inspect/inspection.h"
 #include "flair/v1/artifact.pb.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/bedroom.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/inspect/provenance.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "cli/input/artifact_file.h"
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/store/artifact_id.h"

@@ -2,11 +2,13 @@
 // Artifacts as bytes and as text; the same artifact gives the same bytes.
 #pragma once
 
+#include <google/protobuf/duration.pb.h>
 #include <google/protobuf/timestamp.pb.h>
 
 #include <string>
 
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/layout_graph.pb.h"
 
 namespace flair::cli {
@@ -43,7 +45,18 @@ std::string CallText(const std::string& type, const google::protobuf::RepeatedPt
 // The same, with " x 3" when it weighs 3.
 std::string CallText(const v1::ConstraintEdge& edge);
 
+double SecondsOf(const google::protobuf::Duration& duration);
 // "2026-05-21 13:45:01" in local time.
 std::string LocalTimeText(const google::protobuf::Timestamp& time);
+
+// A constraint catalogue for people.
+
+// All types by family: formula, parameters with range and default, sentences with the calls they mean.
+// docs/constraints.md is this text.
+std::string CatalogMarkdown(const v1::ConstraintCatalog& catalog);
+// One type for the terminal.
+std::string TypeText(const v1::ConstraintType& type);
+// A line per type that a translator may call: name and summary.
+std::string CatalogOverview(const v1::ConstraintCatalog& catalog);
 
 }  // namespace flair::cli

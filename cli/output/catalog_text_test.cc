@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/output/catalog_text.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "cli/output/artifact_text.h"
 #include "optimizer_worker/constraints/registry.h"
 
 namespace flair::cli {

@@ -10,6 +10,7 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_replace.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "flair/v1/style_sheet.pb.h"
 #include "fmt/format.h"
@@ -79,7 +80,7 @@ std::string MessageInWords(const Message& message) {
     return Shortened(corners, 400);
   }
   if (const auto* duration = dynamic_cast<const google::protobuf::Duration*>(&message)) {
-    return fmt::format("{:.3f} s", static_cast<double>(duration->seconds()) + 1e-9 * duration->nanos());
+    return fmt::format("{:.3f} s", SecondsOf(*duration));
   }
   return FieldsInWords(message);
 }

@@ -70,13 +70,7 @@ class TemporaryFolder {
 absl::Status Write(const fs::path& path, int flags, const std::string& content, const fs::path& shown) {
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
   if (file < 0) return Cannot("be written", shown, errno);
-  size_t written = 0;
-  int error = 0;
-  while (written < content.size() && error == 0) {
-    const ssize_t count = write(file, content.data() + written, content.size() - written);
-    if (count < 0 && errno != EINTR) error = errno;
-    if (count > 0) written += static_cast<size_t>(count);
-  }
+  int error = WriteAll(file, content);
   if (error == 0 && fsync(file) != 0 && errno != EINVAL) error = errno;
   if (close(file) != 0 && error == 0) error = errno;
   return error == 0 ? absl::OkStatus() : Cannot("be written", shown, error);
@@ -123,6 +117,15 @@ absl::Status PutInPlace(const fs::path& made, const fs::path& folder, const std:
 }
 
 }  // namespace
+
+int WriteAll(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t count = ::write(file, content.data(), content.size());
+    if (count < 0 && errno != EINTR) return errno;
+    if (count > 0) content.remove_prefix(static_cast<size_t>(count));
+  }
+  return 0;
+}
 
 absl::Status CheckOutputFolder(const fs::path& given, const std::vector<std::string>& names) {
   const fs::path folder = Absolute(given);

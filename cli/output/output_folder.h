@@ -2,11 +2,14 @@
 // Files and folders of results, written whole or not at all.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
+#include "absl/status/statusor.h"
 
 namespace flair::cli {
 
@@ -31,6 +34,9 @@ absl::Status CheckOutputFile(const std::filesystem::path& path);
 // One file, whole or not at all. A device or pipe of that name is written to and stays what it is.
 absl::Status WriteOutputFile(const std::filesystem::path& path, const std::string& content);
 
+// Writes all of it to an open file; 0, or the errno that stopped it.
+int WriteAll(int file, std::string_view content);
+
 // FAILED_PRECONDITION with the path and why, of an errno.
 absl::Status CannotWrite(const std::filesystem::path& path, int error);
 
@@ -42,5 +48,18 @@ absl::Status FlushFileSystem(const std::filesystem::path& path);
 
 // Returns when the disk has the file.
 absl::Status FlushFile(const std::filesystem::path& path);
+
+// Files and folders that a user names.
+
+// The content of a regular file of at most 256 MiB; links are followed to one. NOT_FOUND when there is none,
+// INVALID_ARGUMENT when it is too large (found out before anything is read), FAILED_PRECONDITION when it is a folder,
+// a pipe, a device or a socket, or cannot be read.
+absl::StatusOr<std::string> ReadFile(const std::filesystem::path& path);
+
+// `root` and the folders below it, at any depth, that hold a file called `name`, sorted; links to folders are not
+// followed. NOT_FOUND when there is none, FAILED_PRECONDITION when `root` cannot be listed, INVALID_ARGUMENT when
+// there are more than `most`.
+absl::StatusOr<std::vector<std::filesystem::path>> FindFoldersWith(const std::filesystem::path& root,
+                                                                   const std::string& name, size_t most);
 
 }  // namespace flair::cli

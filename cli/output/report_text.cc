@@ -7,7 +7,6 @@
 
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
-#include "cli/output/models_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
@@ -152,8 +151,8 @@ std::string RemarkText(const v1::Report& report) {
 std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report, const v1::Job& job) {
   std::vector<std::vector<std::string>> times, makers;
   for (const v1::StageTiming& timing : report.stage_timings()) {
-    const double seconds = static_cast<double>(timing.duration().seconds()) + 1e-9 * timing.duration().nanos();
-    times.push_back({timing.stage(), fmt::format("{:.3f}", seconds), timing.reused() ? "as before" : ""});
+    times.push_back(
+        {timing.stage(), fmt::format("{:.3f}", SecondsOf(timing.duration())), timing.reused() ? "as before" : ""});
   }
   for (const auto& [kind, artifact] : artifacts) {
     if (kind == v1::ARTIFACT_KIND_REPORT) continue;

@@ -17,6 +17,12 @@ std::string PrintableLine(std::string text);
 // At most `columns` characters; what is longer ends in "…".
 std::string Shortened(std::string_view text, size_t columns);
 
+// JSON, on one line or indented; what is not UTF-8 in it is replaced.
+template <typename Json>
+std::string JsonText(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 // Safe in a cell of a Markdown table.
 std::string MarkdownCell(std::string text);
 

@@ -20,7 +20,7 @@ namespace flair::cli {
 namespace {
 
 std::string Seconds(const v1::JobEvent& event) {
-  const double seconds = static_cast<double>(event.duration().seconds()) + 1e-9 * event.duration().nanos();
+  const double seconds = SecondsOf(event.duration());
   return seconds < 0.0095 ? "" : fmt::format("  {:.2f} s", seconds);
 }
 
@@ -131,8 +131,9 @@ void SlowNote::Run() {
   const auto start = std::chrono::steady_clock::now();
   if (ended_.wait_for(lock, seconds(2), [this] { return end_; })) return;
   if (isatty(STDERR_FILENO) == 0) {
-    std::fprintf(stderr, "%s ...\n", what_.c_str());
-    ended_.wait(lock, [this] { return end_; });
+    do {
+      std::fprintf(stderr, "%s ...\n", what_.c_str());
+    } while (!ended_.wait_for(lock, std::chrono::minutes(1), [this] { return end_; }));
     return;
   }
   do {

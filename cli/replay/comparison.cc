@@ -5,6 +5,7 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_join.h"
+#include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/pipeline/stage.h"
@@ -267,7 +268,7 @@ std::string ComparisonJson(const std::vector<StageComparison>& stages, const std
                               {"agrees", AllAgree(stages)},
                               {"summary", ComparisonSummary(stages)},
                               {"stages", std::move(rows)}};
-  return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return JsonText(all);
 }
 
 }  // namespace flair::cli

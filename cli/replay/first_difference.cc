@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/replay/first_difference.h"
-
 #include <google/protobuf/text_format.h>
 #include <google/protobuf/util/message_differencer.h>
 
 #include <algorithm>
 
+#include "cli/replay/comparison.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

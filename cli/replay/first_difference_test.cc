@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/replay/first_difference.h"
-
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 
+#include "cli/replay/comparison.h"
 #include "flair/v1/artifact.pb.h"
 
 namespace flair::cli {

@@ -2,6 +2,7 @@
 // A client of an orchestrator, in this process or elsewhere.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,14 +10,27 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "cli/embedded/embedded_services.h"
+#include "absl/time/time.h"
 #include "cli/input/artifact_shelf.h"
+#include "cli/input/llm_flags.h"
+#include "cli/input/service_flags.h"
 #include "cli/output/report_text.h"
 #include "cli/progress/progress.h"
-#include "flair/v1/orchestrator_service.grpc.pb.h"
+#include "flair/config/v1/orchestrator_config.pb.h"
+#include "flair/v1/orchestrator_service.pb.h"
+#include "worker_runtime/bootstrap/call_context.h"
+
+// gRPC's headers are in the .cc file: they cost every file that includes them seconds.
+namespace grpc {
+class Channel;
+}
 
 namespace flair::cli {
 
+class EmbeddedServices;
+
+// Every call is made again, for a while, when the orchestrator is not reached any more, once it has answered: it may be
+// restarting. Thread-safe.
 class Session final : public ArtifactShelf {
  public:
   // To the orchestrator at `address`; when it is empty, to one in this process, with the `stages` that run elsewhere
@@ -25,6 +39,28 @@ class Session final : public ArtifactShelf {
                                                        const OptionalLlm& llm = std::nullopt,
                                                        const StageChoice& stages = {},
                                                        const config::v1::OrchestratorConfig& orchestrator = {});
+  // `address` is for messages, such as "127.0.0.1:50050".
+  Session(std::shared_ptr<grpc::Channel> channel, const std::string& address);
+  ~Session() override;
+
+  struct Limits {
+    // How long somebody who has answered before may be silent.
+    absl::Duration patience = absl::Seconds(7);
+    absl::Duration answer_within = absl::Seconds(30);
+    // Ends every call with CANCELLED, and outlives the session.
+    runtime::Cancellation* stop = nullptr;
+  };
+  // Before the first call.
+  void SetLimits(const Limits& limits);
+  // Whether the calls have been asked to end.
+  bool stopped() const;
+
+  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id) override;
+  // Among the latest 1000 jobs.
+  absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix) override;
+  std::string name() const override { return "the orchestrator at " + address(); }
+
+  // Jobs.
 
   absl::StatusOr<v1::Job> CreateJob(const v1::JobSpec& spec);
   absl::StatusOr<v1::Job> GetJob(const std::string& id) override;
@@ -32,35 +68,44 @@ class Session final : public ArtifactShelf {
   absl::StatusOr<v1::DeleteJobResponse> DeleteJob(const std::string& id);
   // Newest first, at most `count`.
   absl::StatusOr<std::vector<v1::Job>> ListJobs(int count);
-  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id) override;
-  // Among the latest 1000 jobs.
-  absl::StatusOr<std::vector<std::string>> FindIds(const std::string& prefix) override;
-  std::string name() const override { return "the orchestrator at " + address_; }
-  // Calls `see` for every event until the job ends. Goes on where it was when the connection breaks, a few times.
+  // Calls `see` for every event until the job ends. Goes on where it was when the connection breaks.
   absl::Status Watch(const std::string& id, const std::function<void(const v1::JobEvent&)>& see);
 
-  bool embedded() const { return services_ != nullptr; }
-  // To the orchestrator, for other classes of calls; "HOST:PORT" or "this process".
-  const std::shared_ptr<grpc::Channel>& channel() const { return channel_; }
-  const std::string& address() const { return address_; }
+  // Batches.
+
+  // An open batch; the same one when the request made it before.
+  absl::StatusOr<v1::Batch> CreateBatch(const std::string& request_id, const std::string& label);
+  // Waits, calling `full`, while the queue is full. Otherwise as OrchestratorService.AddToBatch.
+  absl::StatusOr<v1::Batch> AddToBatch(const v1::AddToBatchRequest& request,
+                                       const std::function<void(const std::string& why)>& full);
+  absl::StatusOr<v1::Batch> GetBatch(const std::string& id);
+  // Newest first, at most `count`.
+  absl::StatusOr<std::vector<v1::Batch>> ListBatches(int count);
+  absl::StatusOr<v1::Batch> PauseBatch(const std::string& id);
+  absl::StatusOr<v1::Batch> ResumeBatch(const std::string& id);
+  absl::StatusOr<v1::Batch> CancelBatch(const std::string& id);
+  absl::StatusOr<v1::RetryBatchResponse> RetryBatch(const v1::RetryBatchRequest& request);
+  // One step of it.
+  absl::StatusOr<v1::DeleteBatchResponse> DeleteBatch(const std::string& id);
+  absl::StatusOr<v1::GetClusterResponse> GetCluster();
+  // Calls `see` for every end after a sequence number until the batch is closed and all its jobs have ended, until
+  // `see` returns false, or until `enough` is asked for. Goes on where it was when the connection breaks.
+  absl::Status WatchBatch(const std::string& id, int64_t after_sequence, runtime::Cancellation& enough,
+                          const std::function<bool(const v1::WatchBatchResponse&)>& see);
+
+  bool embedded() const;
+  // To the orchestrator, for other classes of calls.
+  const std::shared_ptr<grpc::Channel>& channel() const;
+  const std::string& address() const;
 
  private:
-  Session(std::unique_ptr<EmbeddedServices> services, std::shared_ptr<grpc::Channel> channel, std::string address);
-  template <typename Request, typename Response>
-  absl::StatusOr<Response> Ask(grpc::Status (v1::OrchestratorService::StubInterface::*method)(grpc::ClientContext*,
-                                                                                              const Request&,
-                                                                                              Response*),
-                               const Request& request);
-  // Says where nobody answered.
-  absl::Status Explain(const absl::Status& status) const;
-  // The same for a call about one job, which may not be there.
-  absl::Status ExplainOfJob(const std::string& id, const absl::Status& status) const;
-
-  std::unique_ptr<EmbeddedServices> services_;
-  const std::shared_ptr<grpc::Channel> channel_;
-  std::unique_ptr<v1::OrchestratorService::Stub> stub_;
-  const std::string address_;
+  struct Calls;
+  explicit Session(std::unique_ptr<Calls> calls);
+  const std::unique_ptr<Calls> calls_;
 };
+
+// Waits, at most until `stop` is asked for. Returns whether it was.
+bool WaitUnlessStopped(runtime::Cancellation& stop, absl::Duration time);
 
 // How a job ended, and what came of it.
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/top/cluster_state.h"
+#include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "worker_runtime/grpc/in_process_server.h"
 
 namespace flair::cli {
@@ -54,7 +55,8 @@ struct Cluster {
 
 TEST(ClusterClient, AsksForBatchesThatHaveNotEnded) {
   Cluster cluster;
-  ClusterClient client(cluster.server->channel());
+  Session session(cluster.server->channel(), "the test");
+  ClusterClient client(session);
   for (int look_number = 0; look_number < 3; ++look_number) {
     const absl::StatusOr<ClusterLook> look = client.Look();
     ASSERT_TRUE(look.ok()) << look.status();
@@ -67,7 +69,8 @@ TEST(ClusterClient, AsksForBatchesThatHaveNotEnded) {
 
 TEST(ClusterClient, SaysWhyItSeesNothing) {
   Cluster cluster(false);
-  const absl::StatusOr<ClusterLook> look = ClusterClient(cluster.server->channel()).Look();
+  Session session(cluster.server->channel(), "the test");
+  const absl::StatusOr<ClusterLook> look = ClusterClient(session).Look();
   EXPECT_EQ(look.status(), absl::PermissionDeniedError("only operators may"));
 }
 

@@ -6,11 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "absl/strings/ascii.h"
-#include "absl/strings/strip.h"
 #include "absl/time/clock.h"
-#include "worker_runtime/bootstrap/call_context.h"
-#include "worker_runtime/grpc/client_call.h"
+#include "cli/output/artifact_text.h"
+#include "cli/output/message_view.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
@@ -19,10 +17,6 @@ namespace {
 
 // A year: enough to tell a jam from a stop, and no more than people care for.
 constexpr double kLongestRemaining_s = 24 * 365 * 3600.0;
-
-std::string Lower(const std::string& name, const char* prefix) {
-  return absl::AsciiStrToLower(absl::StripPrefix(name, prefix));
-}
 
 // Where a stage stands in the pipeline; others after it.
 int StageOrder(const std::string& stage) {
@@ -100,8 +94,7 @@ ClusterState::Json ClusterState::Workers(const v1::GetClusterResponse& cluster) 
       seen.worker.set_in_flight_count(seen.worker.in_flight_count() + one.in_flight_count());
       seen.worker.set_call_count(seen.worker.call_count() + one.call_count());
       seen.worker.set_failure_count(seen.worker.failure_count() + one.failure_count());
-      seen.seconds += static_cast<double>(one.call_count()) *
-                      (static_cast<double>(one.call_duration().seconds()) + 1e-9 * one.call_duration().nanos());
+      seen.seconds += static_cast<double>(one.call_count()) * SecondsOf(one.call_duration());
     }
   }
   std::vector<std::pair<std::tuple<int, int>, Json>> rows;
@@ -111,7 +104,7 @@ ClusterState::Json ClusterState::Workers(const v1::GetClusterResponse& cluster) 
     rows.push_back({{StageOrder(stage), -Trouble(seen.worker.state())},
                     {{"stage", stage},
                      {"address", address},
-                     {"state", Lower(v1::WorkerState_Name(seen.worker.state()), "WORKER_STATE_")},
+                     {"state", EnumInWords(seen.worker.state())},
                      {"in_flight_count", seen.worker.in_flight_count()},
                      {"call_count", calls},
                      {"failure_count", seen.worker.failure_count()},
@@ -135,11 +128,11 @@ ClusterState::Json ClusterState::Batches(const std::vector<v1::Batch>& batches) 
     }
     Json failures = Json::object();
     for (const v1::FailureCount& failure : batch.failures()) {
-      failures[Lower(v1::FailureKind_Name(failure.kind()), "FAILURE_KIND_")] = failure.job_count();
+      failures[EnumInWords(failure.kind())] = failure.job_count();
     }
     rows.push_back({{"id", batch.id()},
                     {"label", batch.label()},
-                    {"state", Lower(v1::BatchState_Name(batch.state()), "BATCH_STATE_")},
+                    {"state", EnumInWords(batch.state())},
                     {"open", batch.open()},
                     {"job_count", batch.job_count()},
                     {"open_count", batch.open_count()},
@@ -156,9 +149,6 @@ ClusterState::Json ClusterState::Batches(const std::vector<v1::Batch>& batches) 
 
 namespace {
 
-using Stub = v1::OrchestratorService::StubInterface;
-
-constexpr absl::Duration kAnswerWithin = absl::Seconds(4);
 // Newest batches that are looked at.
 constexpr int kBatchLimit = 50;
 // Looks after which ended batches are asked for again.
@@ -167,33 +157,20 @@ constexpr int kForgetAfter = 8;
 }  // namespace
 
 absl::StatusOr<ClusterLook> ClusterClient::Look() {
-  runtime::CallContext call("", absl::Now() + kAnswerWithin, runtime::SystemClock());
-  absl::StatusOr<v1::GetClusterResponse> cluster =
-      runtime::UnaryRequest(*stub_, &Stub::GetCluster, v1::GetClusterRequest(), call);
-  if (!cluster.ok()) return cluster.status();
-  ClusterLook look{absl::Now(), *std::move(cluster), {}};
-  RETURN_IF_ERROR(AddBatches(look));
-  return look;
-}
-
-absl::Status ClusterClient::AddBatches(ClusterLook& look) {
-  runtime::CallContext call("", absl::Now() + kAnswerWithin, runtime::SystemClock());
-  v1::ListBatchesRequest list;
-  list.set_page_size(kBatchLimit);
-  ASSIGN_OR_RETURN(const v1::ListBatchesResponse listed, runtime::UnaryRequest(*stub_, &Stub::ListBatches, list, call));
+  ASSIGN_OR_RETURN(v1::GetClusterResponse cluster, session_.GetCluster());
+  ClusterLook look{absl::Now(), std::move(cluster), {}};
+  ASSIGN_OR_RETURN(const std::vector<v1::Batch> listed, session_.ListBatches(kBatchLimit));
   if (++look_count_ % kForgetAfter == 0) ended_.clear();
-  for (const v1::Batch& known : listed.batches()) {
+  for (const v1::Batch& known : listed) {
     if (ended_.contains(known.id())) continue;
-    v1::GetBatchRequest get;
-    get.set_batch_id(known.id());
-    ASSIGN_OR_RETURN(v1::GetBatchResponse got, runtime::UnaryRequest(*stub_, &Stub::GetBatch, get, call));
-    if (got.batch().open() || got.batch().open_count() > 0) {
-      look.batches.push_back(std::move(*got.mutable_batch()));
+    ASSIGN_OR_RETURN(v1::Batch batch, session_.GetBatch(known.id()));
+    if (batch.open() || batch.open_count() > 0) {
+      look.batches.push_back(std::move(batch));
     } else {
       ended_.insert(known.id());
     }
   }
-  return absl::OkStatus();
+  return look;
 }
 
 }  // namespace flair::cli

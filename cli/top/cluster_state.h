@@ -2,8 +2,6 @@
 // What is known of a cluster, from look to look.
 #pragma once
 
-#include <grpcpp/channel.h>
-
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -14,8 +12,8 @@
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
-#include "cli/progress/rate_meter.h"
-#include "flair/v1/orchestrator_service.grpc.pb.h"
+#include "cli/progress/progress.h"
+#include "cli/session/session.h"
 #include "flair/v1/orchestrator_service.pb.h"
 #include "nlohmann/json.hpp"
 
@@ -57,19 +55,40 @@ class ClusterState {
 // Asks an orchestrator how its cluster does.
 class ClusterClient {
  public:
-  explicit ClusterClient(const std::shared_ptr<grpc::Channel>& channel)
-      : stub_(v1::OrchestratorService::NewStub(channel)) {}
+  // The session outlives it.
+  explicit ClusterClient(Session& session) : session_(session) {}
 
-  // Waits a few seconds for an answer at most.
   absl::StatusOr<ClusterLook> Look();
 
  private:
-  absl::Status AddBatches(ClusterLook& look);
-
-  const std::unique_ptr<v1::OrchestratorService::StubInterface> stub_;
+  Session& session_;
   // Batches that had ended; asked for again now and then, for those that are retried.
   std::set<std::string> ended_;
   int look_count_ = 0;
 };
+
+// A cluster as text.
+
+struct TopLayout {
+  int width = 80;
+  // Lines; what does not fit is counted. Any number when 0.
+  int height = 0;
+  // With ANSI colours.
+  bool color = false;
+};
+
+// Lines of at most `width` characters: totals, batches, orchestrators, workers. `address` is who was asked; `trouble`,
+// when not empty, says why what is shown is old. Nothing in it steers a terminal but our own colours.
+std::vector<std::string> TopText(const ClusterState& state, const std::string& address, const std::string& trouble,
+                                 const TopLayout& layout);
+
+// "12 s", "5m12s", "2h05m", "3d04h".
+std::string ShortDuration(absl::Duration duration);
+
+// "12,345".
+std::string Grouped(int64_t number);
+
+// The state as one JSON object on one line, without line break.
+std::string TopJson(const ClusterState& state);
 
 }  // namespace flair::cli

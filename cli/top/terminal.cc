@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "absl/time/clock.h"
+#include "cli/output/output_folder.h"
 #include "cli/output/text.h"
 
 namespace flair::cli {
@@ -82,14 +83,6 @@ void Handle(int number, void (*handler)(int)) {
   ::sigaction(number, &action, nullptr);
 }
 
-void WriteAll(std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
-    if (written < 0 && errno != EINTR) return;
-    if (written > 0) text.remove_prefix(static_cast<size_t>(written));
-  }
-}
-
 }  // namespace
 
 bool TerminalScreen::IsThere() {
@@ -108,11 +101,11 @@ TerminalScreen::TerminalScreen() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) Handle(number, OnEnd);
   Handle(SIGWINCH, OnResize);
   // The other screen, without cursor, without wrapping.
-  WriteAll("\x1b[?1049h\x1b[?25l\x1b[?7l");
+  WriteAll(STDOUT_FILENO, "\x1b[?1049h\x1b[?25l\x1b[?7l");
 }
 
 TerminalScreen::~TerminalScreen() {
-  WriteAll("\x1b[?7h\x1b[?25h\x1b[?1049l");
+  WriteAll(STDOUT_FILENO, "\x1b[?7h\x1b[?25h\x1b[?1049l");
   ::tcsetattr(STDIN_FILENO, TCSANOW, &former_mode);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGWINCH}) Handle(number, SIG_DFL);
 }
@@ -129,7 +122,7 @@ void TerminalScreen::Show(const std::vector<std::string>& lines) {
   // character. Between 2026h and 2026l terminals that can show nothing half drawn.
   std::string frame = "\x1b[?2026h\x1b[H";
   for (size_t i = 0; i < count; ++i) frame += (i + 1 < count ? "\x1b[K" + lines[i] + "\r\n" : "\x1b[J" + lines[i]);
-  WriteAll(frame + "\x1b[?2026l");
+  WriteAll(STDOUT_FILENO, frame + "\x1b[?2026l");
 }
 
 TerminalScreen::Event TerminalScreen::Wait(absl::Duration timeout) {

@@ -5,7 +5,6 @@
 #include "cli/output/text.h"
 #include "cli/top/cluster_state.h"
 #include "cli/top/terminal.h"
-#include "cli/top/top_text.h"
 #include "nlohmann/json.hpp"
 
 namespace flair::cli {

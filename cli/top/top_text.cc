@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/top/top_text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "cli/output/text.h"
+#include "cli/top/cluster_state.h"
 #include "cli/top/terminal.h"
 #include "fmt/format.h"
 
@@ -247,8 +246,6 @@ std::vector<std::string> TopText(const ClusterState& state, const std::string& a
   return TopPage(layout).Lines(state, address, trouble);
 }
 
-std::string TopJson(const ClusterState& state) {
-  return state.json().dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string TopJson(const ClusterState& state) { return JsonText(state.json()); }
 
 }  // namespace flair::cli

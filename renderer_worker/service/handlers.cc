@@ -12,10 +12,8 @@
 #include "flair/v1/renderer_service.pb.h"
 #include "renderer_worker/comparison/draw_comparison.h"
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/gltf/write_glb.h"
 #include "renderer_worker/images/image_files.h"
 #include "renderer_worker/scene/scene.h"
-#include "renderer_worker/scene_state/write_scene_state.h"
 #include "renderer_worker/tracing/trace_view.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/bootstrap/call_context.h"
@@ -48,45 +46,6 @@ std::string TitleOf(const v1::SolvedLayout& layout) {
   const v1::Room& room = layout.graph().room();
   if (!room.title().empty()) return room.title();
   return room.room_type().empty() ? "Room" : room.room_type();
-}
-
-namespace {
-
-// Raise whenever equal requests would give another scene.
-constexpr char kGlbVersion[] = "2";
-constexpr char kSceneStateVersion[] = "1";
-
-GlbMetadata MetadataOf(const v1::ExportSceneRequest& request, const std::string& build) {
-  Origin origin = OriginOf(request);
-  return {.job_id = std::move(origin.job_id),
-          .brief_text = std::move(origin.brief_text),
-          .brief_seed = origin.brief_seed,
-          .layout_digest = std::move(origin.layout_sha256),
-          .build = build};
-}
-
-}  // namespace
-
-absl::StatusOr<v1::ExportSceneResponse> ExportSceneHandler::Handle(const v1::ExportSceneRequest& request,
-                                                                   runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  ASSIGN_OR_RETURN(const Scene scene, BuildScene(request.solved_layout(), furnishing_));
-  RETURN_IF_ERROR(call.CheckAlive());
-  const bool is_glb = request.format() == v1::SCENE_FORMAT_GLB;
-  ASSIGN_OR_RETURN(std::string file, is_glb ? WriteGlb(scene, MetadataOf(request, build_)) : WriteSceneState(scene));
-  if (file.size() > static_cast<uint64_t>(answer_bytes_)) {
-    return absl::ResourceExhaustedError(
-        fmt::format("the scene's file takes {} MiB, and this renderer sends messages of {} MiB "
-                    "(runtime.max_message_mib)",
-                    file.size() >> 20, answer_bytes_ >> 20));
-  }
-  v1::ExportSceneResponse response;
-  response.set_scene(std::move(file));
-  for (const v1::Diagnostic& diagnostic : scene.diagnostics) *response.add_diagnostics() = diagnostic;
-  response.mutable_producer()->set_program("flair-renderer");
-  response.mutable_producer()->set_method(is_glb ? "glb" : "scene_state");
-  response.mutable_producer()->set_version(is_glb ? kGlbVersion : kSceneStateVersion);
-  return response;
 }
 
 // Bytes of a pixel in an EXR before compression, which never makes it more.

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/service/make_renderer_service.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 #include <utility>
@@ -18,13 +13,10 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/worker_service.pb.h"
-#include "renderer_worker/assets/asset_furniture.h"
-#include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/images/image_files.h"
 #include "renderer_worker/service/contact_sheet_taker.h"
 #include "renderer_worker/service/handlers.h"
-#include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/logging/log.h"
@@ -32,50 +24,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
-namespace {
-
-// A library, what stands in for it, and the two together.
-class LibraryFurniture final : public FurnishingSource {
- public:
-  explicit LibraryFurniture(std::unique_ptr<AssetLibrary> library)
-      : library_(std::move(library)), assets_(*library_, procedural_) {}
-
-  Furnishing FurnishingOf(const v1::Object& object, const v1::ObjectStyle* style,
-                          std::vector<v1::Diagnostic>& diagnostics) const override {
-    return assets_.FurnishingOf(object, style, diagnostics);
-  }
-
- private:
-  const std::unique_ptr<AssetLibrary> library_;
-  const ProceduralFurniture procedural_;
-  const AssetFurniture assets_;
-};
-
-// Of the manifest's bytes: another manifest, another picture.
-std::string RevisionOf(const std::filesystem::path& folder) {
-  for (const char* name : {"manifest.json", "annotations.json"}) {
-    std::ifstream file(folder / name, std::ios::binary);
-    if (!file) continue;
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    return "assets " + runtime::Sha256Hex(bytes).substr(0, 16);
-  }
-  return "";
-}
-
-}  // namespace
-
-absl::StatusOr<FurnishingChoice> ChooseFurnishing(const std::string& asset_folder) {
-  if (asset_folder.empty()) return FurnishingChoice{std::make_unique<ProceduralFurniture>(), "", {}};
-  absl::StatusOr<std::unique_ptr<AssetLibrary>> library = AssetLibrary::Open(asset_folder);
-  if (!library.ok()) {
-    return absl::Status(library.status().code(),
-                        fmt::format("folder of assets: {}", std::string(library.status().message())));
-  }
-  std::vector<v1::Diagnostic> diagnostics = (*library)->manifest().diagnostics;
-  return FurnishingChoice{std::make_unique<LibraryFurniture>(*std::move(library)), RevisionOf(asset_folder),
-                          std::move(diagnostics)};
-}
 
 // Counts what pictures take, by view. Thread-safe. `metrics` outlives it.
 class RenderMetrics {
@@ -114,15 +62,21 @@ void RenderMetrics::operator()(const v1::RenderRequest& request, const v1::Rende
 
 namespace {
 
+absl::StatusOr<v1::ExportSceneResponse> RefuseExport(const v1::ExportSceneRequest&, runtime::CallContext&) {
+  return absl::UnimplementedError("this program writes no scenes");
+}
+
 class Service final : public v1::RendererService::CallbackService {
  public:
   Service(std::unique_ptr<ImageWriter> writer, std::unique_ptr<FurnishingSource> furnishing, const ViewLimits& limits,
-          runtime::WorkerContext& worker)
+          const SceneFiles& files, runtime::WorkerContext& worker)
       : worker_(worker),
         writer_(std::move(writer)),
         furnishing_(std::move(furnishing)),
         render_(*writer_, *furnishing_, limits),
-        export_scene_(*furnishing_, worker.build, limits.answer_bytes),
+        export_scene_(files.make_exporter == nullptr
+                          ? RefuseExport
+                          : files.make_exporter(*furnishing_, worker.build, limits.answer_bytes)),
         counted_render_(render_, worker.clock, RenderMetrics(worker.metrics)) {}
 
   grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
@@ -147,7 +101,7 @@ class Service final : public v1::RendererService::CallbackService {
   const std::unique_ptr<FurnishingSource> furnishing_;
   std::atomic<int> open_sheets_ = 0;
   RenderHandler render_;
-  ExportSceneHandler export_scene_;
+  const SceneExporter export_scene_;
   runtime::ObservedHandler<RenderHandler, RenderMetrics> counted_render_;
 };
 
@@ -161,14 +115,21 @@ ViewLimits LimitsOf(const config::v1::RendererWorkerConfig& config) {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<grpc::Service>> MakeRendererService(const config::v1::RendererWorkerConfig& config,
-                                                                   runtime::WorkerContext& worker) {
-  ASSIGN_OR_RETURN(FurnishingChoice furnishing, ChooseFurnishing(config.asset_folder_path()));
+                                                                   runtime::WorkerContext& worker,
+                                                                   const SceneFiles& files) {
+  FurnishingChoice furnishing{std::make_unique<ProceduralFurniture>(), "", {}};
+  if (files.choose_furnishing != nullptr) {
+    ASSIGN_OR_RETURN(furnishing, files.choose_furnishing(config.asset_folder_path()));
+  } else if (!config.asset_folder_path().empty()) {
+    return absl::UnimplementedError(config.asset_folder_path() + ": this program reads no folders of models");
+  }
   for (const v1::Diagnostic& diagnostic : furnishing.diagnostics)
     worker.logger->warn("assets: {}", diagnostic.message());
   worker.revision = furnishing.revision;
-  worker.capabilities = {v1::CAPABILITY_DETERMINISTIC, v1::CAPABILITY_VIEWS, v1::CAPABILITY_EXPORT_SCENE,
-                         v1::CAPABILITY_CONTACT_SHEET};
-  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing.source), LimitsOf(config), worker);
+  worker.capabilities = {v1::CAPABILITY_DETERMINISTIC, v1::CAPABILITY_VIEWS};
+  if (files.make_exporter != nullptr) worker.capabilities.push_back(v1::CAPABILITY_EXPORT_SCENE);
+  worker.capabilities.push_back(v1::CAPABILITY_CONTACT_SHEET);
+  return std::make_unique<Service>(MakeImageWriter(), std::move(furnishing.source), LimitsOf(config), files, worker);
 }
 
 }  // namespace flair::renderer

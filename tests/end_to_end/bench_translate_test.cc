@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "cli/exit_code.h"
-#include "cli/input/files.h"
+#include "cli/output/output_folder.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/programs.h"
 

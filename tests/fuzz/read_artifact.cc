@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/input/artifact_file.h"
-#include "cli/inspect/field.h"
+#include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "orchestrator/store/artifact_id.h"
 #include "tests/fixtures/bedroom.h"

@@ -1,40 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair doctor: what is installed, reachable and configured, and what to do about the rest.
+// flair doctor, flair health, flair token: for those who run servers.
 #include <google/protobuf/stubs/common.h>
 #include <google/protobuf/text_format.h>
 #include <grpcpp/grpcpp.h>
 #include <nlopt.h>
 #include <sqlite3.h>
+#include <sys/random.h>
+#include <sys/stat.h>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "absl/strings/escaping.h"
 #include "absl/time/clock.h"
 #include "cli/commands/commands.h"
+#include "cli/contract/target.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
 #include "cli/input/llm_flags.h"
+#include "cli/input/options.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/output_folder.h"
 #include "cli/session/stage_calls.h"
 #include "flair/config/v1/runtime_config.pb.h"
+#include "flair/config/v1/token_list.pb.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
+#include "google/protobuf/text_format.h"
 #include "llm/make_llm_client.h"
 #include "nlohmann/json.hpp"
+#include "orchestrator/access/access_control.h"
 #include "room/conversion/conversion.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/worker_context.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
 namespace {
 
 using config::v1::LlmConfig;
@@ -242,11 +253,109 @@ absl::Status Examine(const DoctorArguments& arguments) {
   return absl::InternalError(Counted(problems, "problem") + " found");
 }
 
+
+struct HealthArguments : Options {
+  using Options::Options;
+  std::string& address = Required("ADDRESS", "The server, HOST:PORT or unix:PATH");
+  std::string& service =
+      Text("--service", "One service of it in full, such as flair.v1.OptimizerService; otherwise the whole server");
+  double& patience_s = Decimal("--patience S", 0.1, 600, 3, "Seconds to wait for an answer, 0.1 to 600 (3)");
+};
+
+absl::Status Health(const HealthArguments& arguments) {
+  ASSIGN_OR_RETURN(const runtime::ChannelOptions options, StageConnection());
+  ASSIGN_OR_RETURN(const auto channel, runtime::MakeChannel(arguments.address, arguments.service, options));
+  const std::string what =
+      arguments.service.empty() ? arguments.address : fmt::format("{} at {}", arguments.service, arguments.address);
+  const auto health = contract::HealthOf(channel, arguments.service, absl::Seconds(arguments.patience_s));
+  if (absl::IsNotFound(health.status())) {
+    return absl::NotFoundError(
+        fmt::format("{}: the server there has no such service; is this another stage's port?", what));
+  }
+  if (!health.ok()) return About(what, health.status());
+  if (*health != "SERVING") return absl::UnavailableError(fmt::format("{}: {}", what, *health));
+  fmt::print("{}: {}\n", what, *health);
+  return absl::OkStatus();
+}
+
+
+constexpr size_t kTokenBytes = 32;
+
+struct TokenArguments : Options {
+  using Options::Options;
+  std::string& name = Required("NAME", "Who it is for; jobs are kept under this name");
+  std::string& out =
+      Text("--token-out FILE", "Write the token to a new file that only you can read, instead of the screen");
+  int& open_job_limit =
+      Whole("--open-jobs N", 0, 1000000, 0, "Most jobs that may wait or run at once, 0 to 1000000 (0: no limit)");
+  int& calls_per_minute_limit =
+      Whole("--calls-per-minute N", 0, 1000000, 0, "Most calls a minute, 0 to 1000000 (0: no limit)");
+  bool& is_operator = Flag("--operator", "May see and do everything, whoever owns it");
+};
+
+absl::StatusOr<std::string> NewToken() {
+  std::array<char, kTokenBytes> bytes = {};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    return absl::InternalError("the system provides no random numbers");
+  }
+  // What begins so is found by those who look for secrets in the wrong places.
+  return "flair_" + absl::WebSafeBase64Escape(absl::string_view(bytes.data(), bytes.size()));
+}
+
+// Only its owner may read it, from the first byte on.
+absl::Status WriteToken(const std::string& path, const std::string& token) {
+  if (std::filesystem::exists(path)) {
+    return absl::InvalidArgumentError(
+        fmt::format("--token-out {}: already exists; a token is never overwritten", path));
+  }
+  const mode_t mask = ::umask(077);
+  const absl::Status status = runtime::WriteFileAtomically(path, token + "\n");
+  ::umask(mask);
+  return status;
+}
+
+absl::Status New(const TokenArguments& arguments) {
+  ASSIGN_OR_RETURN(const std::string token, NewToken());
+  config::v1::TokenList list;
+  config::v1::TokenEntry& entry = *list.add_tokens();
+  entry.set_name(arguments.name);
+  entry.set_sha256(runtime::Sha256Hex(token));
+  if (arguments.open_job_limit != 0) entry.set_open_job_limit(arguments.open_job_limit);
+  if (arguments.calls_per_minute_limit != 0) entry.set_calls_per_minute_limit(arguments.calls_per_minute_limit);
+  if (arguments.is_operator) entry.set_operator_(true);
+  RETURN_IF_ERROR(orchestrator::CheckTokenList(list));
+  if (!arguments.out.empty()) {
+    RETURN_IF_ERROR(WriteToken(arguments.out, token));
+  }
+  std::string text;
+  google::protobuf::TextFormat::PrintToString(list, &text);
+  fmt::print("{}", text);
+  std::fflush(stdout);
+  if (arguments.out.empty()) fmt::print(stderr, "\nThe token, which is shown only now and kept nowhere:\n{}\n", token);
+  return absl::OkStatus();
+}
+
 }  // namespace
 
 void AddDoctor(const Commands& program) {
   program.Add("doctor", "Check what is installed, reachable and configured, and say how to fix the rest.", Examine,
               "Asks a configured model one tiny question. Exits with 0 when nothing is wrong, else with 1.");
+}
+
+void AddHealth(const Commands& program) {
+  program.Add("health", "Ask whether a server is serving, by the gRPC health protocol.", Health,
+              "Exits with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such "
+              "service. Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads "
+              "no files, quick.");
+}
+
+void AddToken(const Commands& program) {
+  program.Group("token", "Manage tokens for callers of an orchestrator.")
+      .Add("new", "Make a token, and its entry for the file in tokens_path.", New,
+           "The entry goes to standard output, the token to standard error:\n"
+           "  flair token new alice --token-out alice.token >> tokens.textproto\n"
+           "  flair jobs --orchestrator HOST:PORT --tls --token-file alice.token\n"
+           "A running orchestrator reads the file again within seconds (docs/security.md).");
 }
 
 }  // namespace flair::cli

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bench/problem.h"
+#include "cli/bench/bench.h"
+
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <numeric>
 
 #include "cli/input/artifact_file.h"
-#include "cli/input/files.h"
+#include "cli/output/output_folder.h"
+#include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
@@ -56,5 +63,63 @@ absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file) {
   if (solution.ok()) problem.recorded = *std::move(solution);
   return problem;
 }
+
+namespace {
+
+double Seconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+double ProcessCpu_s() { return Seconds(CLOCK_PROCESS_CPUTIME_ID); }
+double ThreadCpu_s() { return Seconds(CLOCK_THREAD_CPUTIME_ID); }
+double Wall_s() { return Seconds(CLOCK_MONOTONIC); }
+
+double Memory_MiB() {
+  std::ifstream pages("/proc/self/statm");
+  double all = 0, resident = 0;
+  pages >> all >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+double PeakMemory_MiB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+double Quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
+}
+
+double Mean(const std::vector<double>& values) {
+  if (values.empty()) return 0;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+std::optional<double> NumberAt(const Record& record, const std::string& at) {
+  const Record::json_pointer place(at);
+  return record.contains(place) ? std::optional(record.at(place).get<double>()) : std::nullopt;
+}
+
+std::vector<double> NumbersAt(const std::vector<Record>& records, const std::string& at, double factor) {
+  std::vector<double> numbers;
+  for (const Record& record : records) {
+    if (const std::optional<double> number = NumberAt(record, at)) numbers.push_back(factor * *number);
+  }
+  return numbers;
+}
+
+std::string CellOf(const Record& record, const Figure& figure) {
+  const std::optional<double> number = NumberAt(record, figure.at);
+  return number.has_value() ? fmt::format("{:.{}f}", figure.factor * *number, figure.digits) : "-";
+}
+
+std::string RecordText(const Record& record) { return JsonText(record, 1) + "\n"; }
 
 }  // namespace flair::cli

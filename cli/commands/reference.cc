@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair prompts: what models are asked with, to start own prompts from.
+// flair catalog, flair protocol, flair prompts: what those who put stages of their own in the place of ours read.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -7,15 +7,66 @@
 
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input/files.h"
+#include "cli/input/message_text.h"
+#include "cli/input/options.h"
+#include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
+#include "cli/protocol/protocol.h"
 #include "fmt/format.h"
 #include "language_worker/model/model_tools.h"
+#include "optimizer_worker/constraints/facts.h"
 #include "translator_worker/model/model_translator.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
+
 namespace {
+
+struct CatalogArguments : Options {
+  using Options::Options;
+  std::string& type = Text("TYPE", "One of them in full, by name or alias");
+  bool& json = Flag("--json", "As JSON");
+  bool& markdown = Flag("--markdown", "All of them in full, as docs/constraints.md", {"--json"});
+};
+
+absl::Status Catalog(const CatalogArguments& arguments) {
+  const v1::ConstraintCatalog& catalog = optimizer::MakeCatalog();
+  if (!arguments.type.empty()) {
+    const optimizer::ConstraintFacts* const facts = optimizer::FindConstraint(arguments.type);
+    if (facts == nullptr) {
+      std::vector<std::string> names;
+      for (const v1::ConstraintType& type : catalog.types()) names.push_back(type.name());
+      return absl::NotFoundError(fmt::format("\"{}\" is not a constraint{}; flair catalog lists them", arguments.type,
+                                             DidYouMean(arguments.type, names)));
+    }
+    for (const v1::ConstraintType& type : catalog.types()) {
+      if (type.name() == facts->name()) fmt::print("{}", arguments.json ? ToJson(type) : TypeText(type));
+    }
+    return absl::OkStatus();
+  }
+  fmt::print("{}", arguments.json       ? ToJson(catalog)
+                   : arguments.markdown ? CatalogMarkdown(catalog)
+                                        : CatalogOverview(catalog));
+  return absl::OkStatus();
+}
+
+
+struct ProtocolArguments : Options {
+  using Options::Options;
+  std::string& name = Text("NAME", "One of them in full: a service, call, message or enum");
+  bool& markdown = Flag("--markdown", "All of them in full, as docs/protocol.md", {"NAME"});
+};
+
+absl::Status Protocol(const ProtocolArguments& arguments) {
+  if (arguments.name.empty()) {
+    fmt::print("{}", arguments.markdown ? ProtocolMarkdown() : ProtocolOverview());
+    return absl::OkStatus();
+  }
+  ASSIGN_OR_RETURN(const std::string entry, ProtocolEntryText(arguments.name));
+  fmt::print("{}", entry);
+  return absl::OkStatus();
+}
+
 
 namespace fs = std::filesystem;
 
@@ -65,6 +116,14 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
 }
 
 }  // namespace
+
+void AddCatalog(const Commands& program) {
+  program.Add("catalog", "List the constraints that the optimizer understands.", Catalog);
+}
+
+void AddProtocol(const Commands& program) {
+  program.Add("protocol", "List the services and messages of the protocol.", Protocol);
+}
 
 void AddPrompts(const Commands& program) {
   program.Add("prompts", "Write the prompts for language models, to change them.", WritePrompts,
