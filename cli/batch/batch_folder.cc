@@ -65,7 +65,7 @@ absl::StatusOr<std::unique_ptr<BatchFolder>> BatchFolder::Hold(const std::filesy
     return FileError(fmt::format("{}: is a file; --out takes a folder", path.string()));
   }
   std::filesystem::create_directories(path, error);
-  if (error) return FileError(fmt::format("{}: cannot be made: {}", path.string(), error.message()));
+  if (error) return FileError(fmt::format("{}: cannot be created: {}", path.string(), error.message()));
   const std::filesystem::path lock_path = path / ".lock";
   const int lock = ::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock < 0) return FileError(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));

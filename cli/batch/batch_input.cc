@@ -55,7 +55,7 @@ absl::Status CheckKind(const std::string& name, const std::string& beginning) {
   std::string kind = ForeignKind(beginning);
   if (kind.starts_with("compressed")) kind += ", which zcat, zstdcat or xzcat FILE | flair batch - --out DIR unpacks";
   if (kind.empty() || kind == "text") return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format("{}: is {}; should be text with a brief a line", name, kind));
+  return absl::InvalidArgumentError(fmt::format("{}: is {}; expected text with one brief per line", name, kind));
 }
 
 // Reads the file to its end, and copies it to `copy` when there is one (>= 0).
@@ -71,7 +71,7 @@ absl::Status Digest(int file, const std::string& name, int copy, runtime::Cancel
     if (count == 0) {
       input.sha256 = digest.Hex();
       if (input.size_bytes > 0) return absl::OkStatus();
-      return absl::InvalidArgumentError(fmt::format("{}: is empty; should have a brief a line", name));
+      return absl::InvalidArgumentError(fmt::format("{}: is empty; expected one brief per line", name));
     }
     bytes.resize(static_cast<size_t>(count));
     if (input.size_bytes == 0) {
@@ -81,7 +81,7 @@ absl::Status Digest(int file, const std::string& name, int copy, runtime::Cancel
     input.size_bytes += count;
     if (copy >= 0 && WriteAll(copy, bytes) != 0) return Cannot("written", input.path.string());
   }
-  return absl::CancelledError(fmt::format("{}: interrupted while it was read; nothing was submitted", name));
+  return absl::CancelledError(fmt::format("{}: interrupted while reading; nothing was submitted", name));
 }
 
 }  // namespace
@@ -92,14 +92,14 @@ absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::f
   const std::string name = standard ? "standard input" : given;
   const int file = standard ? STDIN_FILENO : ::open(given.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0 && errno == ENOENT) {
-    return absl::NotFoundError(fmt::format("{}: no such file; should be a file with a brief a line, or -", given));
+    return absl::NotFoundError(fmt::format("{}: no such file; expected a file with one brief per line, or -", given));
   }
   struct stat status = {};
   if (file < 0 || ::fstat(file, &status) != 0) return Cannot("read", name);
   const absl::Cleanup close = [file] {
     if (file > STDERR_FILENO) ::close(file);
   };
-  if (S_ISDIR(status.st_mode)) return FileError(fmt::format("{}: is a folder; should be a file of briefs", given));
+  if (S_ISDIR(status.st_mode)) return FileError(fmt::format("{}: is a folder; expected a file of briefs", given));
   BatchInput input;
   input.name = standard ? "" : std::filesystem::path(given).filename().string();
   absl::Status read;

@@ -134,7 +134,7 @@ void BatchMonitor::WarnIfUnserved(const v1::Batch& batch, absl::Time now) {
   if (!cluster.ok()) return;
   const bool served = std::ranges::any_of(cluster->orchestrators(),
                                           [](const v1::OrchestratorStatus& one) { return one.running_limit() > 0; });
-  if (!served) Say("nobody takes jobs from the queue: " + options_.remedy);
+  if (!served) Say("no orchestrator takes jobs from the queue: " + options_.remedy);
 }
 
 void BatchMonitor::Run() {

@@ -68,7 +68,7 @@ TEST_F(BatchReportTest, CsvHasTheColumnsAndQuotesWhatNeedsIt) {
 TEST_F(BatchReportTest, OtherFilesAreNotTakenForResults) {
   testing::WriteAll(folder_ / "text.db", std::string(5000, 'x'));
   EXPECT_THAT(std::string(ResultsFile::Open(folder_ / "text.db").status().message()),
-              HasSubstr("is no database of flair batch"));
+              HasSubstr("is not a database of flair batch"));
   EXPECT_EQ(ResultsFile::OpenToRead(folder_ / "none.db").status().code(), absl::StatusCode::kNotFound);
 }
 

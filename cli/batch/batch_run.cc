@@ -120,7 +120,7 @@ class SubmittingThread {
 absl::Status GoesOn(const BatchFolder& folder, const v1::Batch& batch, bool with_file) {
   const std::string how =
       with_file ? "give the same command again" : fmt::format("flair batch watch {}", folder.path().string());
-  return EndWith(kExitStopped, fmt::format("stopped; batch {} goes on where it was: {}", batch.id(), how));
+  return EndWith(kExitStopped, fmt::format("stopped; batch {} continues where it was: {}", batch.id(), how));
 }
 
 absl::Status Summarize(Session& session, const v1::Batch& batch, BatchFolder& folder, const BatchRunOptions& options) {
@@ -195,10 +195,10 @@ std::string NameOfBatch(const v1::Batch& batch) {
 absl::Status Confirm(const v1::Batch& batch) {
   if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
     return absl::InvalidArgumentError(
-        fmt::format("--yes: missing; {} of batch {} would be gone for good, and nobody is there to be asked",
+        fmt::format("--yes: missing; this deletes {} of batch {} for good, and there is no terminal to confirm it",
                     Counted(batch.job_count(), "job"), batch.id()));
   }
-  fmt::print(stderr, "Delete batch {} with {} and what only they have? Nothing brings them back. [y/N] ",
+  fmt::print(stderr, "Delete batch {} with {} and the artifacts that no other job has? This cannot be undone. [y/N] ",
              NameOfBatch(batch), Counted(batch.job_count(), "job"));
   std::string answer;
   std::getline(std::cin, answer);
@@ -210,9 +210,9 @@ absl::Status Confirm(const v1::Batch& batch) {
 
 absl::Status CheckHasEnded(const v1::Batch& batch) {
   if (!batch.open() && batch.open_count() == 0) return absl::OkStatus();
-  const std::string why = batch.open_count() > 0
-                              ? Counted(batch.open_count(), "job of it waits or runs", "jobs of it wait or run")
-                              : "lines may still be added to it";
+  const std::string why = batch.open_count() > 0 ? Counted(batch.open_count(), "of its jobs is waiting or running",
+                                                           "of its jobs are waiting or running")
+                                                 : "lines may still be added to it";
   return EndWith(kExitBadInput, fmt::format("batch {} has not ended: {}; end it first: flair batch cancel {}",
                                             batch.id(), why, batch.id()));
 }
@@ -228,7 +228,7 @@ absl::Status DeleteWholeBatch(const v1::Batch& batch, Session& batches, const De
       // Somebody else was faster with the rest of it.
       if (absl::IsNotFound(some.status()) && all.deleted_job_count() > 0) break;
       if (batches.stopped()) {
-        return EndWith(kExitStopped, fmt::format("stopped; to go on: flair batch delete {}", batch.id()));
+        return EndWith(kExitStopped, fmt::format("stopped; to continue: flair batch delete {}", batch.id()));
       }
       if (absl::IsFailedPrecondition(some.status())) {
         return EndWith(kExitBadInput, std::string(some.status().message()));

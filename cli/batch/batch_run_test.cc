@@ -51,7 +51,8 @@ TEST_F(BatchDeletionTest, WhatGoesOnIsNotDeleted) {
   batch.set_open_count(2);
   const absl::Status running = Delete(batch);
   EXPECT_EQ(ExitCodeOf(running), kExitBadInput);
-  EXPECT_THAT(running.message(), HasSubstr("2 jobs of it wait or run; end it first: flair batch cancel b1"));
+  EXPECT_THAT(running.message(),
+              HasSubstr("2 of its jobs are waiting or running; end it first: flair batch cancel b1"));
   batch = EndedBatch(0);
   batch.set_open(true);
   EXPECT_THAT(Delete(batch).message(), HasSubstr("lines may still be added"));

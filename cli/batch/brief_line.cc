@@ -57,7 +57,7 @@ absl::Status ReadKey(const std::optional<json>& value, std::string& key) {
       absl::c_none_of(key, [](char c) { return absl::ascii_iscntrl(static_cast<unsigned char>(c)); });
   if (!key.empty() && key.size() <= kLongestKey && printable) return absl::OkStatus();
   return Wrong("id", *value,
-               fmt::format("expected what you call this line: 1 to {} bytes of text, or a whole number", kLongestKey));
+               fmt::format("expected your name for this line: 1 to {} bytes of text, or a whole number", kLongestKey));
 }
 
 absl::Status ReadVariants(const std::optional<json>& value, v1::JobSpec& spec) {
@@ -138,7 +138,7 @@ absl::Status ReadJson(std::string_view text, BriefLine& line) {
     std::string_view words(status.message().data(), status.message().size());
     if (words.starts_with(":1: ")) words.remove_prefix(4);
     return absl::InvalidArgumentError(
-        fmt::format("is no JSON: {}; a line that begins with {} is read as JSON", words, text.front()));
+        fmt::format("is not JSON: {}; a line that begins with {} is read as JSON", words, text.front()));
   }
   if (value.is_object()) return ReadObject(std::move(value), line);
   line.spec.mutable_brief()->set_text(value.get<std::string>());
@@ -172,7 +172,7 @@ absl::StatusOr<BriefLine> ReadBriefLine(std::string_view line, const v1::JobSpec
     status = ReadJson(text, read);
   } else if (text.starts_with('[')) {
     status =
-        absl::InvalidArgumentError("is a JSON array; expected one brief a line: text, \"text\" or {\"text\": ...}");
+        absl::InvalidArgumentError("is a JSON array; expected one brief per line: text, \"text\" or {\"text\": ...}");
   } else {
     read.spec.mutable_brief()->set_text(stripped);
   }

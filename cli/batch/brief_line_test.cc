@@ -104,9 +104,9 @@ TEST_P(WrongLine, IsRefusedWithFieldAndWhatWouldBeRight) {
 INSTANTIATE_TEST_SUITE_P(
     All, WrongLine,
     ::testing::Values(
-        Wrong{"CutOff", R"({"text": "A room.")", {"is no JSON", "ends too early"}},
-        Wrong{"BrokenString", R"("A room)", {"is no JSON"}},
-        Wrong{"Array", R"(["A room."])", {"array", "one brief a line"}}, Wrong{"NoText", R"({"seed": 3})", {"text"}},
+        Wrong{"CutOff", R"({"text": "A room.")", {"is not JSON", "ends too early"}},
+        Wrong{"BrokenString", R"("A room)", {"is not JSON"}},
+        Wrong{"Array", R"(["A room."])", {"array", "one brief per line"}}, Wrong{"NoText", R"({"seed": 3})", {"text"}},
         Wrong{"UnknownField",
               R"({"txt": "A room."})",
               {"txt", "did you mean text?", "constraint_list; and a line may have id, variants"}},

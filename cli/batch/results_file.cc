@@ -91,7 +91,7 @@ absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::OpenToRead(const std::
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
     return absl::NotFoundError(
-        fmt::format("{}: no such file; should be results.db of flair batch --out", path.string()));
+        fmt::format("{}: no such file; expected results.db of flair batch --out", path.string()));
   }
   return Open(path);
 }
@@ -105,7 +105,7 @@ absl::Status ResultsFile::Error() const {
   const std::string message = fmt::format("{}: {}", path_, sqlite3_errmsg(connection_));
   const int code = sqlite3_errcode(connection_) & 0xff;
   if (code == SQLITE_CORRUPT) return absl::DataLossError(message + "; move it away to collect the results again");
-  if (code == SQLITE_NOTADB) return FileError(fmt::format("{}: is no database of flair batch", path_));
+  if (code == SQLITE_NOTADB) return FileError(fmt::format("{}: is not a database of flair batch", path_));
   return FileError(message);
 }
 
@@ -123,7 +123,7 @@ absl::Status ResultsFile::Configure() {
     ASSIGN_OR_RETURN(const int64_t tables, Count("SELECT COUNT(*) FROM sqlite_schema"));
     if (tables == 0) return Execute(SchemaSql());
     ASSIGN_OR_RETURN(const int64_t application, Count("PRAGMA application_id"));
-    if (application != kApplicationId) return FileError(fmt::format("{}: is no database of flair batch", path_));
+    if (application != kApplicationId) return FileError(fmt::format("{}: is not a database of flair batch", path_));
     if (version == kVersion) return absl::OkStatus();
     return FileError(
         fmt::format("{}: has version {}, this program knows {}; use the Flair that made it, or another --out", path_,

@@ -65,8 +65,8 @@ void Submission::Take(const Line& line) {
                     : ReadBriefLine(line.text, options_.defaults);
   const int64_t first_seed = read.ok() ? read->spec.brief().seed() : 0;
   if (read.ok() && first_seed + options_.seed_count > kSeedLimit) {
-    read = absl::InvalidArgumentError(fmt::format("seed: is {}; with {} seeds it should be at most 2^53 - {}",
-                                                  first_seed, options_.seed_count, options_.seed_count));
+    read = absl::InvalidArgumentError(fmt::format("seed: is {}; with {} seeds expected at most 2^53 - {}", first_seed,
+                                                  options_.seed_count, options_.seed_count));
   }
   if (!read.ok()) {
     rejected_.Add(line.number, std::string(read.status().message()), line.text);
@@ -179,7 +179,7 @@ absl::Status Submission::Run(const v1::Batch& batch) {
   }
   if (next_offset_ != input_.size_bytes) {
     return absl::InvalidArgumentError(
-        fmt::format("{}: has changed while it was read: {} bytes, now {}; give it again, or a copy that stays as it is",
+        fmt::format("{}: changed while it was being read: {} bytes, now {}; try again with a file that does not change",
                     input_.path.string(), input_.size_bytes, next_offset_));
   }
   return SendPage(true);

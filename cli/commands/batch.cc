@@ -24,16 +24,15 @@ namespace {
 struct LineFlags : JobFlags {
   explicit LineFlags(CLI::App& command)
       : JobFlags(command,
-                 {{"brief.seed", "Seed (0)"},
+                 {{"brief.seed", "Seed of lines without one (0)"},
                   {"renderer.size", "Longer side of the pictures in pixels, 256 to 8192 (plan 1600, views 1024)"},
                   {"optimizer.variants", "Layouts that differ visibly, 1 to 32 (1)"},
                   {"optimizer.restarts"},
                   {"optimizer.threads", "Threads of each solve, 1 to 256 (1); changes no result"}},
-                 "For lines that do not say otherwise") {}
-  int& seed_count =
-      Whole("--seeds COUNT", 1, 500, 1, "Jobs of each line, with the seeds N, N + 1, ... of its own one, 1 to 500 (1)");
+                 "Defaults for lines that do not set them") {}
+  int& seed_count = Whole("--seeds COUNT", 1, 500, 1, "Jobs per line, with its seed N, N + 1, ..., 1 to 500 (1)");
   std::vector<std::string>& views =
-      Commas("--view A,B", "Pictures: plan, birdseye, perspective, with a comma between (plan)");
+      Commas("--view A,B", "Pictures: plan, birdseye, perspective, separated by commas (plan)");
   bool& no_completion = Flag("--no-completion",
                              "Add nothing that nobody wrote: chairs are drawn up to desks only where somebody says so");
   std::vector<std::string>& options =
@@ -42,17 +41,17 @@ struct LineFlags : JobFlags {
 
 struct BatchArguments : Options {
   using Options::Options;
-  std::string& briefs = Text("BRIEFS FILE", "A file with a brief a line, or - for standard input");
-  std::string& out = Text("-o,--out DIR", "Folder for the results; made when missing");
+  std::string& briefs = Text("BRIEFS FILE", "A file with one brief per line, or - for standard input");
+  std::string& out = Text("-o,--out DIR", "Folder for the results; created if missing");
   CollectFlags collect{command()};
-  std::string& name = Text("--name NAME", "What you call the batch (the file's name); another name, another batch");
+  std::string& name = Text("--name NAME", "Name of the batch (the file's name); another name makes another batch");
   bool& submit_only = Flag("--submit-only", "Submit the lines and do not wait for results");
   LineFlags lines{command()};
   BatchPlaceFlags place{command()};
   BatchRunFlags runs{command()};
   ModelFlags model{command()};
   bool& json = Flag("--json", "The summary as JSON on standard output");
-  bool& quiet = Flag("-q,--quiet", "Print nothing unless something goes wrong");
+  bool& quiet = Flag("-q,--quiet", "Print nothing but errors");
 };
 
 absl::StatusOr<v1::JobSpec> MakeDefaults(const BatchArguments& arguments) {
@@ -98,8 +97,8 @@ absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& bat
   ASSIGN_OR_RETURN(const BatchPlace before, folder.Place());
   if (!before.batch_id.empty() && before.batch_id != batch.id()) {
     return FileError(
-        fmt::format("{}: holds batch {}, but here these briefs are batch {}; say where it is as before "
-                    "(--orchestrator, --engine, FLAIR_HOME), or give --out another folder",
+        fmt::format("{}: holds batch {}, but here these briefs are batch {}; give the same --orchestrator, --engine or "
+                    "FLAIR_HOME as before, or another folder to --out",
                     folder.path().string(), before.batch_id, batch.id()));
   }
   BatchPlace place;
@@ -135,15 +134,15 @@ absl::Status Submit(const BatchArguments& arguments) {
                    OpenBatchWay(arguments.place, arguments.submit_only ? nullptr : &arguments.runs, llm, interruption));
   ASSIGN_OR_RETURN(const v1::Batch batch, way.session->CreateBatch(request_id, label));
   if (batch.state() == v1::BATCH_STATE_CANCELLED) {
-    return EndWith(kExitCancelled,
-                   fmt::format("these briefs are batch {}, which was cancelled; to run them all the same "
-                               "give the batch another --name",
-                               batch.id()));
+    return EndWith(
+        kExitCancelled,
+        fmt::format("these briefs are batch {}, which was cancelled; to run them anyway, give another --name",
+                    batch.id()));
   }
   RETURN_IF_ERROR(RememberPlace(arguments, batch, kept.Words(), *folder));
   RETURN_IF_ERROR(folder->results().SetState("request_id", request_id));
   if (!arguments.quiet) {
-    fmt::print(stderr, "batch {}{}\n", batch.id(), batch.job_count() > 0 ? ", which is known and goes on" : "");
+    fmt::print(stderr, "batch {}{}\n", batch.id(), batch.job_count() > 0 ? ", which exists and continues" : "");
   }
   Submission submission(*way.session, folder->results(), input, options);
   const absl::Status status = RunBatch(
@@ -168,8 +167,8 @@ void AddBatch(const Commands& program) {
       "render, models:\n"
       "    A bedroom that is 4m x 5m.\n"
       "    {\"id\": \"k17\", \"text\": \"A small kitchen.\", \"views\": [\"plan\", \"birdseye\"]}\n"
-      "DIR gets a folder for each job under jobs/ (or shards/), results.db with a row for each job, and "
-      "rejected.jsonl with the lines that are no briefs. After ^C or a crash the same command continues where "
+      "DIR gets a folder for each job under jobs/ (or shards/), results.db with a row for each job, and rejected.jsonl "
+      "with the invalid lines. After ^C or a crash the same command continues where "
       "it stopped; the same file with the same options is the same batch. ID is the batch's id, the beginning "
       "of it, or DIR. See docs/batches.md.");
   AddBatchActions(batch);

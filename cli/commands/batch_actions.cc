@@ -40,17 +40,17 @@ struct WatchArguments : NamedArguments {
   BatchRunFlags runs{command()};
   std::string& out = Text("-o,--out DIR", "Folder for the results (DIR, when that is ID)");
   CollectFlags collect{command()};
-  bool& quiet = Flag("-q,--quiet", "Print nothing unless something goes wrong");
+  bool& quiet = Flag("-q,--quiet", "Print nothing but errors");
 };
 struct RetryArguments : NamedArguments {
   using NamedArguments::NamedArguments;
   std::vector<std::string>& kinds = Commas(
-      "--kind A,B", "Only failures of this kind: input, language, translation, infeasible, worker, timeout, store");
+      "--kind A,B", "Only failures of these kinds: input, language, translation, infeasible, worker, timeout, store");
   std::vector<std::string>& jobs = Commas("--job A,B", "Only these jobs: ids, or places in the batch");
 };
 struct DeleteArguments : NamedArguments {
   using NamedArguments::NamedArguments;
-  bool& yes = Flag("-y,--yes", "Do not ask");
+  bool& yes = Flag("-y,--yes", "Do not ask for confirmation");
 };
 struct ReportArguments : NamedArguments {
   using NamedArguments::NamedArguments;
@@ -117,7 +117,7 @@ absl::Status RetryBatch(const RetryArguments& arguments, const NamedBatch& named
   for (const std::string& word : arguments.kinds) {
     const auto* const kind = FindWord(*v1::FailureKind_descriptor(), word);
     if (kind == nullptr) {
-      return absl::InvalidArgumentError(fmt::format("--kind: {}: there is no such kind of failure; one of {}", word,
+      return absl::InvalidArgumentError(fmt::format("--kind: {}: no such kind of failure; expected one of {}", word,
                                                     absl::StrJoin(ShortWords(*v1::FailureKind_descriptor()), ", ")));
     }
     request.add_kinds(static_cast<v1::FailureKind>(kind->number()));
@@ -142,7 +142,7 @@ absl::Status RetryBatch(const RetryArguments& arguments, const NamedBatch& named
 absl::StatusOr<std::unique_ptr<BatchFolder>> HoldFolder(const WatchArguments& arguments, const NamedBatch& named) {
   const std::string path = arguments.out.empty() ? named.folder.string() : arguments.out;
   if (path.empty()) {
-    return absl::InvalidArgumentError(fmt::format("{}: says no folder to collect into; give --out DIR", arguments.id));
+    return absl::InvalidArgumentError(fmt::format("{}: names no folder to collect into; give --out DIR", arguments.id));
   }
   absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(path);
   if (!folder.ok()) return folder;
@@ -167,8 +167,8 @@ absl::Status WatchBatch(const WatchArguments& arguments, const NamedBatch& named
   ASSIGN_OR_RETURN(const std::unique_ptr<BatchFolder> folder, HoldFolder(arguments, named));
   if (named.batch.open() && !arguments.quiet) {
     fmt::print(stderr,
-               "batch {}: not all lines are submitted yet; if nobody does, give its file again: flair batch FILE "
-               "--out DIR\n",
+               "batch {}: not all lines are submitted yet; if no command is doing so, give its file again: flair batch "
+               "FILE --out DIR\n",
                named.batch.id());
   }
   return RunBatch(named.batch, *way.session, *folder, nullptr, interruption,
@@ -256,8 +256,7 @@ void AddBatchActions(const Commands& batch) {
             Act<ChangeBatch<&Session::PauseBatch>, NamedArguments>);
   batch.Add("resume", "Resume a paused batch.", Act<ChangeBatch<&Session::ResumeBatch>, NamedArguments>);
   batch.Add("cancel", "Cancel a batch and all of its jobs.", Act<ChangeBatch<&Session::CancelBatch>, NamedArguments>);
-  batch.Add("retry", "Run failed jobs of a batch again, from the results that they have.",
-            Act<RetryBatch, RetryArguments>);
+  batch.Add("retry", "Run failed jobs of a batch again, from their stored results.", Act<RetryBatch, RetryArguments>);
   batch.Add("delete",
             "Delete a batch that has ended, its jobs, and the artifacts that no other job has; what was collected in a "
             "DIR stays.",

@@ -98,9 +98,8 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session) 
   if (!absl::IsNotFound(exact.status()) && !absl::IsInvalidArgument(exact.status())) return exact.status();
   if (!found.folder.empty()) {
     return absl::NotFoundError(
-        fmt::format("{}: its batch {} is not known to {}; say where it is with --orchestrator or "
-                    "--engine",
-                    name, id, session.address()));
+        fmt::format("{}: its batch {} is unknown to {}; say where it is with --orchestrator or --engine", name, id,
+                    session.address()));
   }
   ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, session.ListBatches(kSearchedBatches));
   std::vector<v1::Batch> fitting;
@@ -114,12 +113,13 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session) 
   }
   if (fitting.empty()) {
     return absl::NotFoundError(
-        fmt::format("{}: no batch has an id that begins so, and no folder of that name has "
-                    "results.db; those that there are: flair batch list",
+        fmt::format("{}: no batch has an id that begins like this, and no folder of that name has results.db; flair "
+                    "batch list shows all",
                     name));
   }
-  return absl::InvalidArgumentError(fmt::format("{}: begins the ids of {} batches, such as {} and {}; give more of it",
-                                                name, fitting.size(), fitting[0].id(), fitting[1].id()));
+  return absl::InvalidArgumentError(
+      fmt::format("{}: {} batches have ids that begin like this, such as {} and {}; give more of it", name,
+                  fitting.size(), fitting[0].id(), fitting[1].id()));
 }
 
 }  // namespace flair::cli

@@ -22,7 +22,7 @@ namespace flair::cli {
 // Where jobs wait.
 struct BatchPlaceFlags : Options {
   using Options::Options;
-  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Use this orchestrator instead of one in this process");
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Use this orchestrator instead of the built-in one");
   EngineFlags engine{command()};
   // The local store; that of all commands when empty.
   std::string store;
@@ -47,7 +47,7 @@ struct CollectFlags : Options {
            "Files of each job: brief, room, ..., graph, layout, pictures, report, report.md, all, none; NAME.json "
            "for JSON (layout,pictures,report)");
   int& shard_size = Whole("--shards JOBS", 1, 1000000, 0,
-                          "Tar files of so many jobs, 1 to 1000000, instead of a folder for each job");
+                          "Tar files of this many jobs, 1 to 1000000, instead of a folder for each job");
 };
 
 // An open way to the batches, alive while the command is.

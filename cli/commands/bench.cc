@@ -78,7 +78,7 @@ struct BenchSolveArguments : BenchArguments {
   std::vector<std::string>& only = List("--only NAME", "These problems only, by file name without ending");
   int& threads = Whole("--threads N", 1, 256, 1, "Threads of the solver, 1 to 256 (1); changes no result");
   int& repeats = Whole("--repeat N", 1, 1000, 1, "Solves of each problem, 1 to 1000 (1); the median counts");
-  int64_t& seed = SeedNumber("Seed; another seed, another layout (0)");
+  int64_t& seed = SeedNumber("Seed; another seed gives another layout (0)");
   std::optional<int>& restarts =
       Whole("--restarts N", 1, 10000, "Most restarts per stage, 1 to 10000 (by the stage's size)");
   bool& complete = Flag("--complete", "Add what follows from how one uses the pieces, as a design does");
@@ -217,8 +217,7 @@ struct BenchRenderArguments : Options {
                        "Times that each is drawn, 1 to 100 (3); the quickest counts");
   int& size_px = Whole("--size PX", 256, 4096, RenderBench().view_size_px,
                        "Longer side of the bird's-eye view in pixels, 256 to 4096 (1024)");
-  int& samples =
-      Whole("--samples N", 1, 4096, RenderBench().sample_count, "Its paths of light per pixel, 1 to 4096 (16)");
+  int& samples = Whole("--samples N", 1, 4096, RenderBench().sample_count, "Its light paths per pixel, 1 to 4096 (16)");
   int& threads = Whole("--threads N", 1, 256, RenderBench().thread_count, "Its threads, 1 to 256 (2)");
   bool& no_views = Flag("--no-views", "Leave the views out");
   bool& list = Flag("--list", "Every room, a line each");

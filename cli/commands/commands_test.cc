@@ -114,8 +114,8 @@ TEST_F(CommandsTest, WhatIsMissingOrTooMuchIsNamed) {
   EXPECT_EQ(ErrorOf({"render"}), "LAYOUT: missing; flair render --help says more");
   EXPECT_EQ(ErrorOf({"design", "A room.", "--out"}), "--out: its value is missing; flair design --help says more");
   EXPECT_EQ(ErrorOf({"design", "A", "room.", "--out", "x"}),
-            "\"room.\": is more than flair design takes; put text of several words in quotes");
-  EXPECT_EQ(ErrorOf({"solve", "g", "--seed", "1", "--seed", "2"}), "--seed: given more than once; once is right");
+            "\"room.\": unexpected argument of flair design; put text of several words in quotes");
+  EXPECT_EQ(ErrorOf({"solve", "g", "--seed", "1", "--seed", "2"}), "--seed: given more than once");
   EXPECT_EQ(ErrorOf({"design", "A.", "--out", "x", "--json", "--quiet"}), "--json: not together with --quiet");
   EXPECT_EQ(ErrorOf({"contract", "--markdown"}), "--markdown: only together with --list");
 }

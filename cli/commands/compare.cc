@@ -30,9 +30,9 @@ struct CompareArguments : Options {
   using Options::Options;
   std::string& graph = Required("GRAPH", fmt::format("A graph: {}; or a folder of designs", kSourceHelp));
   std::vector<std::string>& optimizers =
-      List("--optimizer WHICH", "HOST:PORT, or own for the one in this program; for each of two to eight");
-  bool& all = Flag("--all", "List also the constraints that hold with all of them");
-  std::string& format = Word("--format FORMAT", {"text", "json"}, "How: text or json (text)");
+      List("--optimizer WHICH", "HOST:PORT, or own for the built-in one; give it two to eight times");
+  bool& all = Flag("--all", "Also list the constraints that hold with all of them");
+  std::string& format = Word("--format FORMAT", {"text", "json"}, "Format: text or json (text)");
   std::string& picture = Text("--picture FILE", "The plans side by side; png jpg tif svg pdf");
   std::optional<int>& size_px =
       Whole("--size PX", 256, 8192, "Longer side of the picture in pixels, 256 to 8192 (2400)");
@@ -163,10 +163,10 @@ absl::Status Compare(const CompareArguments& arguments) {
 }  // namespace
 
 void AddCompare(const Commands& program) {
-  program.Add("compare", "Compare several optimizers on the same graph, on one scale.", Compare,
-              "This program judges all answers itself: costs, verdicts and measures are those of its own "
-              "evaluation of the answer. Of constraints whose type it does not know it shows what the optimizer "
-              "says, marked *. A folder gives a line per design below it (graph.pb) and optimizer, and medians.");
+  program.Add("compare", "Compare several optimizers on the same graph.", Compare,
+              "Flair evaluates all answers itself: costs, verdicts and measures. For constraints of unknown types it "
+              "shows the optimizer's own verdicts, marked *. For a folder there is a line per design (graph.pb) and "
+              "optimizer, and medians.");
 }
 
 }  // namespace flair::cli

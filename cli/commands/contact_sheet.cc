@@ -145,7 +145,7 @@ absl::StatusOr<v1::ContactSheetOptions> MakeOptions(const ContactSheetArguments&
   if (!format.ok() || *format == v1::PREVIEW_FORMAT_EXR || *format == v1::PREVIEW_FORMAT_SVG ||
       *format == v1::PREVIEW_FORMAT_PDF) {
     return absl::InvalidArgumentError(
-        fmt::format("--out: {}: its ending says the format: png, jpg, jpeg, tif, tiff", arguments.out));
+        fmt::format("--out: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff", arguments.out));
   }
   options.set_format(*format);
   return options;
@@ -198,9 +198,9 @@ absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
 }  // namespace
 
 void AddContactSheet(const Commands& program) {
-  program.Add("contact-sheet", "Put the designs of a folder on one picture.", MakeContactSheet,
+  program.Add("contact-sheet", "Show all designs of a folder in one picture.", MakeContactSheet,
               "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and "
-              "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows why in its place.");
+              "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows the reason instead.");
 }
 
 }  // namespace flair::cli

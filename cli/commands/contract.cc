@@ -25,15 +25,14 @@ std::vector<std::string> StageNames() {
 
 struct ContractArguments : Options {
   using Options::Options;
-  std::string& stage =
-      Word("STAGE", StageNames(), fmt::format("What the server is: {}", fmt::join(StageNames(), ", ")), "");
+  std::string& stage = Word("STAGE", StageNames(), fmt::format("The stage: {}", fmt::join(StageNames(), ", ")), "");
   std::string& target = Text("--target ADDRESS", "The server, HOST:PORT or unix:PATH");
-  std::string& only = Text("--only TEXT", "Checks whose name contains this");
+  std::string& only = Text("--only TEXT", "Only checks whose names contain this");
   double& patience_s = Decimal("--patience S", 0.1, 3600, 20,
-                               "Seconds that a call may take before the server is silent, 0.1 to 3600 (20)");
+                               "Seconds that a call may take before the server counts as silent, 0.1 to 3600 (20)");
   int& max_message_mib =
-      Whole("--max-message-mib MIB", 4, 1024, 32, "The largest message that the server takes, 4 to 1024 MiB (32)");
-  bool& list = Flag("--list", "Say what is promised, without a server");
+      Whole("--max-message-mib MIB", 4, 1024, 32, "The largest message that the server accepts, 4 to 1024 MiB (32)");
+  bool& list = Flag("--list", "List the promises, without a server");
   bool& json = Flag("--json", "As JSON; progress goes to standard error");
   bool& markdown = Flag("--markdown", "As docs/contract.md", {"--json"}, "--list");
 };
@@ -107,11 +106,12 @@ absl::Status Contract(const ContractArguments& arguments) {
 }  // namespace
 
 void AddContract(const Commands& program) {
-  program.Add("contract", "Put every promise of a stage to a server and say which it keeps and which it breaks.",
+  program.Add("contract",
+              "Check a server against every promise of its stage, and list which it keeps and which it breaks.",
               Contract,
-              "Optional promises are put only to servers that claim them (GetWorkerResponse.capabilities). An "
+              "Optional promises are checked only for servers that claim them (GetWorkerResponse.capabilities). An "
               "orchestrator is given real jobs, which stay in its store. Exits with 0 when all promises are kept, 8 "
-              "when one is broken, 3 when nobody answers at the address.");
+              "when one is broken, 3 when no server answers at the address.");
 }
 
 }  // namespace flair::cli

@@ -32,11 +32,10 @@ namespace {
 struct DesignArguments : Options {
   using Options::Options;
   std::string& text = Text("TEXT", "What you want, such as \"A bedroom that is 4m x 5m.\"");
-  std::string& out = Required("-o,--out DIR", "Folder for the results; made when missing");
+  std::string& out = Required("-o,--out DIR", "Folder for the results; created if missing");
   std::string& brief =
       Text("--brief FILE",
-           "A whole Brief as .json, text or artifact: own room, zones, objects, constraints; TEXT goes before "
-           "its text");
+           "A whole Brief as .json, text or artifact: own room, zones, objects, constraints; TEXT replaces its text");
   std::string& room =
       Text("--room FILE",
            "Furnish this room instead of describing one: a Room as .json, .textproto or artifact (docs/rooms.md)");
@@ -49,16 +48,16 @@ struct DesignArguments : Options {
        {"optimizer.variants",
         "Layouts that differ visibly, 1 to 32 (1), best first: also writes layout-2.pb, ... and variants.png"}}};
   std::vector<std::string>& views =
-      Commas("--view A,B", "Further pictures in DIR: birdseye, perspective, with a comma between");
+      Commas("--view A,B", "Further pictures in DIR: birdseye, perspective, separated by commas");
   std::string& orchestrator =
-      Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of those in this process");
+      Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
   StageFlags stages{command()};
   LlmFlags llm{command()};
   ModelFlags model{command()};
   bool& no_completion = Flag("--no-completion",
                              "Add nothing that nobody wrote: chairs are drawn up to desks only where somebody says so");
   bool& json = Flag("--json", "Events as JSON lines on standard output");
-  bool& quiet = Flag("-q,--quiet", "Print nothing unless something goes wrong", {"--json"});
+  bool& quiet = Flag("-q,--quiet", "Print nothing but errors", {"--json"});
 };
 
 absl::StatusOr<v1::JobSpec> MakeSpec(const DesignArguments& arguments) {
@@ -172,9 +171,9 @@ absl::Status Design(const DesignArguments& arguments) {
 
 void AddDesign(const Commands& program) {
   program.Add("design", "Design a room from a sentence.", Design,
-              "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It "
-              "is written when all is done, whole or not at all; files of other names in it stay. Run again after "
-              "an interruption: finished stages are not redone.");
+              "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It is "
+              "written at the end, completely or not at all; other files in it stay. After an interruption run the "
+              "command again: finished stages are not repeated.");
 }
 
 }  // namespace flair::cli

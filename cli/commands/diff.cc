@@ -22,10 +22,10 @@ namespace {
 struct DiffArguments : Options {
   using Options::Options;
   std::string& a = Required("A", fmt::format("An artifact: {}", kSourceHelp));
-  std::string& b = Required("B", "Another of the same kind, which came after it");
-  std::string& format = Word("--format FORMAT", {"text", "json"}, "How: text or json (text)");
+  std::string& b = Required("B", "A later one of the same kind");
+  std::string& format = Word("--format FORMAT", {"text", "json"}, "Format: text or json (text)");
   std::string& picture =
-      Text("--picture FILE", "Layouts: both plans in one picture, the differences marked; png jpg tif svg pdf");
+      Text("--picture FILE", "Layouts: both plans in one picture, with the differences marked; png jpg tif svg pdf");
   std::optional<int>& size_px =
       Whole("--size PX", 256, 8192, "Longer side of the picture in pixels, 256 to 8192 (2400)");
   SourceFlags source{command()};
@@ -67,7 +67,7 @@ absl::Status Diff(const DiffArguments& arguments) {
   if (!arguments.picture.empty()) {
     if (!a.has_solved_layout()) {
       return absl::InvalidArgumentError(
-          fmt::format("--picture: {} is no layout, and only layouts can be drawn", arguments.a));
+          fmt::format("--picture: {} is not a layout; only layouts can be drawn", arguments.a));
     }
     RETURN_IF_ERROR(DrawPicture(arguments, a, b, *difference));
   }
@@ -79,9 +79,9 @@ absl::Status Diff(const DiffArguments& arguments) {
 }  // namespace
 
 void AddDiff(const Commands& program) {
-  program.Add("diff", "Show what differs between two artifacts of a kind, by meaning.", Diff,
-              "Things are the same when they mean the same: sentences by their words, calls by what they say, "
-              "objects by id or name. + added, - removed, ~ changed, < better (costs less, holds now), > worse. "
+  program.Add("diff", "Show what differs between two artifacts of the same kind.", Diff,
+              "Items are matched by meaning: sentences by their words, calls by type and arguments, objects by id or "
+              "name. + added, - removed, ~ changed, < better (lower cost, now satisfied), > worse. "
               "Exits with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
               "Examples:\n"
               "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"

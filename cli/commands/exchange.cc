@@ -50,7 +50,7 @@ absl::Status ImportFlairGpt(const ImportFlairGptArguments& arguments) {
   if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(*graph));
   if (const absl::Status good = Validate(*graph); !good.ok()) {
     return absl::InvalidArgumentError(
-        fmt::format("{}: no graph that can be solved: {}", arguments.in, std::string(good.message())));
+        fmt::format("{}: not a graph that can be solved: {}", arguments.in, std::string(good.message())));
   }
   RETURN_IF_ERROR(WriteOutputFile(arguments.out, GraphArtifactBytes(*graph, "import flairgpt", runtime::BuildName())));
   for (const v1::Diagnostic& diagnostic : graph->diagnostics())
@@ -65,13 +65,13 @@ struct ExportFlairGptArguments : Options {
   using Options::Options;
   std::string& in = Required("LAYOUT", "A layout: layout.pb or layout.json of a design");
   std::string& out = Required("-o,--out FILE", "Where the .json goes");
-  std::string& name = Text("--name", "Name of the problem; that of FILE when left out");
+  std::string& name = Text("--name", "Name of the problem (that of FILE)");
 };
 
 absl::Status ExportFlairGpt(const ExportFlairGptArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact artifact, ReadArtifact(arguments.in));
   if (!artifact.has_solved_layout()) {
-    return absl::InvalidArgumentError(fmt::format("{}: not a layout; give what flair solve wrote", arguments.in));
+    return absl::InvalidArgumentError(fmt::format("{}: not a layout; give a layout.pb of flair solve", arguments.in));
   }
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   const std::string name =
@@ -88,7 +88,7 @@ namespace fs = std::filesystem;
 struct ImportAnswersArguments : Options {
   using Options::Options;
   std::string& room = Required("ROOM", "The room's .json, of the released implementation");
-  std::string& out = Required("-o,--out DIR", "Folder for the answers and their brief; made when missing");
+  std::string& out = Required("-o,--out DIR", "Folder for the answers and their brief; created if missing");
   bool& no_calls = Flag("--no-calls", "Leave the translation to the grammar: design with --stand-in then");
 };
 

@@ -29,7 +29,7 @@ struct ExportArguments : Options {
 };
 struct ExportGlbArguments : ExportArguments {
   using ExportArguments::ExportArguments;
-  std::string& format = Text("--format FORMAT", "How: glb, which is binary glTF 2.0 (glb)");
+  std::string& format = Text("--format FORMAT", "Format: glb, which is binary glTF 2.0 (glb)");
 };
 struct ExportSceneStateArguments : ExportArguments {
   using ExportArguments::ExportArguments;
@@ -81,7 +81,7 @@ absl::Status ExportSceneState(const ExportSceneStateArguments& arguments) {
 absl::Status ExportGlb(const ExportGlbArguments& arguments) {
   if (!arguments.format.empty() && arguments.format != "glb") {
     return absl::InvalidArgumentError(fmt::format(
-        "--format: {}: is no format of scenes; glb (for SceneEval: flair export sceneeval)", arguments.format));
+        "--format: {}: is not a scene format; expected glb (for SceneEval: flair export sceneeval)", arguments.format));
   }
   std::string ending = std::filesystem::path(arguments.out).extension().string();
   absl::AsciiStrToLower(&ending);

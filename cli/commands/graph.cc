@@ -19,7 +19,7 @@ namespace {
 struct GraphArguments : Options {
   using Options::Options;
   std::string& graph = Required("LAYOUT", fmt::format("A layout, or a graph not solved yet: {}", kSourceHelp));
-  std::string& out = Required("-o,--out FILE", "Where it goes; the ending says the format: svg png pdf dot");
+  std::string& out = Required("-o,--out FILE", "Where it goes; the extension chooses the format: svg png pdf dot");
   SourceFlags source{command()};
 };
 
@@ -28,7 +28,8 @@ absl::StatusOr<std::string> FormatOf(const std::string& out) {
   for (const char* format : {"svg", "png", "pdf", "dot"}) {
     if (ending == std::string(".") + format) return format;
   }
-  return absl::InvalidArgumentError(fmt::format("--out: {}: its ending says the format: svg, png, pdf, dot", out));
+  return absl::InvalidArgumentError(
+      fmt::format("--out: {}: its extension chooses the format: svg, png, pdf, dot", out));
 }
 
 absl::StatusOr<Diagram> ReadDiagram(const GraphArguments& arguments) {
@@ -59,10 +60,9 @@ absl::Status Graph(const GraphArguments& arguments) {
 
 void AddGraph(const Commands& program) {
   program.Add("graph", "Draw the layout graph: objects, parts of the room, and the calls between them.", Graph,
-              "Boxes in a colour are zones, as on the plan. Calls about one object alone are rows in it; those "
-              "between two are links; those of a group have a box of their own. Green holds, red does not, dashed "
-              "grey was dropped. In an SVG, the sentence behind a call shows under the pointer. Graphviz draws "
-              "(apt-get install graphviz); .dot needs none.");
+              "Coloured boxes are zones, as on the plan. Calls about one object are rows in it, calls between two are "
+              "links, calls of a group have a box. Green is satisfied, red violated, dashed grey dropped. In an SVG, "
+              "tooltips show the sentence behind a call. Needs Graphviz (apt-get install graphviz), except for .dot.");
 }
 
 }  // namespace flair::cli

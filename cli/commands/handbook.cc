@@ -108,7 +108,7 @@ class SentenceCheck {
 struct CheckArguments : Options {
   using Options::Options;
   std::vector<std::string>& folders =
-      List("DIR DIR...", "Folder with *.textproto files; more are laid over the ones before", true);
+      List("DIR DIR...", "Folder with *.textproto files; later folders override earlier ones", true);
 };
 
 absl::Status Check(const CheckArguments& arguments) {
@@ -141,8 +141,8 @@ absl::Status Check(const CheckArguments& arguments) {
 void AddHandbook(const Commands& program) {
   program.Group("handbook", "Work on furniture, kinds of room and styles of your own.")
       .Add("check", "Check a folder of handbook data: names, sizes, sentences.", Check,
-           "Every fault is named with file, line and field. Of sentences it says which ones the grammar does not "
-           "understand. Then use the folder: flair design ... --handbook DIR");
+           "Lists every fault with file, line and field, including sentences that the grammar does not understand. To "
+           "use the folder: flair design ... --handbook DIR");
 }
 
 }  // namespace flair::cli

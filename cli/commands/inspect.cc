@@ -28,15 +28,15 @@ struct InspectArguments : Options {
   using Options::Options;
   std::string& source =
       Required("ARTIFACT", fmt::format("An artifact: {}; or a JOB alone: its state and artifacts", kSourceHelp));
-  std::string& format = Text("--format FORMAT", "How: text, a summary; json or textproto, all of it (text)");
+  std::string& format = Text("--format FORMAT", "Format: text is a summary; json and textproto have everything (text)");
   bool& json = Flag("--json", "As --format json", {"--format"});
   std::string& field =
       Text("--field PATH", "Only this part, such as solved_layout.placements[3].theta_rad or placements[desk]");
-  bool& calls = Flag("--calls", "What a language model was asked for it, and its answers", {"--field"});
-  bool& provenance = Flag("--provenance", "Everything it goes back to, from the brief on", {"--field", "--calls"});
+  bool& calls = Flag("--calls", "What a language model was asked, and its answers", {"--field"});
+  bool& provenance = Flag("--provenance", "Everything it was made from, back to the brief", {"--field", "--calls"});
   bool& all = Flag("--all", "All rows of long tables");
   std::string& out =
-      Text("-o,--out FILE", "Write it there; .pb, .json and .textproto say the form: this turns one into the other");
+      Text("-o,--out FILE", "Write it to FILE; the extension chooses the form: .pb, .json or .textproto");
   SourceFlags from{command()};
 };
 
@@ -119,8 +119,8 @@ struct ExplainArguments : Options {
       Required("LAYOUT", "A solved layout: a file (.pb, .json or .textproto), digits of its id, or JOB/solve");
   SourceFlags source{command()};
   std::string& object = Text("--object", "Only this one, by id or name such as \"dining chair 2\", in full");
-  bool& all = Flag("--all", "Every demand of every object, held or not; else what has a reason and what is not met");
-  bool& json = Flag("--json", "As JSON, with every demand");
+  bool& all = Flag("--all", "Every constraint of every object; by default those with a reason and those violated");
+  bool& json = Flag("--json", "As JSON, with every constraint");
   std::string& optimizer = Text("--optimizer HOST:PORT", "Word constraints as this server does, not as ours");
 };
 
@@ -149,21 +149,19 @@ absl::Status Explain(const ExplainArguments& arguments) {
 }  // namespace
 
 void AddInspect(const Commands& program) {
-  program.Add(
-      "inspect", "Show an artifact or job: what it is, who made it from what.", Inspect,
-      "JSON and textproto may be changed by hand; give the file to any command that reads artifacts. It is "
-      "checked, faults are reported with file and line, and it gets an id of its own and names what it was made from. "
-      "Exits with 5 when the id is not the digest of the bytes, with 2 when the content is not valid.");
+  program.Add("inspect", "Show an artifact or a job: contents, producer, inputs.", Inspect,
+              "JSON and textproto may be edited by hand; any command that reads artifacts takes the file. Faults are "
+              "reported with file and line. An edited artifact gets a new id and names the original as its input. "
+              "Exits with 5 when the id is not the digest of the bytes, with 2 when the content is not valid.");
 }
 
 void AddExplain(const Commands& program) {
-  program.Add(
-      "explain", "Say why everything in a layout stands where it stands.", Explain,
-      "By zone: where each object stands, the sentences that put it there with their reasons, what is not "
-      "met and by how much (\"!\"), what follows from its place, and what was left out. In brackets are the ids of "
-      "constraints, as flair resolve --edit \"drop e12\" takes them.\n"
-      "\n"
-      "Try: flair explain out/bedroom/layout.pb --object desk");
+  program.Add("explain", "Explain why everything in a layout stands where it does.", Explain,
+              "By zone: where each object stands, the sentences that put it there with their reasons, what is violated "
+              "and by how much (\"!\"), what follows from its place, and what was left out. In brackets are the ids of "
+              "constraints, for flair resolve --edit \"drop e12\".\n"
+              "\n"
+              "Try: flair explain out/bedroom/layout.pb --object desk");
 }
 
 }  // namespace flair::cli

@@ -30,7 +30,7 @@ namespace {
 
 struct JobsArguments : Options {
   using Options::Options;
-  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Ask this one instead of the local store");
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "Ask this orchestrator instead of the local store");
   bool& json = Flag("--json", "One JSON object per line");
 };
 struct JobListArguments : JobsArguments {
@@ -115,13 +115,12 @@ struct ReplayArguments : Options {
   std::string& from =
       Text("--from STAGE",
            "Run from this stage on, take the rest from JOB: brief, room, zones, objects, style, constraints, "
-           "cleaning, translation, solve, render (all; with --set, the first that the options reach)");
+           "cleaning, translation, solve, render (all; with --set, the first that the options affect)");
   std::vector<std::string>& options =
       List("--set NAME=VALUE",
-           "Another option than JOB had, such as optimizer.restarts=500; \"NAME=\" for the default; again for "
-           "more");
-  std::string& out = Text("-o,--out DIR", "Also write what flair design writes to this folder");
-  std::string& orchestrator = Text("--orchestrator HOST:PORT", "A job of this one, not of the local store");
+           "An option to change, such as optimizer.restarts=500; \"NAME=\" restores the default; may be repeated");
+  std::string& out = Text("-o,--out DIR", "Also write the files of flair design to this folder");
+  std::string& orchestrator = Text("--orchestrator HOST:PORT", "A job of this orchestrator instead of the local store");
   StageFlags stages{command()};
   LlmFlags llm{command()};
   ModelFlags model{command()};
@@ -150,7 +149,7 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const ReplayArguments& arguments, const v1:
   const std::string from = arguments.from.empty() ? std::string(reached) : arguments.from;
   if (!reached.empty() && orchestrator::StageIndex(from) > orchestrator::StageIndex(reached)) {
     return absl::InvalidArgumentError(fmt::format(
-        "--from {}: the options of --set reach \"{}\", which would be taken from the earlier job; --from {} "
+        "--from {}: the options of --set affect \"{}\", which would be taken from the earlier job; --from {} "
         "or an earlier stage",
         from, reached, reached));
   }
@@ -175,7 +174,7 @@ std::string Interrupted(Session& session, const v1::JobSpec& spec) {
 absl::StatusOr<std::string> Begin(Session& session, const v1::JobSpec& spec, bool quiet) {
   const std::string interrupted = Interrupted(session, spec);
   if (!interrupted.empty()) {
-    if (!quiet) fmt::print(stderr, "{:<12} goes on with replay {}, which was interrupted\n", "replay", interrupted);
+    if (!quiet) fmt::print(stderr, "{:<12} continues replay {}, which was interrupted\n", "replay", interrupted);
     return interrupted;
   }
   const absl::StatusOr<v1::Job> created = session.CreateJob(spec);
@@ -213,7 +212,7 @@ absl::Status Tell(const ReplayArguments& arguments, const v1::Job& first, const 
     const bool as_before = first.state() == replay.state() && first.stage() == replay.stage() &&
                            first.error() == replay.error() && AllAgree(stages);
     if (as_before) {
-      fmt::print(stderr, "It fails as the first time, at \"{}\": {}\n", replay.stage(), replay.error());
+      fmt::print(stderr, "It fails as it did the first time, at \"{}\": {}\n", replay.stage(), replay.error());
       return absl::OkStatus();
     }
     return ErrorOf(replay);
@@ -244,7 +243,7 @@ absl::Status Replay(const ReplayArguments& arguments) {
   RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
   if (!arguments.from.empty() && orchestrator::StageIndex(arguments.from) < 0) {
     return absl::InvalidArgumentError(
-        fmt::format("--from {}: there is no such stage; one of {}", arguments.from, orchestrator::StageNames()));
+        fmt::format("--from {}: no such stage; expected one of {}", arguments.from, orchestrator::StageNames()));
   }
   v1::JobSpec limits;
   RETURN_IF_ERROR(arguments.model.Set(limits));
@@ -283,8 +282,8 @@ void AddReplay(const Commands& program) {
     names += fmt::format("  {:<42}{}\n", option.name, Wrapped(option.values, kLine, margin, kValues));
   }
   program.Add("replay", "Run a job again and say whether the result is the same.", Replay,
-              "Exits with 0 when all stages give the same content again, or another where --set asks for it; with 7 "
-              "when one differs that should not.\n\nNames for --set:\n" +
+              "Exits with 0 when all stages give the same content again, or differ only because of --set; otherwise "
+              "with 7.\n\nNames for --set:\n" +
                   names);
 }
 

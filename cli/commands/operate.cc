@@ -161,7 +161,7 @@ absl::StatusOr<std::string> Store() {
 
 absl::StatusOr<std::string> Fonts() {
   if (std::filesystem::exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")) return "DejaVu Sans";
-  return absl::NotFoundError("DejaVu Sans is missing; labels will look different or not be there");
+  return absl::NotFoundError("DejaVu Sans is missing; labels will look different or be missing");
 }
 
 // Asks for the room of a brief, which reads all of the handbook.
@@ -208,7 +208,7 @@ absl::StatusOr<std::string> Server(const std::string& address) {
   const auto worker = runtime::UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(),
                                             call, absl::Now() + absl::Seconds(5));
   if (absl::IsUnimplemented(worker.status())) {
-    return "a gRPC server that does not say what it is answers; see: flair contract --help";
+    return "a gRPC server answers, without WorkerService; see: flair contract --help";
   }
   if (!worker.ok()) return worker.status();
   if (const std::string fault = runtime::ProtocolFault(*worker); !fault.empty()) return absl::OutOfRangeError(fault);
@@ -219,12 +219,12 @@ absl::StatusOr<std::string> Server(const std::string& address) {
 
 std::string RemedyForServer(const absl::Status& status) {
   if (absl::IsOutOfRange(status)) return fmt::format("Start a version of it there that speaks {}.", runtime::kProtocol);
-  return "Start the program there, or check host, port and the flags of the connection.";
+  return "Start the program there, or check host, port and connection flags.";
 }
 
 struct DoctorArguments : Options {
   using Options::Options;
-  std::vector<std::string>& addresses = List("ADDRESS HOST:PORT", "Services to look for, HOST:PORT");
+  std::vector<std::string>& addresses = List("ADDRESS HOST:PORT", "Services to check, HOST:PORT");
   LlmFlags llm{command()};
 };
 
@@ -253,12 +253,11 @@ absl::Status Examine(const DoctorArguments& arguments) {
   return absl::InternalError(Counted(problems, "problem") + " found");
 }
 
-
 struct HealthArguments : Options {
   using Options::Options;
   std::string& address = Required("ADDRESS", "The server, HOST:PORT or unix:PATH");
   std::string& service =
-      Text("--service", "One service of it in full, such as flair.v1.OptimizerService; otherwise the whole server");
+      Text("--service", "Full name of one service, such as flair.v1.OptimizerService (the whole server)");
   double& patience_s = Decimal("--patience S", 0.1, 600, 3, "Seconds to wait for an answer, 0.1 to 600 (3)");
 };
 
@@ -278,19 +277,18 @@ absl::Status Health(const HealthArguments& arguments) {
   return absl::OkStatus();
 }
 
-
 constexpr size_t kTokenBytes = 32;
 
 struct TokenArguments : Options {
   using Options::Options;
-  std::string& name = Required("NAME", "Who it is for; jobs are kept under this name");
+  std::string& name = Required("NAME", "Name of the caller; its jobs belong to this name");
   std::string& out =
-      Text("--token-out FILE", "Write the token to a new file that only you can read, instead of the screen");
+      Text("--token-out FILE", "Write the token to a new file that only you can read, instead of the terminal");
   int& open_job_limit =
       Whole("--open-jobs N", 0, 1000000, 0, "Most jobs that may wait or run at once, 0 to 1000000 (0: no limit)");
   int& calls_per_minute_limit =
       Whole("--calls-per-minute N", 0, 1000000, 0, "Most calls a minute, 0 to 1000000 (0: no limit)");
-  bool& is_operator = Flag("--operator", "May see and do everything, whoever owns it");
+  bool& is_operator = Flag("--operator", "An operator: may see and do everything");
 };
 
 absl::StatusOr<std::string> NewToken() {
@@ -331,7 +329,8 @@ absl::Status New(const TokenArguments& arguments) {
   google::protobuf::TextFormat::PrintToString(list, &text);
   fmt::print("{}", text);
   std::fflush(stdout);
-  if (arguments.out.empty()) fmt::print(stderr, "\nThe token, which is shown only now and kept nowhere:\n{}\n", token);
+  if (arguments.out.empty())
+    fmt::print(stderr, "\nThe token, which is shown only once and stored nowhere:\n{}\n", token);
   return absl::OkStatus();
 }
 
@@ -339,14 +338,13 @@ absl::Status New(const TokenArguments& arguments) {
 
 void AddDoctor(const Commands& program) {
   program.Add("doctor", "Check what is installed, reachable and configured, and say how to fix the rest.", Examine,
-              "Asks a configured model one tiny question. Exits with 0 when nothing is wrong, else with 1.");
+              "Asks a configured model one tiny question. Exits with 0 when nothing is wrong, otherwise with 1.");
 }
 
 void AddHealth(const Commands& program) {
   program.Add("health", "Ask whether a server is serving, by the gRPC health protocol.", Health,
               "Exits with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such "
-              "service. Any gRPC server that has grpc.health.v1.Health can be asked. Made for health checks: reads "
-              "no files, quick.");
+              "service. Works with any gRPC server that has grpc.health.v1.Health.");
 }
 
 void AddToken(const Commands& program) {

@@ -24,7 +24,7 @@ namespace {
 
 struct CatalogArguments : Options {
   using Options::Options;
-  std::string& type = Text("TYPE", "One of them in full, by name or alias");
+  std::string& type = Text("TYPE", "One type in full, by name or alias");
   bool& json = Flag("--json", "As JSON");
   bool& markdown = Flag("--markdown", "All of them in full, as docs/constraints.md", {"--json"});
 };
@@ -50,10 +50,9 @@ absl::Status Catalog(const CatalogArguments& arguments) {
   return absl::OkStatus();
 }
 
-
 struct ProtocolArguments : Options {
   using Options::Options;
-  std::string& name = Text("NAME", "One of them in full: a service, call, message or enum");
+  std::string& name = Text("NAME", "One entry in full: a service, call, message or enum");
   bool& markdown = Flag("--markdown", "All of them in full, as docs/protocol.md", {"NAME"});
 };
 
@@ -66,7 +65,6 @@ absl::Status Protocol(const ProtocolArguments& arguments) {
   fmt::print("{}", entry);
   return absl::OkStatus();
 }
-
 
 namespace fs = std::filesystem;
 
@@ -106,7 +104,7 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
     std::error_code error;
     if (!fs::exists(fs::path(arguments.out) / file.name, error)) continue;
     return FileError(
-        fmt::format("{}/{}: is there already and may be your own; choose another folder", arguments.out, file.name));
+        fmt::format("{}/{}: already exists and may be your own; choose another folder", arguments.out, file.name));
   }
   RETURN_IF_ERROR(CheckOutputFolder(arguments.out, names));
   RETURN_IF_ERROR(WriteOutputFolder(arguments.out, files));
@@ -127,8 +125,7 @@ void AddProtocol(const Commands& program) {
 
 void AddPrompts(const Commands& program) {
   program.Add("prompts", "Write the prompts for language models, to change them.", WritePrompts,
-              "Keep the files that you change and remove the rest: the installed ones serve then, also those of "
-              "later versions.");
+              "Keep the files that you change and delete the others, so that those of the installed version are used.");
 }
 
 }  // namespace flair::cli

@@ -20,14 +20,14 @@ namespace {
 struct RenderArguments : Options {
   using Options::Options;
   std::string& layout = Required("LAYOUT", "A layout: layout.pb or layout.json of a design");
-  std::string& out =
-      Required("-o,--out FILE",
-               "Where the picture goes; the ending says the format: png jpg tif, plans also svg pdf, views also exr");
+  std::string& out = Required(
+      "-o,--out FILE",
+      "Where the picture goes; the extension chooses the format: png jpg tif, plans also svg pdf, views also exr");
   RenderFlags flags{command()};
   std::string& annotations =
       Text("--annotations FILE",
            "Views: write camera, ids, boxes and poses there as JSON; with .exr, FILE.json when left out");
-  bool& no_annotations = Flag("--no-annotations", "Write none beside an .exr", {"--annotations"});
+  bool& no_annotations = Flag("--no-annotations", "Write no annotations beside an .exr", {"--annotations"});
   RendererFlags renderer{command()};
 };
 
@@ -35,7 +35,7 @@ struct RenderArguments : Options {
 absl::StatusOr<std::string> AnnotationsPath(const RenderArguments& arguments, const v1::RenderOptions& options) {
   if (options.view() == v1::PREVIEW_VIEW_PLAN) {
     if (arguments.annotations.empty()) return "";
-    return absl::InvalidArgumentError("--annotations: is for the ray-traced views; leave it out for a plan");
+    return absl::InvalidArgumentError("--annotations: is for ray-traced views; leave it out for a plan");
   }
   if (!arguments.annotations.empty()) return arguments.annotations;
   if (options.format() != v1::PREVIEW_FORMAT_EXR || arguments.no_annotations) return "";
@@ -80,7 +80,7 @@ absl::Status Render(const RenderArguments& arguments) {
 
 void AddRender(const Commands& program) {
   program.Add("render", "Draw a layout: a plan to scale, or a ray-traced view.", Render,
-              "Files are written whole or not at all, and the same layout and options give the same bytes. "
+              "Files are written completely or not at all; the same layout and options give the same bytes. "
               "Examples:\n"
               "  flair render out/layout.pb --out plan.pdf --paper a4 --scale 1:50 --layers all\n"
               "  flair render out/layout.pb --view birdseye --out room.png --samples 64\n"

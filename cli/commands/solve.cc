@@ -31,9 +31,9 @@ struct SolveArguments : Options {
       "GRAPH", "A graph: graph.pb or graph.json of a design, digits of its id, or JOB/translation; may be edited");
   SourceFlags source{command()};
   std::string& out = Text("-o,--out FILE", "Where the layout (.pb) goes; variants beside it, as FILE-2, FILE-3");
-  bool& stats = Flag("--stats", "Print stages, terms, missed constraints and measures");
+  bool& stats = Flag("--stats", "Print stages, terms, violated constraints and measures");
   SolveFlags flags{command()};
-  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of one in this process");
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of the built-in one");
 };
 
 // A layout as an artifact that was made from another one, with these options.
@@ -100,11 +100,11 @@ struct ResolveArguments : Options {
       Required("LAYOUT", "A layout: layout.pb or layout.json of a design, digits of its id, or JOB/solve");
   SourceFlags source{command()};
   std::string& out = Required("-o,--out FILE", "Where the layout (.pb) goes");
-  std::vector<std::string>& edits = List("--edit TEXT", "A change, see below; may be given often");
-  std::string& edits_file = Text("--edits FILE", "Changes as protobuf text: edits { ... }, after all --edit");
-  int64_t& seed = SeedNumber("Seed; another seed, another layout (0)");
+  std::vector<std::string>& edits = List("--edit TEXT", "A change, see below; may be repeated");
+  std::string& edits_file = Text("--edits FILE", "Changes as protobuf text: edits { ... }; applied after all --edit");
+  int64_t& seed = SeedNumber("Seed; another seed gives another layout (0)");
   bool& leave_out = Flag("--leave-out", "Leave out what does not fit");
-  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of one in this process");
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Use this server instead of the built-in one");
 };
 
 constexpr char kEditsExample[] = "changes, such as: edits { pin_object_id: \"bed\" }";
@@ -145,7 +145,7 @@ absl::Status Resolve(const ResolveArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact before, OpenArtifact(arguments.layout, arguments.source));
   if (!before.has_solved_layout()) {
     return absl::InvalidArgumentError(
-        fmt::format("{}: not a layout; give what flair solve or design wrote", arguments.layout));
+        fmt::format("{}: not a layout; give a layout.pb of flair solve or flair design", arguments.layout));
   }
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   ASSIGN_OR_RETURN(const v1::ResolveRequest request, MakeRequest(arguments, before));
@@ -172,7 +172,7 @@ void AddResolve(const Commands& program) {
       "  resize wardrobe 1.5x0.6x2.1                add lamp 0.4x0.4x1.5 near sofa\n"
       "  weight e17 3                drop e17\n"
       "  edge against_wall object=desk side=back\n"
-      "Metres and degrees, counter-clockwise: 0 faces north, 90 west. What is moved is pinned. flair inspect LAYOUT "
+      "Metres and degrees, counter-clockwise: 0 faces north, 90 west. Moved objects are pinned. flair inspect LAYOUT "
       "lists the ids of objects and constraints. See docs/resolve.md.");
 }
 

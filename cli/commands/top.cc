@@ -22,11 +22,10 @@ namespace {
 struct TopArguments : Options {
   using Options::Options;
   std::string& orchestrator =
-      Text("--orchestrator HOST:PORT",
-           "Watch the cluster of this one, which knows all of its queue, instead of the local store");
-  double& interval_seconds = Decimal("--interval S", 0.05, 3600, 2, "Seconds between looks, 0.05 to 3600 (2)");
-  bool& once = Flag("--once", "Print once, after two looks");
-  bool& json = Flag("--json", "One JSON object per line and look");
+      Text("--orchestrator HOST:PORT", "Watch the cluster of this orchestrator instead of the local store");
+  double& interval_seconds = Decimal("--interval S", 0.05, 3600, 2, "Seconds between updates, 0.05 to 3600 (2)");
+  bool& once = Flag("--once", "Print once and exit");
+  bool& json = Flag("--json", "One JSON object per line and update");
 };
 
 // Another look may work: the orchestrator is away, busy or stopping, which cancels its calls.
@@ -56,7 +55,7 @@ class Top {
   absl::Status Explain(const absl::Status& status) const {
     if (absl::IsUnimplemented(status)) {
       return absl::UnimplementedError(
-          fmt::format("{}: this orchestrator is too old to tell how its cluster does", address_));
+          fmt::format("{}: this orchestrator is too old to report on its cluster", address_));
     }
     return status;
   }
@@ -140,7 +139,7 @@ absl::Status WatchCluster(const TopArguments& arguments) {
 
 void AddTop(const Commands& program) {
   program.Add("top",
-              "Watch a cluster or the local store live: queue, batches, orchestrators, workers. Printed once when not "
+              "Watch a cluster or the local store live: queue, batches, orchestrators, workers. Prints once when not "
               "on a terminal.",
               WatchCluster);
 }

@@ -209,7 +209,7 @@ std::string ContestText(const Contest& contest, const std::vector<std::string>& 
   text += "\n" + table.Header() + VerdictLines(contest, table, all);
   const bool is_any_unknown = std::ranges::any_of(contest.trials, [](const Trial& t) { return t.unknown_count > 0; });
   if (is_any_unknown) {
-    text += fmt::format("* by the optimizer's own account: our catalogue does not have the type of {}\n",
+    text += fmt::format("* the optimizer's own verdict: our catalogue does not have the type of {}\n",
                         Counted(contest.trials.front().unknown_count, "constraint"));
   }
   return text;

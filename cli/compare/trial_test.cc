@@ -66,7 +66,7 @@ TEST(Trial, ATypeThatWeDoNotKnowKeepsTheOptimizersVerdictAndIsMarked) {
   const Contest contest{.name = "g", .graph = request.layout_graph(), .seed = 5, .trials = {*trial, *trial}};
   EXPECT_THAT(ContestText(contest, {"own", "theirs"}, true),
               AllOf(HasSubstr("g: 1 object, 2 constraints, seed 5"), HasSubstr("holds*"),
-                    HasSubstr("* by the optimizer's own account: our catalogue does not have the type of 1")));
+                    HasSubstr("* the optimizer's own verdict: our catalogue does not have the type of 1")));
 }
 
 TEST(Trial, AnAnswerWithAnotherGraphIsJudgedOnTheGraphThatWasGiven) {

@@ -196,7 +196,7 @@ TEST(Diff, TwoKindsAreRefused) {
   v1::Artifact room;
   *room.mutable_room() = testing::BedroomRoom();
   EXPECT_EQ(CompareArtifacts(Layout(), room).status().message(),
-            "the first is a solved layout, the second a room; give two of a kind");
+            "the first is a solved layout, the second a room; give two of the same kind");
 }
 
 TEST(Diff, ConstraintsBeforeAndAfterCleaningGoTogether) {

@@ -83,7 +83,7 @@ bool Difference::IsEmpty() const {
 
 absl::StatusOr<Difference> CompareArtifacts(const v1::Artifact& a, const v1::Artifact& b) {
   if (a.content_case() != b.content_case() && !(IsListOfConstraints(a) && IsListOfConstraints(b))) {
-    return absl::InvalidArgumentError(fmt::format("the first is a {}, the second a {}; give two of a kind",
+    return absl::InvalidArgumentError(fmt::format("the first is a {}, the second a {}; give two of the same kind",
                                                   KindName(orchestrator::KindOf(a)),
                                                   KindName(orchestrator::KindOf(b))));
   }
@@ -194,7 +194,7 @@ std::string DifferenceText(const Difference& difference, const std::string& a, c
     return fmt::format("{} and {} are the same {}\n", a, b, KindName(difference.kind));
   }
   std::string text = fmt::format("A {}\nB {}\n", a, b);
-  if (difference.content_is_same) text += "the content is the same, byte for byte; what it was made by is not\n";
+  if (difference.content_is_same) text += "the content is the same, byte for byte; the producer is not\n";
   std::string same;
   for (const Section& section : difference.sections) {
     if (section.changes.empty() && section.note.empty()) {

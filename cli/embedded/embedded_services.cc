@@ -149,8 +149,8 @@ absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path
   std::error_code error;
   std::filesystem::create_directories(store_path, error);
   if (error) {
-    return FileError(fmt::format("{}: the store cannot be made: {}; set FLAIR_HOME to a folder that can be written",
-                                 store_path, error.message()));
+    return FileError(fmt::format("{}: the store cannot be created: {}; set FLAIR_HOME to a writable folder", store_path,
+                                 error.message()));
   }
   config::v1::OrchestratorConfig config;
   *config.mutable_runtime() = QuietRuntime();
@@ -233,7 +233,7 @@ absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& s
   const absl::Status answer = stage.ask_nothing(*channel);
   if (absl::IsUnimplemented(answer)) {
     return absl::InvalidArgumentError(fmt::format(
-        "{} {}: the server there is no {}; is this the port of another stage?", stage.flag, address, stage.service));
+        "{} {}: the server there is not a {}; is this the port of another stage?", stage.flag, address, stage.service));
   }
   if (absl::Status silence = Silence(answer); !silence.ok()) return InWords(stage, address, silence);
   return channel;

@@ -94,7 +94,7 @@ TEST(RemoteStage, ThePortOfAnotherStageIsRefused) {
   const absl::Status status = ConnectToStage(kRendererStage, server.address()).status();
   EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
   EXPECT_THAT(std::string(status.message()),
-              HasSubstr("--renderer " + server.address() + ": the server there is no flair.v1.RendererService"));
+              HasSubstr("--renderer " + server.address() + ": the server there is not a flair.v1.RendererService"));
 }
 
 TEST(RemoteStage, SilenceNamesFlagAddressAndService) {

@@ -107,7 +107,7 @@ TEST(Standing, NamesWallsCornersAndNeighbours) {
             "stands in the south-west corner, its back to the south wall");
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 3,1,0", "bed"), "stands with its back to the south wall, in its middle");
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 2,1,0; stool 0.4x0.4 at 3,0.2,0", "bed"),
-            "stands with its back to the south wall, 1.20 m from its west end, with the stool at its right");
+            "stands with its back to the south wall, 1.20 m from its west end, with the stool on its right");
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 2,1,0; stool 0.4x0.4 at 3.5,0.2,0", "bed"),
             "stands with its back to the south wall, 1.20 m from its west end; 0.50 m to the stool");
 }
@@ -116,7 +116,7 @@ TEST(Standing, NamesWhatAChairIsDrawnUpTo) {
   const char* const scene = "6x4 room; desk 1.2x0.6 at 3,0.3,0; chair 0.5x0.5 at 3,0.9,180";
   EXPECT_EQ(Placed(scene, "chair"), "stands drawn up to the desk");
   EXPECT_EQ(Placed("6x4 room; desk 1.2x0.6 at 3,0.3,0; table 0.5x0.5 at 3,0.9,180", "table"),
-            "stands right before the desk");
+            "stands right in front of the desk");
 }
 
 TEST(Standing, OfARoomThatIsNoRectangleNamesTheWallAndWhereItIs) {

@@ -17,8 +17,8 @@ namespace flair::cli {
 namespace {
 
 // What a fate is called here.
-const std::map<std::string_view, const char*> kFateWords = {{"missed", "not met"},
-                                                            {"dropped", "left out of account"},
+const std::map<std::string_view, const char*> kFateWords = {{"missed", "violated"},
+                                                            {"dropped", "not taken into account"},
                                                             {"not_understood", "not understood"},
                                                             {"not understood", "not understood"}};
 
@@ -46,7 +46,7 @@ std::string ShortfallText(const Note& demand) {
   for (const std::string_view limit : {", at most ", ", at least ", ", not "}) {
     const size_t at = text.rfind(limit);
     if (at == std::string::npos) continue;
-    return fmt::format("{}; asked was {}{}.", text.substr(0, at), text.substr(at + 2), MissedBy(demand));
+    return fmt::format("{}; required: {}{}.", text.substr(0, at), text.substr(at + 2), MissedBy(demand));
   }
   return fmt::format("{}{}.", text, MissedBy(demand));
 }
@@ -69,7 +69,7 @@ std::string DemandLine(const Note& demand, const NoteStyle& style) {
   std::string text = demand.contains("sentence") ? fmt::format("{}: \"{}.\"", word, about_it)
                                                  : fmt::format("{}: that it {}.", word, about_it.substr(3));
   if (demand.contains("shortfall")) text += " " + ShortfallText(demand);
-  if (!reason.empty()) text += fmt::format(" It was asked because: {}.", reason);
+  if (!reason.empty()) text += fmt::format(" Reason: {}.", reason);
   return Bullet('!', text + IdsText(demand), style);
 }
 
@@ -92,8 +92,8 @@ std::string Introduction(const Note& object) {
   if (!object["placed"]) return Sentence(fmt::format("{} {} not placed", name, plural ? "are" : "is"));
   const std::string stands = object["stands"];
   std::string text = fmt::format("{} {}.", Capital(name), plural ? InPlural(stands) : stands);
-  if (object.contains("pinned")) text += " The user put it there.";
-  if (object.contains("requested")) text += " It was asked for.";
+  if (object.contains("pinned")) text += " The user placed it there.";
+  if (object.contains("requested")) text += " The brief asks for it.";
   return text;
 }
 
@@ -107,10 +107,10 @@ std::string ObjectLines(const Note& object, const NoteStyle& style) {
   }
   text += failed;
   if (object["placed"] && object["demands"].empty()) {
-    text += Bullet('-', "Nothing was asked of it: it stands where the others leave it room.", style);
+    text += Bullet('-', "No constraint concerns it: it stands where there is room.", style);
   }
   if (object.contains("followers")) {
-    text += Bullet('-', fmt::format("Its place decides that of {}.", Joined(object["followers"])), style);
+    text += Bullet('-', fmt::format("Placed relative to it: {}.", Joined(object["followers"])), style);
   }
   for (const std::string remark : object.value("remarks", Note::array())) text += Bullet('!', Sentence(remark), style);
   return text;
@@ -123,7 +123,7 @@ std::string CountText(const Note& note) {
     all += count.get<int>();
     if (fate != "holds" && count > 0) wrong.push_back(fmt::format("{} {}", count.get<int>(), kFateWords.at(fate)));
   }
-  if (all == 0) return "Nothing was asked of its objects.";
+  if (all == 0) return "No constraint concerns its objects.";
   if (wrong.empty()) return all == 1 ? "Its one demand holds." : fmt::format("All {} demands hold.", all);
   return fmt::format("Of {} {}; {} (marked \"!\").", Counted(all, "demand"),
                      Counted(note["demand_count"]["holds"].get<int>(), "holds", "hold"), Joined(wrong));
@@ -145,7 +145,7 @@ std::string NoteText(const Note& note, const NoteStyle& style) {
     for (const Note& object : zone["objects"]) text += ObjectLines(object, style);
   }
   if (note.contains("demands_of_no_object")) {
-    text += "\nOF NO OBJECT\n";
+    text += "\nABOUT OBJECTS THAT ARE NOT PLACED\n";
     for (const Note& demand : note["demands_of_no_object"]) text += DemandLine(demand, style);
   }
   return text + ListText("LEFT OUT", note["left_out"], style) +

@@ -59,9 +59,7 @@ class Place {
   Frame<double> FrameAt(int object) const { return FrameOf(where_.layout[static_cast<size_t>(object)]); }
   Box<double> BoxAt(int object) const { return {At(object).footprint, FrameAt(object)}; }
   double GapTo(int other) const { return Gap<double>(BoxAt(index_), BoxAt(other)); }
-  bool StandsSolid(int object) const {
-    return object != index_ && IsPlaced(object) && IsSolid(At(object));
-  }
+  bool StandsSolid(int object) const { return object != index_ && IsPlaced(object) && IsSolid(At(object)); }
 
   // Sides that lie on a wall: back first.
   std::vector<WallContact> Contacts() const {
@@ -130,7 +128,7 @@ class Place {
     }
     if (const Opening* const window = WindowBehind(*first.wall)) {
       words += scene_.BottomOf(index_) + object_.height_m <= window->sill_height_m + 0.05 ? ", under a window"
-                                                                                          : ", before a window";
+                                                                                          : ", in front of a window";
     }
     return words;
   }
@@ -145,7 +143,7 @@ class Place {
   // For what stands free: at what it looks, or the wall it is nearest to.
   std::string OffWalls(int seen) const {
     if (seen >= 0 && GapTo(seen) < kDrawnUp_m) {
-      return fmt::format("stands {} {}", IsSeat() ? "drawn up to" : "right before", Name(seen));
+      return fmt::format("stands {} {}", IsSeat() ? "drawn up to" : "right in front of", Name(seen));
     }
     double least_m = std::numeric_limits<double>::infinity();
     const Wall* nearest = &scene_.room.walls.front();
@@ -177,8 +175,8 @@ class Place {
     const Vec2<double> p = frame_.ToObject(FrameAt(other).center);
     const double x = p.x / (object_.footprint.width_m + At(other).footprint.width_m);
     const double y = p.y / (object_.footprint.depth_m + At(other).footprint.depth_m);
-    if (std::abs(x) > std::abs(y)) return x < 0 ? "at its left" : "at its right";
-    return y < 0 ? "behind it" : "before it";
+    if (std::abs(x) > std::abs(y)) return x < 0 ? "on its left" : "on its right";
+    return y < 0 ? "behind it" : "in front of it";
   }
 
   // What touches it, else what is next; but for what has been named already.
@@ -211,7 +209,7 @@ class Place {
     }
     if (!above.empty()) return fmt::format("lies on the floor under {}", Joined(above));
     for (const WallContact& contact : Contacts()) return fmt::format("lies at {}", WallInWords(*contact.wall));
-    return "lies free on the floor";
+    return "lies on the open floor";
   }
 
   // The solid thing of the floor under its centre that reaches up to it, the highest one; -1 for none.

@@ -268,14 +268,14 @@ absl::StatusOr<std::string> RunDot(const std::string& text, const std::string& f
   const int status = pclose(dot);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (code == 127) {
-    return FileError("dot: no such program: Graphviz draws graphs; apt-get install graphviz, or write --out FILE.dot");
+    return FileError("dot: not found: Graphviz draws graphs; apt-get install graphviz, or write --out FILE.dot");
   }
   if (code == 124) {
     return absl::DeadlineExceededError(
-        fmt::format("dot: not done within {} s; --out FILE.dot writes what it would read", kWithin_s));
+        fmt::format("dot: not finished within {} s; --out FILE.dot writes its input", kWithin_s));
   }
   if (code != 0 || bytes.empty()) {
-    return absl::InternalError(fmt::format("dot: it failed: {}", ReadAll(said).substr(0, kMostWords)));
+    return absl::InternalError(fmt::format("dot: failed: {}", ReadAll(said).substr(0, kMostWords)));
   }
   return format == "pdf" ? WithoutTime(std::move(bytes)) : bytes;
 }

@@ -118,7 +118,7 @@ TEST(RunDot, TheSameTextGivesTheSameBytes) {
 TEST(RunDot, WhatGraphvizCannotReadIsItsErrorInWords) {
   const absl::StatusOr<std::string> svg = RunDot("digraph { a -> ", "svg");
   EXPECT_EQ(svg.status().code(), absl::StatusCode::kInternal);
-  EXPECT_THAT(std::string(svg.status().message()), HasSubstr("dot: it failed: Error: <stdin>: syntax error"));
+  EXPECT_THAT(std::string(svg.status().message()), HasSubstr("dot: failed: Error: <stdin>: syntax error"));
 }
 
 }  // namespace

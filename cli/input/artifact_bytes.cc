@@ -160,13 +160,13 @@ absl::Status Corrupt(const std::string& name, const std::string& bytes) {
         fmt::format("{}: corrupt: cut off after {} bytes; at least {} are missing", name, bytes.size(), *missing));
   }
   return absl::DataLossError(
-      fmt::format("{}: corrupt: its {} bytes begin as an artifact and then are none", name, bytes.size()));
+      fmt::format("{}: corrupt: its {} bytes begin like an artifact but cannot be parsed", name, bytes.size()));
 }
 
 absl::Status Newer(const std::string& name, const v1::Artifact& artifact, const std::string& unknown) {
   const std::string& build = artifact.producer().build();
   return absl::InvalidArgumentError(
-      fmt::format("{}: made by a newer Flair{}: it has parts that this one does not know ({}); read it with that one",
+      fmt::format("{}: made by a newer Flair{}: it has parts that this version does not know ({}); use the newer one",
                   name, build.empty() ? "" : ", build " + build, unknown));
 }
 

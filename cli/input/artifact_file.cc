@@ -40,7 +40,8 @@ absl::StatusOr<v1::Artifact> ParseText(const std::string& name, ArtifactForm for
   if (absl::Status status = ParseMessageText(TextFormOf(form), name, text, artifact); !status.ok()) {
     if (form == ArtifactForm::kJson && LooksRecorded(text)) {
       return absl::InvalidArgumentError(fmt::format(
-          "{0}: a recorded FlairGPT problem, no artifact; first: flair-dev import flairgpt {0} --out graph.pb", name));
+          "{0}: a recorded FlairGPT problem, not an artifact; first: flair-dev import flairgpt {0} --out graph.pb",
+          name));
     }
     return status;
   }
@@ -54,7 +55,7 @@ absl::StatusOr<v1::Artifact> ParseText(const std::string& name, ArtifactForm for
 
 absl::Status BadId(const std::string& name, const v1::Artifact& artifact) {
   return absl::DataLossError(
-      fmt::format("{}: corrupt: its bytes have the id {}, but it says {}. Who changed it on purpose clears its id",
+      fmt::format("{}: corrupt: its bytes have the id {}, but it says {}. If you changed it on purpose, clear its id",
                   name, orchestrator::ComputeArtifactId(artifact), artifact.id().empty() ? "none" : artifact.id()));
 }
 
@@ -200,7 +201,7 @@ absl::StatusOr<v1::Brief> ReadBrief(const std::string& flag, const std::string& 
   if (!*is_artifact) return brief;
   if (artifact.has_brief()) return artifact.brief();
   return absl::InvalidArgumentError(fmt::format(
-      "{}: {}: an artifact without a brief; should be brief.pb or brief.json of a design, or a Brief", flag, path));
+      "{}: {}: an artifact without a brief; expected brief.pb or brief.json of a design, or a Brief", flag, path));
 }
 
 namespace {

@@ -54,10 +54,10 @@ absl::StatusOr<FoundSource> FindByDigits(const std::string& digits, ArtifactShel
   if (ids.size() == 1) return FromShelf(digits, ids.front(), shelf);
   if (ids.empty()) {
     return absl::NotFoundError(
-        fmt::format("{}: no such file, and no artifact in {} has an id that begins so", digits, shelf.name()));
+        fmt::format("{}: no such file, and no artifact in {} has an id that begins like this", digits, shelf.name()));
   }
-  return absl::InvalidArgumentError(fmt::format("{}: {} artifacts have ids that begin so: {}; give more digits", digits,
-                                                ids.size(), ListNames(ids, 5)));
+  return absl::InvalidArgumentError(fmt::format("{}: {} artifacts have ids that begin like this: {}; give more digits",
+                                                digits, ids.size(), ListNames(ids, 5)));
 }
 
 // The kind that a stage makes, by the stage's name or by that of the file that holds it.
@@ -93,7 +93,7 @@ absl::StatusOr<FoundSource> FindInJob(const std::string& source, ArtifactShelf& 
   }
   const std::string stage = source.substr(slash + 1);
   return absl::InvalidArgumentError(
-      fmt::format("{}: \"{}\" is no stage{}; {}", source, stage, DidYouMean(stage, stages), has));
+      fmt::format("{}: \"{}\" is not a stage{}; {}", source, stage, DidYouMean(stage, stages), has));
 }
 
 }  // namespace

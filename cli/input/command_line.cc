@@ -174,7 +174,7 @@ std::string UnexpectedWord(const CalledCommand& called, const std::vector<std::s
     return fmt::format("{}: {} has no such command{}; {} --help lists them", word, called.name,
                        DidYouMean(word, commands), called.name);
   }
-  return fmt::format("\"{}\": is more than {} takes; put text of several words in quotes", word, called.name);
+  return fmt::format("\"{}\": unexpected argument of {}; put text of several words in quotes", word, called.name);
 }
 
 // The part of CLI11's message before `words`, with which it goes on.
@@ -213,7 +213,7 @@ absl::Status UsageError(const CLI::App& program, const CLI::ParseError& error) {
   } else if (error.get_name() == "ArgumentMismatch" && message.find(" missing") != std::string::npos) {
     text = SubjectOf(message, ":") + ": its value is missing" + more;
   } else if (error.get_name() == "ArgumentMismatch" && message.find(" received ") != std::string::npos) {
-    text = SubjectOf(message, ":") + ": given more than once; once is right";
+    text = SubjectOf(message, ":") + ": given more than once";
   } else if (error.get_name() == "ValidationError") {
     text = message;
   }

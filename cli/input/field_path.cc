@@ -245,7 +245,7 @@ std::string ValuesInWords(const FieldDescriptor& field) {
     words.pop_back();
     one = words.empty() ? last : fmt::format("{} or {}", fmt::join(words, ", "), last);
   }
-  return (field.is_repeated() ? "several, with commas between, of: " : "") + one;
+  return (field.is_repeated() ? "several, separated by commas, of: " : "") + one;
 }
 
 namespace {

@@ -29,7 +29,7 @@ absl::Status NotThere(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path target = std::filesystem::read_symlink(path, error);
   if (error) return absl::NotFoundError(fmt::format("{}: no such file", path.string()));
-  return absl::NotFoundError(fmt::format("{}: a link to {}, which is not there", path.string(), target.string()));
+  return absl::NotFoundError(fmt::format("{}: a link to {}, which does not exist", path.string(), target.string()));
 }
 
 // What is no regular file is not read: it may have no end, or wait for one.
@@ -40,7 +40,7 @@ absl::Status CheckKind(const std::filesystem::path& path, const struct stat& sta
   if (S_ISSOCK(status.st_mode)) kind = "a socket";
   if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)) kind = "a device";
   if (kind != nullptr) {
-    return FileError(fmt::format("{}: is {}; write what it gives to a file and give that", path.string(), kind));
+    return FileError(fmt::format("{}: is {}; save its output to a file and give that", path.string(), kind));
   }
   if (status.st_size >= 0 && static_cast<size_t>(status.st_size) <= kLargestFile) return absl::OkStatus();
   return absl::InvalidArgumentError(
@@ -83,10 +83,10 @@ namespace fs = std::filesystem;
 absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, const std::string& name, size_t most) {
   std::error_code error;
   if (!fs::exists(root, error) && !error) {
-    return absl::NotFoundError(fmt::format("{}: no such folder; give one of designs", root.string()));
+    return absl::NotFoundError(fmt::format("{}: no such folder; give a folder of designs", root.string()));
   }
   if (!fs::is_directory(root, error)) {
-    return FileError(fmt::format("{}: is no folder; give one of designs", root.string()));
+    return FileError(fmt::format("{}: is not a folder; give a folder of designs", root.string()));
   }
   std::vector<fs::path> found;
   if (fs::is_regular_file(root / name, error)) found.push_back(root);

@@ -42,7 +42,7 @@ TEST_F(Files, LinksAreFollowedToAFile) {
   ::symlink("first", Path("second").c_str());
   EXPECT_EQ(ReadFile(Path("second")).value(), "content");
   ::symlink("nowhere", Path("broken").c_str());
-  ExpectRefused(Path("broken"), absl::StatusCode::kNotFound, "a link to nowhere, which is not there");
+  ExpectRefused(Path("broken"), absl::StatusCode::kNotFound, "a link to nowhere, which does not exist");
   ::symlink("itself", Path("itself").c_str());
   ExpectRefused(Path("itself"), absl::StatusCode::kFailedPrecondition, "leads back to itself");
   ::symlink("/dev/zero", Path("device").c_str());
@@ -51,7 +51,7 @@ TEST_F(Files, LinksAreFollowedToAFile) {
 
 TEST_F(Files, WhatIsNoFileIsRefusedAtOnce) {
   ::mkfifo(Path("pipe").c_str(), 0600);
-  ExpectRefused(Path("pipe"), absl::StatusCode::kFailedPrecondition, "is a pipe; write what it gives to a file");
+  ExpectRefused(Path("pipe"), absl::StatusCode::kFailedPrecondition, "is a pipe; save its output to a file");
   ExpectRefused(folder_.path(), absl::StatusCode::kFailedPrecondition, "is a folder");
   ExpectRefused("/dev/null", absl::StatusCode::kFailedPrecondition, "is a device");
   ExpectRefused(Path("none"), absl::StatusCode::kNotFound, "no such file");

@@ -48,8 +48,8 @@ struct FlagOption {
 
 constexpr FlagOption kFlagOptions[] = {
     {"brief.seed", "brief.seed", "--seed N", 0, kLargestSeed,
-     "Another seed, another design; the same seed, the same bytes (0)"},
-    {"optimizer.seed", "optimizer.seed", "--seed N", 0, kLargestSeed, "Seed; another seed, another layout (0)"},
+     "Seed; another seed gives another design, the same seed the same bytes (0)"},
+    {"optimizer.seed", "optimizer.seed", "--seed N", 0, kLargestSeed, "Seed; another seed gives another layout (0)"},
     {"optimizer.restarts", "optimizer.max_restart_count", "--restarts N", 1, 10000,
      "Most restarts per stage of the solver, 1 to 10000 (by the stage's size)"},
     {"optimizer.threads", "optimizer.thread_count", "--threads N", 1, 256,
@@ -69,15 +69,16 @@ constexpr FlagOption kFlagOptions[] = {
      "Longer side in pixels, 256 to 8192 (plan 1600, views 1024)"},
     {"renderer.dpi", "renderer.dpi", "--dpi N", 36, 1200,
      "Plans: dots per inch of paper, 36 to 1200, instead of --size"},
-    {"renderer.paper", "renderer.paper", "--paper SIZE", 0, 0, "Plans: a4 or a3 (a3); the room decides which way up"},
+    {"renderer.paper", "renderer.paper", "--paper SIZE", 0, 0,
+     "Plans: a4 or a3 (a3), portrait or landscape as the room needs"},
     {"renderer.scale", "renderer.scale_denominator", "--scale 1:N", 0, 0,
      "Plans: 1:N, N 5 to 1000 (the largest common one that fits the paper)"},
     {"renderer.layers", "renderer.layers", "--layers A,B", 0, 0,
-     "Plans: some of floor_pieces, tertiary, zones, dimensions, constraints, circulation, with commas; or all (without "
-     "the flag: the first four)"},
+     "Plans: some of floor_pieces, tertiary, zones, dimensions, constraints, circulation, separated by commas, or all "
+     "(the first four)"},
     {"renderer.samples", "renderer.sample_count", "--samples N", 1, 4096,
-     "Views: paths of light per pixel, 1 to 4096 (16)"},
-    {"renderer.seed", "renderer.seed", "--seed N", 0, kLargestSeed, "Views: another grain (0)"},
+     "Views: light paths per pixel, 1 to 4096 (16)"},
+    {"renderer.seed", "renderer.seed", "--seed N", 0, kLargestSeed, "Views: seed of the noise (0)"},
     {"renderer.camera.eye_m", "renderer.camera.eye_m", "--camera X,Y,Z", 0, 0,
      "Views: where the camera is, metres in the room"},
     {"renderer.camera.target_m", "renderer.camera.target_m", "--look-at X,Y,Z", 0, 0, "Views: what it looks at"},
@@ -89,8 +90,7 @@ constexpr FlagOption kFlagOptions[] = {
      "Most US dollars, 0 to 1000000, by the prices of the --llm file"},
     {"models.stand_in", "models.stand_in_allowed", "--stand-in", 0, 0,
      "Where the model fails, the handbook or the grammar answers, and the report says so"},
-    {"models.omit_texts", "models.texts_omitted", "--omit-texts", 0, 0,
-     "Keep questions and answers out of what is stored"},
+    {"models.omit_texts", "models.texts_omitted", "--omit-texts", 0, 0, "Do not store questions and answers"},
 };
 
 const FlagOption* FindFlag(std::string_view text, std::string_view FlagOption::*member) {
@@ -154,7 +154,7 @@ absl::Status NoSuchOption(const std::string& name) {
   const OptionGroup* const group = GroupOf(name);
   const auto text = [](std::string* out, const OptionName& option) { *out += option.name; };
   return absl::InvalidArgumentError(
-      fmt::format("--set {}: there is no such option; one of {}", name,
+      fmt::format("--set {}: no such option; expected one of {}", name,
                   absl::StrJoin(group == nullptr ? OptionNames() : NamesOf(*group), ", ", text)));
 }
 
@@ -166,7 +166,7 @@ absl::Status SetMember(const char* flag, const std::string& group, const std::st
     if (option.name.starts_with(group)) names.push_back(option.name.substr(group.size()));
   }
   return absl::InvalidArgumentError(
-      fmt::format("{}: {}: should be NAME=VALUE, a number for one of {}", flag, text, fmt::join(names, ", ")));
+      fmt::format("{}: {}: expected NAME=VALUE, a number for one of {}", flag, text, fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ absl::StatusOr<std::string_view> SetOption(const std::string& assignment, v1::Jo
   const std::string name(absl::StripAsciiWhitespace(assignment.substr(0, equals)));
   if (equals == std::string::npos) {
     return absl::InvalidArgumentError(
-        fmt::format("--set {}: should be NAME=VALUE, such as optimizer.restarts=500", assignment));
+        fmt::format("--set {}: expected NAME=VALUE, such as optimizer.restarts=500", assignment));
   }
   // On a copy: what fails must not leave a message that was made on the way.
   v1::JobSpec changed = spec;
@@ -193,7 +193,7 @@ absl::StatusOr<std::string_view> SetOption(const std::string& assignment, v1::Jo
   const std::string value(absl::StripAsciiWhitespace(assignment.substr(equals + 1)));
   if (!SetValue(value, *place.field, *place.message)) {
     return absl::InvalidArgumentError(
-        fmt::format("--set {}: {}: should be {}", name, value, ValuesInWords(*place.field)));
+        fmt::format("--set {}: {}: expected {}", name, value, ValuesInWords(*place.field)));
   }
   spec = std::move(changed);
   return GroupOf(name)->stage;
@@ -288,7 +288,7 @@ absl::StatusOr<v1::PreviewView> ViewOfName(const std::string& name) {
   const auto* const view = FindWord(*v1::PreviewView_descriptor(), name);
   if (view != nullptr) return static_cast<v1::PreviewView>(view->number());
   const auto& field = *v1::RenderOptions::descriptor()->FindFieldByName("view");
-  return absl::InvalidArgumentError(fmt::format("--view: {}: should be {}", name, ValuesInWords(field)));
+  return absl::InvalidArgumentError(fmt::format("--view: {}: expected {}", name, ValuesInWords(field)));
 }
 
 absl::StatusOr<v1::PreviewFormat> FormatOfFile(const std::string& path) {
@@ -301,7 +301,7 @@ absl::StatusOr<v1::PreviewFormat> FormatOfFile(const std::string& path) {
     if (ending == known) return format;
   }
   return absl::InvalidArgumentError(
-      fmt::format("--out: {}: its ending says the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf{}", path,
+      fmt::format("--out: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf{}", path,
                   ending == ".glb" ? "; for a 3D scene: flair export scene LAYOUT --format glb --out FILE" : ""));
 }
 

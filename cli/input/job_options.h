@@ -82,7 +82,8 @@ absl::StatusOr<v1::SolveOptions> ReadSolveFlags(const SolveFlags& flags);
 // How to draw.
 struct RenderFlags : JobFlags {
   explicit RenderFlags(CLI::App& command);
-  double& field_of_view_deg = Decimal("--fov DEG", 6, 148, 0, "Views: its vertical angle in degrees, 6 to 148 (57.3)");
+  double& field_of_view_deg =
+      Decimal("--fov DEG", 6, 148, 0, "Views: vertical field of view in degrees, 6 to 148 (57.3)");
 };
 
 // The options for a picture that goes to the file `out`, whose ending says the format. INVALID_ARGUMENT names the flag

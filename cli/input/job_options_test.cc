@@ -60,27 +60,27 @@ TEST(SetOption, ReplacesLists) {
 TEST(SetOption, SaysWhatThereIs) {
   EXPECT_EQ(After("renderer.layers=all"), After("renderer.layers=floor_pieces,tertiary,zones,dimensions,constraints,"
                                                 "circulation"));
-  EXPECT_THAT(After("optimizer.restart=5"), HasSubstr("--set optimizer.restart: there is no such option; one of "
+  EXPECT_THAT(After("optimizer.restart=5"), HasSubstr("--set optimizer.restart: no such option; expected one of "
                                                       "optimizer.seed, optimizer.restarts, optimizer.threads"));
   EXPECT_THAT(After("solver.seed=5"), HasSubstr("brief.seed"));
   EXPECT_THAT(After("solver.seed=5"), HasSubstr("renderer.view"));
   for (const char* option : {"brief.text=A kitchen.", "optimizer=3", "optimizer.=3", "optimizer.lambdas=3",
                              "optimizer.lambdas.balanced.x=3", "=3", "brief=1", "optimizer..seed=1"}) {
-    EXPECT_THAT(After(option), HasSubstr("there is no such option")) << option;
+    EXPECT_THAT(After(option), HasSubstr("no such option")) << option;
   }
-  EXPECT_THAT(After("optimizer.seed"), HasSubstr("should be NAME=VALUE"));
+  EXPECT_THAT(After("optimizer.seed"), HasSubstr("expected NAME=VALUE"));
 }
 
 TEST(SetOption, SaysWhatAValueShouldBe) {
-  EXPECT_EQ(After("optimizer.restarts=many"), "--set optimizer.restarts: many: should be a whole number");
-  EXPECT_EQ(After("optimizer.restarts=1.5"), "--set optimizer.restarts: 1.5: should be a whole number");
-  EXPECT_EQ(After("optimizer.restarts=99999999999"), "--set optimizer.restarts: 99999999999: should be a whole number");
-  EXPECT_EQ(After("optimizer.path_width=nan"), "--set optimizer.path_width: nan: should be a number");
+  EXPECT_EQ(After("optimizer.restarts=many"), "--set optimizer.restarts: many: expected a whole number");
+  EXPECT_EQ(After("optimizer.restarts=1.5"), "--set optimizer.restarts: 1.5: expected a whole number");
+  EXPECT_EQ(After("optimizer.restarts=99999999999"), "--set optimizer.restarts: 99999999999: expected a whole number");
+  EXPECT_EQ(After("optimizer.path_width=nan"), "--set optimizer.path_width: nan: expected a number");
   EXPECT_EQ(After("optimizer.time_limit=-1"), "--set optimizer.time_limit: -1: should be seconds");
   EXPECT_EQ(After("renderer.view=side"), "--set renderer.view: side: should be plan, birdseye or perspective");
   EXPECT_EQ(After("renderer.view=unspecified"),
             "--set renderer.view: unspecified: should be plan, birdseye or perspective");
-  EXPECT_THAT(After("renderer.layers=zones,"), HasSubstr("several, with commas between, of: floor_pieces"));
+  EXPECT_THAT(After("renderer.layers=zones,"), HasSubstr("several, separated by commas, of: floor_pieces"));
 }
 
 TEST(SetOption, ChangesNothingWhenItFails) {
@@ -167,12 +167,12 @@ TEST(SolveFlags, TheTimeLimitKeepsItsFraction) {
 
 TEST(SolveFlags, AnUnknownFactorIsToldTheKnownOnes) {
   EXPECT_THAT(ErrorOf("--lambda balance=3"),
-              HasSubstr("--lambda: balance=3: should be NAME=VALUE, a number for one of door_overlap, "));
+              HasSubstr("--lambda: balance=3: expected NAME=VALUE, a number for one of door_overlap, "));
 }
 
 TEST(SolveFlags, ValuesThatAreNoNumbersAreNamed) {
   for (const std::string text : {"balanced", "balanced=", "balanced=much", "balanced=nan", "balanced=inf"}) {
-    EXPECT_THAT(ErrorOf("--lambda " + text), HasSubstr("--lambda: " + text + ": should be NAME=VALUE, a number"));
+    EXPECT_THAT(ErrorOf("--lambda " + text), HasSubstr("--lambda: " + text + ": expected NAME=VALUE, a number"));
   }
   EXPECT_THAT(ErrorOf("--tolerance max_evaluation_count=1.5"), HasSubstr("--tolerance: max_evaluation_count=1.5: "));
 }
@@ -238,8 +238,8 @@ TEST_P(BadRenderFlags, AreRefusedWithWhatWouldBeRight) {
 }
 
 const Bad kBad[] = {
-    {"NoEnding", "", "plan", "--out: plan: its ending says the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf"},
-    {"UnknownEnding", "", "plan.bmp", "--out: plan.bmp: its ending says the format: png"},
+    {"NoEnding", "", "plan", "--out: plan: its extension chooses the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf"},
+    {"UnknownEnding", "", "plan.bmp", "--out: plan.bmp: its extension chooses the format: png"},
     {"AScene", "", "room.glb", "flair export scene LAYOUT --format glb"},
     {"PlanAsExr", "", "plan.exr", "--out: EXR is for the ray-traced views"},
     {"ViewAsSvg", "--view birdseye", "view.svg", "--out: SVG is for plans"},
@@ -248,12 +248,12 @@ const Bad kBad[] = {
     {"DpiWithSize", "--size 800 --dpi 300", "plan.png", "--size: 800 and dpi 300 say both"},
     {"DpiOfAnSvg", "--dpi 300", "plan.svg", "--dpi: 300 has no meaning for SVG and PDF"},
     {"SizeTooLarge", "--size 9000", "plan.png", "--size: 9000: expected a whole number, 256 to 8192"},
-    {"UnknownPaper", "--paper letter", "plan.pdf", "--paper: letter: should be a4 or a3"},
-    {"ScaleOfWords", "--scale 1:fifty", "plan.pdf", "--scale: 1:fifty: should be a whole number"},
-    {"ScaleTheWrongWay", "--scale 50:1", "plan.pdf", "--scale: 50:1: should be a whole number"},
+    {"UnknownPaper", "--paper letter", "plan.pdf", "--paper: letter: expected a4 or a3"},
+    {"ScaleOfWords", "--scale 1:fifty", "plan.pdf", "--scale: 1:fifty: expected a whole number"},
+    {"ScaleTheWrongWay", "--scale 50:1", "plan.pdf", "--scale: 50:1: expected a whole number"},
     {"ScaleTooSmall", "--scale 1:4", "plan.pdf", "--scale: 4 is outside [5, 1000]"},
     {"UnknownLayer", "--layers zones,walls", "plan.png",
-     "--layers: zones,walls: should be several, with commas between, of: floor_pieces"},
+     "--layers: zones,walls: should be several, separated by commas, of: floor_pieces"},
     {"SamplesOfAPlan", "--samples 9", "plan.png", "--samples: 9 is for the ray-traced views"},
     {"CameraOfAPlan", "--camera 0,0,5 --look-at 1,1,0", "plan.png", "--camera: is for the ray-traced views"},
     {"CameraWithoutTarget", "--view birdseye --camera 0,0,5", "v.png",

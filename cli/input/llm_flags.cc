@@ -31,12 +31,11 @@ constexpr FlagField kFlagFields[] = {
     {"model", nullptr, "--model NAME", "The model's name, such as gpt-4o"},
     {"base_url", nullptr, "--base-url URL",
      "Its server, such as https://api.openai.com/v1 or http://127.0.0.1:11434/v1"},
-    {"api_key_env", "api_key_path", "--api-key-env VAR",
-     "Variable of the environment that holds the key; none when not given"},
+    {"api_key_env", "api_key_path", "--api-key-env VAR", "Environment variable that holds the key (none)"},
     {"record_path", "replay_path", "--record DIR", "Write all questions and answers to this folder"},
     {"replay_path", "record_path", "--replay DIR", "Take all answers from this folder; no network"},
-    {"cache_path", nullptr, "--cache DIR", "Keep answers in this folder and ask nothing twice"},
-    {"prompts_path", nullptr, "--prompts DIR", "Your own prompts, in place of ours of the same name (flair prompts)"},
+    {"cache_path", nullptr, "--cache DIR", "Keep answers in this folder, so that nothing is asked twice"},
+    {"prompts_path", nullptr, "--prompts DIR", "Your own prompts, which replace ours of the same name (flair prompts)"},
 };
 
 // The flag that decides the field; the field itself where there is none.
@@ -65,7 +64,7 @@ void CheckVariables(const LlmConfig& config, const llm::ConfigReport& report) {
   const auto check = [&report](std::string_view field, const std::string& name) {
     const char* value = std::getenv(name.c_str());
     if (name.empty() || (value != nullptr && *value != '\0')) return;
-    report(field, fmt::format("{}: this variable of the environment is not set", name));
+    report(field, fmt::format("{}: this environment variable is not set", name));
   };
   check("api_key_env", config.api_key_env());
   for (int i = 0; i < config.headers_size(); ++i) {

@@ -104,7 +104,7 @@ TEST_F(ReadLlm, ErrorsOfFlagsNameTheFlag) {
   EXPECT_THAT(ErrorOf({"--model", "m", "--base-url", "localhost:80"}),
               StartsWith("--base-url: 'localhost:80' is no address"));
   EXPECT_EQ(ErrorOf({"--model", "m", "--base-url", "http://h/v1", "--api-key-env", "FLAIR_NO_KEY"}),
-            "--api-key-env: FLAIR_NO_KEY: this variable of the environment is not set");
+            "--api-key-env: FLAIR_NO_KEY: this environment variable is not set");
   const std::string path = FileWith("model: \"m\"\n");
   EXPECT_THAT(ErrorOf({"--llm", path, "--base-url", "ftp://h"}),
               StartsWith(path + ": --base-url: 'ftp://h' is no address"));

@@ -129,7 +129,7 @@ absl::StatusOr<v1::Room> ReadRoom(const std::filesystem::path& path) {
       return artifact.solved_layout().graph().room();
     default:
       return absl::InvalidArgumentError(
-          fmt::format("{}: an artifact without a room; should be room.pb or room.json of a design", path.string()));
+          fmt::format("{}: an artifact without a room; expected room.pb or room.json of a design", path.string()));
   }
 }
 

@@ -51,7 +51,7 @@ absl::StatusOr<std::string> CheckedToken(std::string token, const std::string& w
   const bool printable = std::ranges::all_of(token, [](char c) { return c > ' ' && c <= '~'; });
   if (printable && token.size() <= kTokenLength) return token;
   return absl::InvalidArgumentError(fmt::format(
-      "{}: that is no token; expected at most {} letters, digits and signs without spaces", where, kTokenLength));
+      "{}: not a token; expected at most {} letters, digits and signs without spaces", where, kTokenLength));
 }
 
 absl::StatusOr<std::string> TokenOf(const std::string& file, const std::string& flag) {
@@ -89,8 +89,8 @@ void AddTo(CLI::App& command, bool calls_orchestrator) {
   file("--tls-key", flags.key, "PEM file with its key")->envname("FLAIR_TLS_KEY");
   if (!calls_orchestrator) return;
   file("--token-file", flags.token_file,
-       "File with the token that the orchestrator asks for; otherwise FLAIR_TOKEN_FILE or FLAIR_TOKEN");
-  flag("--allow-insecure", flags.allow_insecure, "Send the token in plain text, to other machines too");
+       "File with the token that the orchestrator requires; otherwise FLAIR_TOKEN_FILE or FLAIR_TOKEN");
+  flag("--allow-insecure", flags.allow_insecure, "Send the token in plain text, even to other machines");
 }
 
 bool Has(const CLI::App& command, std::initializer_list<const char*> options) {
@@ -137,7 +137,7 @@ absl::StatusOr<runtime::ChannelOptions> OrchestratorConnection() {
 }
 
 EngineFlags::EngineFlags(CLI::App& command) : Options(command, "Queue on other machines") {
-  Bind("--replicas N", replica_count, "Copies of everything when the queue is first made: 1, 3, 5 (1)")
+  Bind("--replicas N", replica_count, "Replicas when the queue is created: 1, 3 or 5 (1)")
       ->check(OneOf({"1", "3", "5"}));
 }
 
@@ -182,7 +182,7 @@ StageFlags::StageFlags(CLI::App& command) : Options(command, "Stages on other se
   add("optimizer", addresses.mutable_optimizer(), "; its catalogue is used");
   add("renderer", addresses.mutable_renderer());
   Bind("--handbook DIR", handbooks,
-       "Furniture, kinds of room and styles of your own, laid over the handbook; again for more folders")
+       "Furniture, kinds of room and styles of your own, added to the handbook; may be repeated")
       ->allow_extra_args(false)
       ->group("Options");
 }
@@ -198,7 +198,7 @@ absl::Status CheckStageFlags(const StageChoice& flags, const std::string& orches
   for (const auto& [stage, address] : stages) {
     if (address.empty() || orchestrator.empty()) continue;
     return absl::InvalidArgumentError(fmt::format(
-        "--{0} {1}: not with --orchestrator {2}, which asks the stages of its own config; set there: stages "
+        "--{0} {1}: not with --orchestrator {2}, which uses the stages of its own config; set there: stages "
         "{{ {0}: \"{1}\" }}",
         stage, address, orchestrator));
   }

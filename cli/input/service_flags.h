@@ -30,7 +30,7 @@ struct EngineFlags : Options {
   explicit EngineFlags(CLI::App& command);
   std::string& address =
       Text("--engine ADDRESS",
-           "Use the queue of these NATS servers, such as nats://127.0.0.1:4222, or tls://; commas between several");
+           "Use the queue of these NATS servers, such as nats://127.0.0.1:4222, or tls://; separated by commas");
   std::string& queue = Text("--queue NAME", "Name of the queue there, for several on the same servers (flair)");
   std::string& artifacts =
       Text("--artifacts ADDRESS", "Where its orchestrators keep artifacts: jetstream: or folder:PATH (jetstream:)");

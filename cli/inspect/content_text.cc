@@ -187,7 +187,7 @@ std::string CleanedText(const v1::ConstraintList& list, const v1::ConstraintList
       "before     {}\n",
       raw == nullptr ? "not known: the list before cleaning was not found; ids of its sentences stand for them"
                      : fmt::format("{}; after: {}", Counted(raw->sentences_size(), "sentence"), list.sentences_size()));
-  if (list.cleaning_steps().empty()) text += "cleaning   nothing was to clean\n";
+  if (list.cleaning_steps().empty()) text += "cleaning   nothing to clean\n";
   const Words before = raw == nullptr ? Words() : WordsOf(*raw), after = WordsOf(list);
   for (const v1::CleaningStep& step : list.cleaning_steps()) {
     text += fmt::format("\n{}: {}\n", EnumInWords(step.action()), step.reason());

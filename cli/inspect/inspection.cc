@@ -40,7 +40,7 @@ std::string MakerLine(const v1::Artifact& artifact) {
   const v1::Producer& producer = artifact.producer();
   if (!IsEdited(artifact)) return producer.program().empty() ? "" : Line("made by", MakerText(artifact));
   return Line("edited by",
-              "hand, " + (producer.version().empty() ? "nobody says who made it before" : producer.version()));
+              "hand, " + (producer.version().empty() ? "the producer of the original is unknown" : producer.version()));
 }
 
 std::string OriginLines(const v1::Artifact& artifact, ArtifactFinder& finder) {
@@ -205,7 +205,7 @@ std::string MakerText(const v1::Artifact& artifact) {
   const v1::Producer& producer = artifact.producer();
   std::string text =
       IsEdited(artifact) ? "edited by hand" : fmt::format("{}, {}", producer.program(), producer.method());
-  if (producer.program().empty()) text = "nobody says who made it";
+  if (producer.program().empty()) text = "producer unknown";
   if (!producer.version().empty()) {
     text += fmt::format(", {}{}", IsEdited(artifact) ? "" : "version ", producer.version());
   }

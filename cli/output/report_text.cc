@@ -35,22 +35,22 @@ std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
     return std::vector<std::string>{measure, fmt::format(fmt::runtime(format), value), meaning};
   };
   return "\n## Measures\n\n" +
-         MarkdownTable(
-             {"measure", "value", "meaning"},
-             {row("OOB", "{:.4f} %", m.oob_percent(), "furniture outside the room, of the room's area"),
-              row("OOR", "{:.4f} %", m.oor_percent(),
-                  "furniture in furniture or in a door's swing, of the room's area"),
-              row("floor reached", "{:.0f} %", 100 * m.reachable_floor_share(),
-                  "of the free floor, by a person 0.6 m wide from the door"),
-              row("fronts reached", "{:.0f} %", 100 * m.reachable_front_share(), "of the furniture can be stood at"),
-              row("deepest overlap", "{:.1f} mm", 1e3 * m.deepest_overlap_m(),
-                  "how far the worst thing stands in another, in a door's swing or beyond a wall"),
-              row("pathway cost", "{:.4f} m3", m.pathway_cost_m3(),
-                  "how much furniture narrows the ways to less than 0.6 m"),
-              {"constraints",
-               fmt::format("{} hold, {} do not, {} dropped, {} not understood", c.satisfied_count(), c.violated_count(),
-                           c.dropped_count(), c.untranslated_count()),
-               fmt::format("{} calls", layout.graph().edges_size())}});
+         MarkdownTable({"measure", "value", "meaning"},
+                       {row("OOB", "{:.4f} %", m.oob_percent(), "furniture outside the room, of the room's area"),
+                        row("OOR", "{:.4f} %", m.oor_percent(),
+                            "furniture in furniture or in a door's swing, of the room's area"),
+                        row("floor reached", "{:.0f} %", 100 * m.reachable_floor_share(),
+                            "of the free floor, by a person 0.6 m wide from the door"),
+                        row("fronts reached", "{:.0f} %", 100 * m.reachable_front_share(),
+                            "of the furniture has room to stand in front of it"),
+                        row("deepest overlap", "{:.1f} mm", 1e3 * m.deepest_overlap_m(),
+                            "deepest overlap with another object, a door's swing or a wall"),
+                        row("pathway cost", "{:.4f} m3", m.pathway_cost_m3(),
+                            "how much furniture narrows paths to less than 0.6 m"),
+                        {"constraints",
+                         fmt::format("{} hold, {} do not, {} dropped, {} not understood", c.satisfied_count(),
+                                     c.violated_count(), c.dropped_count(), c.untranslated_count()),
+                         fmt::format("{} calls", layout.graph().edges_size())}});
 }
 
 std::string ZoneText(const v1::ZonePlan& plan) {

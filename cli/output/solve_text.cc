@@ -172,9 +172,9 @@ std::string ModelsSection(const v1::Report& report, const ArtifactsByKind& artif
   std::string text = "\n## Models\n\n";
   if (asked) {
     text +=
-        StageTable(artifacts) + ListText("What was wrong with answers, and mended, asked again or left out:", faults);
+        StageTable(artifacts) + ListText("Faults in answers, which were corrected, asked again or left out:", faults);
     if (report.model_usage().call_count() != UsageOf(artifacts).call_count()) {
-      text += fmt::format("\nMade for this job: {}; the others were made for an earlier one and used again.\n",
+      text += fmt::format("\nMade for this job: {}; the others are reused from an earlier one.\n",
                           report.model_usage().call_count());
     }
   }

@@ -204,8 +204,8 @@ const StageComparison* FirstToPart(const std::vector<StageComparison>& stages) {
 std::string LikelyCause(const StageComparison& stage) {
   if (stage.agreement == Agreement::kFirstOnly) return "";
   if (!stage.origin.empty()) return "; likely because of " + stage.origin.front().InWords();
-  if (!stage.input.empty()) return fmt::format("; likely because its {} is another one", stage.input);
-  return "; by the same program, build and configuration: it does not repeat itself";
+  if (!stage.input.empty()) return fmt::format("; likely because its {} differs", stage.input);
+  return "; by the same program, build and configuration: it is not deterministic";
 }
 
 nlohmann::json ToJson(const FieldDifference& difference) {

@@ -54,8 +54,8 @@ TEST_F(ComparisonTest, NamesTheFirstFieldAndTheStageThatFollows) {
   EXPECT_THAT(Table(), HasSubstr("solve        differs           solved_layout.placements[0].x_m: 1.2 -> 1.24\n"));
   EXPECT_THAT(Table(), HasSubstr("preview.image: 7 bytes -> 8 bytes; made from another solve\n"));
   EXPECT_EQ(ComparisonSummary(Compare()),
-            "1 stage agrees, 2 differ, first \"solve\"; by the same program, build and configuration: it does not "
-            "repeat itself");
+            "1 stage agrees, 2 differ, first \"solve\"; by the same program, build and configuration: it is not "
+            "deterministic");
 }
 
 TEST_F(ComparisonTest, CallsAnotherBuildTheLikelyCause) {

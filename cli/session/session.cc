@@ -93,7 +93,7 @@ struct Session::Calls {
 
   // Whether the orchestrator, which has not even said hello, does so a little later.
   bool SaysHelloLater(const absl::Status& status, absl::Time until) const {
-    if (!runtime::SaidNoHello(status)) return false;
+    if (!runtime::HandshakeTimedOut(status)) return false;
     fmt::print(stderr, "flair: {} is slow to answer; waiting for up to {} s\n", address,
                absl::ToInt64Seconds(limits.answer_within));
     return channel->WaitForConnected(absl::ToChronoTime(until));

@@ -55,7 +55,7 @@ absl::StatusOr<std::unique_ptr<runtime::InProcessServer>> StartRenderer(const Re
 }  // namespace
 
 RendererFlags::RendererFlags(CLI::App& command) : Options(command) {
-  Bind("--renderer HOST:PORT", address, "Use this server instead of one in this process");
+  Bind("--renderer HOST:PORT", address, "Use this server instead of the built-in one");
   Bind("--assets DIR", asset_folder,
        "Folder of 3D models with a manifest (docs/assets.md), for furniture that one of them fits", {"--renderer"});
 }
@@ -190,8 +190,8 @@ std::string EndOf(const std::string& text) {
 absl::Status CheckPicture(const PlansBeside& plans) {
   const absl::StatusOr<v1::PreviewFormat> format = FormatOfFile(plans.picture);
   if (!format.ok() || *format == v1::PREVIEW_FORMAT_EXR) {
-    return absl::InvalidArgumentError(
-        fmt::format("--picture: {}: its ending says the format: png, jpg, jpeg, tif, tiff, svg, pdf", plans.picture));
+    return absl::InvalidArgumentError(fmt::format(
+        "--picture: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff, svg, pdf", plans.picture));
   }
   if (IsDocument(*format) && plans.size_px.has_value()) {
     return absl::InvalidArgumentError(

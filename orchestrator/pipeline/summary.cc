@@ -73,7 +73,7 @@ std::string OfCleaned(const v1::ConstraintList& list) {
 std::string OfCompleted(const v1::ConstraintList& list) {
   const auto implied = std::ranges::count_if(
       list.sentences(), [](const v1::Sentence& one) { return one.origin() == v1::SENTENCE_ORIGIN_IMPLIED; });
-  return fmt::format("{}, {} of them implied", Count(list.sentences_size(), "sentence"), implied);
+  return fmt::format("{}, {} of them implied", Counted(list.sentences_size(), "sentence"), implied);
 }
 
 std::string OfLayout(const v1::SolvedLayout& layout) {

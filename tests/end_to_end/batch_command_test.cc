@@ -111,7 +111,7 @@ TEST_F(BatchCommand, TheSameFileIsTheSameBatchAndAnotherNameAnother) {
   ASSERT_EQ(Flair(Submission("out", {"--keep", "none"})).exit_code, 0);
   const Finished again = Flair(Submission("elsewhere"));
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_THAT(again.err, HasSubstr("which is known and goes on\n"));
+  EXPECT_THAT(again.err, HasSubstr("which exists and continues\n"));
   EXPECT_EQ(Layouts("elsewhere").size(), 6u);
   EXPECT_EQ(Flair(Submission("third", {"--name", "again", "--keep", "none"})).exit_code, 0);
   const std::string list = Batch({"list"}).out;
@@ -149,7 +149,7 @@ TEST_F(BatchCommand, AnInterruptedOneSaysHowItGoesOn) {
     process.Signal(SIGINT);
     const Finished stopped = process.Wait();
     EXPECT_EQ(stopped.exit_code, 130);
-    EXPECT_THAT(stopped.err, HasSubstr("goes on where it was: give the same command again"));
+    EXPECT_THAT(stopped.err, HasSubstr("continues where it was: give the same command again"));
   }
   const Finished on = Batch({"watch", folder_ / "out", "--parallel", "2"});
   EXPECT_EQ(on.exit_code, 0) << on.err;
@@ -184,7 +184,7 @@ TEST_F(BatchCommand, WaitsWhilePausedAndEndsWhenCancelled) {
   EXPECT_EQ(Batch({"resume", folder_ / "out"}).exit_code, 10);
   const Finished again = Flair(Submission("out"));
   EXPECT_EQ(again.exit_code, 10);
-  EXPECT_THAT(again.err, HasSubstr("which was cancelled; to run them all the same give the batch another --name"));
+  EXPECT_THAT(again.err, HasSubstr("which was cancelled; to run them anyway, give another --name"));
 }
 
 // See tests/fixtures/stores/paused_batch_4273379/README.md.
@@ -198,7 +198,7 @@ TEST_F(BatchCommand, APausedBatchOfAnEarlierStoreGoesOn) {
       Flair({"batch", fixture + "/briefs.jsonl", "--out", folder_ / "out", "--set", "optimizer.restarts=1", "--size",
              "256", "--name", "paused", "--keep", "brief,room,layout,pictures,report"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.err, AllOf(HasSubstr("which is known and goes on\n"), HasSubstr("6 jobs: 6 succeeded\n")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("which exists and continues\n"), HasSubstr("6 jobs: 6 succeeded\n")));
   EXPECT_EQ(Layouts("out").size(), 6u);
 }
 
@@ -269,7 +269,8 @@ TEST_P(WrongBatchCommand, SaysWhatWouldBeRight) {
 INSTANTIATE_TEST_SUITE_P(
     All, WrongBatchCommand,
     ::testing::Values(
-        Wrong{"NoFile", {"batch", "@none", "--out", "@out"}, 2, "no such file; should be a file with a brief a line"},
+        Wrong{
+            "NoFile", {"batch", "@none", "--out", "@out"}, 2, "no such file; expected a file with one brief per line"},
         Wrong{"Folder", {"batch", "@.", "--out", "@out"}, 4, "is a folder"},
         Wrong{"NoOut", {"batch", "@briefs"}, 2, "--out: missing"},
         Wrong{"OutIsAFile", {"batch", "@briefs", "--out", "@briefs"}, 4, "is a file; --out takes a folder"},
@@ -289,7 +290,7 @@ INSTANTIATE_TEST_SUITE_P(
               {"batch", "@briefs", "--out", "@out", "--orchestrator", "127.0.0.1:1"},
               3,
               "no orchestrator answers at 127.0.0.1:1"},
-        Wrong{"NoBatch", {"batch", "status", "2026"}, 2, "no batch has an id that begins so"},
+        Wrong{"NoBatch", {"batch", "status", "2026"}, 2, "no batch has an id that begins like this"},
         Wrong{"NoSuchKind", {"batch", "retry", "2026", "--kind", "bad"}, 2, "2026: no batch"},
         Wrong{"NoFolder", {"batch", "watch", "@out"}, 2, "no folder of that name has results.db"}),
     [](const auto& test) { return test.param.name; });

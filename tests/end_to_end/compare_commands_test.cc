@@ -62,8 +62,8 @@ TEST_F(CompareCommands, DiffTellsAMoveAndDrawsIt) {
 TEST_F(CompareCommands, DiffOfEveryKindOfArtifactWithItselfAndWithAnotherSeed) {
   const std::string other = Path("other");
   ASSERT_EQ(Flair({"design", "A bedroom that is 3m x 4m.", "--seed", "8", "--out", other, "--quiet"}).exit_code, 0);
-  for (const char* name :
-       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed", "graph", "layout"}) {
+  for (const char* name : {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints",
+                           "constraints_completed", "graph", "layout"}) {
     const std::string own = (Design() / (std::string(name) + ".pb")).string();
     EXPECT_EQ(Flair({"diff", own, own}).exit_code, 0) << name;
     const Finished run = Flair({"diff", own, other + "/" + name + ".pb"});
@@ -76,13 +76,14 @@ TEST_F(CompareCommands, DiffOfEveryKindOfArtifactWithItselfAndWithAnotherSeed) {
 TEST_F(CompareCommands, DiffRefusesWhatItCannotCompareOrDraw) {
   const Finished kinds = Flair({"diff", Layout(), Graph()});
   EXPECT_EQ(kinds.exit_code, 2);
-  EXPECT_THAT(kinds.err, HasSubstr("the first is a solved layout, the second a layout graph; give two of a kind"));
+  EXPECT_THAT(kinds.err,
+              HasSubstr("the first is a solved layout, the second a layout graph; give two of the same kind"));
   const Finished drawn = Flair({"diff", Graph(), Graph(), "--picture", Path("d.png")});
   EXPECT_EQ(drawn.exit_code, 2);
-  EXPECT_THAT(drawn.err, HasSubstr("--picture: " + Graph() + " is no layout"));
+  EXPECT_THAT(drawn.err, HasSubstr("--picture: " + Graph() + " is not a layout"));
   const Finished ending = Flair({"diff", Layout(), Layout(), "--picture", Path("d.gif")});
   EXPECT_EQ(ending.exit_code, 2);
-  EXPECT_THAT(ending.err, HasSubstr("its ending says the format: png, jpg"));
+  EXPECT_THAT(ending.err, HasSubstr("its extension chooses the format: png, jpg"));
   EXPECT_EQ(Flair({"diff", Layout(), Path("nothing.pb")}).exit_code, 2);
 }
 

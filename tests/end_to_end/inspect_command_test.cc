@@ -75,9 +75,9 @@ TEST_F(InspectCommand, AFileItsIdAndItsJobAreTheSameArtifact) {
   Good({"inspect", job + "/render", "--field", "preview.image", "--out", Path("again.png")});
   EXPECT_TRUE(ReadAll(Path("again.png")) == ReadAll(Path("out/plan.png")));
   ExpectRefused({"inspect", job + "/slove"}, cli::kExitBadInput,
-                "is no stage (did you mean solve?); it has brief, room");
+                "is not a stage (did you mean solve?); it has brief, room");
   ExpectRefused({"inspect", job, "--field", "x"}, cli::kExitBadInput, "say which of its artifacts");
-  ExpectRefused({"inspect", "000000000000"}, cli::kExitBadInput, "has an id that begins so");
+  ExpectRefused({"inspect", "000000000000"}, cli::kExitBadInput, "has an id that begins like this");
   ExpectRefused({"inspect", "nothing"}, cli::kExitBadInput, "no such file; nor is it 6 or more digits");
 }
 
@@ -85,7 +85,7 @@ TEST_F(InspectCommand, DigitsThatTwoIdsBeginWithNameBoth) {
   const std::string both = Path("home/artifacts/ab");
   std::filesystem::create_directories(both);
   for (const char last : {'1', '2'}) WriteAll(both + "/abcdef" + std::string(57, '0') + last + ".pb", "x");
-  ExpectRefused({"inspect", "abcdef"}, cli::kExitBadInput, "2 artifacts have ids that begin so: abcdef00");
+  ExpectRefused({"inspect", "abcdef"}, cli::kExitBadInput, "2 artifacts have ids that begin like this: abcdef00");
   ExpectRefused({"inspect", "abcdef", "--store", Path("elsewhere")}, cli::kExitBadInput, "elsewhere");
   EXPECT_FALSE(std::filesystem::exists(Path("elsewhere")));
 }
@@ -107,8 +107,8 @@ TEST_F(InspectCommand, AnOrchestratorElsewhereIsAskedForTheSame) {
 
 TEST_F(InspectCommand, EveryFormTurnsIntoEveryOtherWithoutLoss) {
   Design();
-  for (const char* kind :
-       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed", "graph", "layout"}) {
+  for (const char* kind : {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints",
+                           "constraints_completed", "graph", "layout"}) {
     const std::string first = Path("out/" + std::string(kind) + ".pb");
     std::string last = first;
     for (const char* form : {"a.json", "b.textproto", "c.pb", "d.textproto", "e.json", "f.pb"}) {
@@ -129,8 +129,9 @@ TEST_F(InspectCommand, WhatIsEditedByHandIsTakenAndSaysSo) {
   Good({"inspect", Path("out/mine.json"), "--out", Path("out/mine.pb")});
   for (const char* graph : {"out/mine.json", "out/mine.pb"}) {
     Good({"solve", Path(graph), "--out", Path("out/own.pb")});
-    EXPECT_THAT(Good({"inspect", Path("out/own.pb")}),
-                HasSubstr("style > constraints_raw > constraints > constraints_completed > graph > graph (edited) > layout\n"));
+    EXPECT_THAT(
+        Good({"inspect", Path("out/own.pb")}),
+        HasSubstr("style > constraints_raw > constraints > constraints_completed > graph > graph (edited) > layout\n"));
     EXPECT_EQ(Good({"inspect", Path("out/own.pb"), "--field", "made_from_ids[0]"}),
               Good({"inspect", Path(graph), "--field", "id"}));
   }
@@ -169,7 +170,7 @@ TEST_F(InspectCommand, WhatIsNoArtifactIsRefusedByEveryCommand) {
       {"plan.pb", cli::kExitCorrupt, "not a Flair artifact (it is a PNG picture)"},
       {"large.pb", cli::kExitBadInput, "has 1024 MiB; at most 256"},
       {"pipe.pb", cli::kExitFiles, "is a pipe"},
-      {"link.pb", cli::kExitBadInput, "which is not there"},
+      {"link.pb", cli::kExitBadInput, "which does not exist"},
       {"", cli::kExitFiles, "is a folder"}};
   for (const auto& [name, code, words] : files) {
     ExpectRefused({"inspect", Path(name)}, code, words);

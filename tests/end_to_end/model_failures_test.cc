@@ -70,8 +70,8 @@ TEST_F(ModelFailures, AWrongAnswerIsRepairedAndTheReportSaysSo) {
   const Finished run = Design({"--llm", Config(server)});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("(2 calls of scripted-1, 1 repair, "));
-  EXPECT_THAT(Report(), AllOf(HasSubstr("| zone plan | scripted-1 | 2 | 1 | "),
-                              HasSubstr("What was wrong with answers"), HasSubstr("- zones: ")));
+  EXPECT_THAT(Report(), AllOf(HasSubstr("| zone plan | scripted-1 | 2 | 1 | "), HasSubstr("Faults in answers"),
+                              HasSubstr("- zones: ")));
 }
 
 TEST_F(ModelFailures, AnswersThatStayUselessFailTheStepOrAreStoodInFor) {

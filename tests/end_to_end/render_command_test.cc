@@ -157,7 +157,7 @@ TEST_F(RenderCommand, ScenesAreExported) {
   EXPECT_TRUE(nlohmann::json::accept(ReadAll(folder_ / "room.json")));
   run = Flair({"export", "scene", Layout(), "--format", "fbx", "--out", folder_ / "room.fbx"});
   EXPECT_EQ(run.exit_code, cli::kExitBadInput);
-  EXPECT_THAT(run.err, HasSubstr("--format: fbx: is no format of scenes; glb"));
+  EXPECT_THAT(run.err, HasSubstr("--format: fbx: is not a scene format; expected glb"));
 }
 
 // OpenImageIO takes 0.4 s to load: with a folder of modules that has none, what needs none must work.
@@ -243,8 +243,8 @@ TEST_P(BadPictureInput, IsRefusedAndLeavesNothing) {
 }
 
 const Bad kBad[] = {
-    {"NoEnding", {"render", "LAYOUT", "--out", "OUT"}, 2, "its ending says the format: png, jpg"},
-    {"UnknownEnding", {"render", "LAYOUT", "--out", "OUT.webp"}, 2, "its ending says the format"},
+    {"NoEnding", {"render", "LAYOUT", "--out", "OUT"}, 2, "its extension chooses the format: png, jpg"},
+    {"UnknownEnding", {"render", "LAYOUT", "--out", "OUT.webp"}, 2, "its extension chooses the format"},
     {"PlanAsExr", {"render", "LAYOUT", "--out", "OUT.exr"}, 2, "EXR is for the ray-traced views"},
     {"ViewAsSvg", {"render", "LAYOUT", "--view", "birdseye", "--out", "OUT.svg"}, 2, "SVG is for plans"},
     {"UnknownView",
@@ -265,7 +265,7 @@ const Bad kBad[] = {
     {"CameraOfNan",
      {"render", "LAYOUT", "--view", "birdseye", "--camera", "nan,1,4", "--look-at", "1,2,0", "--out", "OUT.png"},
      2,
-     "--camera: nan,1,4: should be several, with commas between, of: a number"},
+     "--camera: nan,1,4: should be several, separated by commas, of: a number"},
     {"SamplesOfZero",
      {"render", "LAYOUT", "--view", "birdseye", "--samples", "0", "--out", "OUT.png"},
      2,
@@ -291,7 +291,7 @@ const Bad kBad[] = {
     {"SceneAsUsdz", {"export", "scene", "LAYOUT", "--out", "OUT.usdz"}, 2, "scenes are written as .glb"},
     {"SceneWithoutOut", {"export", "scene", "LAYOUT"}, 2, "--out: missing"},
     {"StateIntoNowhere", {"export", "sceneeval", "LAYOUT", "--out", "/proc/flair/a.json"}, 4, "/proc"},
-    {"SheetOfAFile", {"contact-sheet", "LAYOUT", "--out", "OUT.png"}, 4, "is no folder"},
+    {"SheetOfAFile", {"contact-sheet", "LAYOUT", "--out", "OUT.png"}, 4, "is not a folder"},
     {"SheetOfNothing", {"contact-sheet", "FOLDER", "--out", "OUT.png"}, 2, "no folder in it holds a layout.pb"},
     {"SheetAsSvg", {"contact-sheet", "FOLDER", "--out", "OUT.svg"}, 2, "png, jpg, jpeg, tif, tiff"},
     {"SheetOfHugeTiles", {"contact-sheet", "FOLDER", "--tile", "5000", "--out", "OUT.png"}, 2, "--tile"},

@@ -169,8 +169,8 @@ TEST_F(ReplayCommand, RefusesWhatMakesNoSense) {
     const char* error;
   } cases[] = {
       {{"nothing"}, "nothing: no such job in the store "},
-      {{job, "--from", "sole"}, "--from sole: there is no such stage; one of brief, room"},
-      {{job, "--set", "optimizer.restart=5"}, "there is no such option; one of optimizer.seed, optimizer.restarts"},
+      {{job, "--from", "sole"}, "--from sole: no such stage; expected one of brief, room"},
+      {{job, "--set", "optimizer.restart=5"}, "no such option; expected one of optimizer.seed, optimizer.restarts"},
       {{job, "--set", "optimizer.restarts=0"}, "--set optimizer.max_restart_count: 0 is outside [1, 10000]"},
       {{job, "--set", "optimizer.restarts=5", "--from", "render"}, "would be taken from the earlier job; --from solve"},
       {{job, "--set", "brief.seed=5", "--from", "room"}, "would be taken from the earlier job; --from brief"},

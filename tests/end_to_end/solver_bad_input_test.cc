@@ -126,7 +126,7 @@ TEST_F(SolverBadInput, Solve) {
   refused({"@nothing.pb"}, cli::kExitBadInput, "@nothing.pb: no such file");
   refused({"@text.json"}, cli::kExitBadInput, "@text.json:2: syntax error");
   refused({"@hall.json"}, cli::kExitBadInput,
-          "@hall.json: a recorded FlairGPT problem, no artifact; first: flair-dev import");
+          "@hall.json: a recorded FlairGPT problem, not an artifact; first: flair-dev import");
   refused({"@layout.pb"}, cli::kExitBadInput, "@layout.pb: not a graph");
   refused({"@graph.pb", "--out", "/proc/flair/new.pb"}, cli::kExitFiles, "/proc");
   refused({"@graph.pb", "--out", "@empty"}, cli::kExitFiles, "@empty: is a folder");

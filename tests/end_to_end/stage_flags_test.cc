@@ -73,7 +73,7 @@ TEST_F(StageFlags, WhatCannotBeGivenTogetherIsRefused) {
   const Finished run = Design("room", {"--optimizer", "127.0.0.1:1", "--orchestrator", "127.0.0.1:2"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.err,
-            "flair: --optimizer 127.0.0.1:1: not with --orchestrator 127.0.0.1:2, which asks the stages of its own "
+            "flair: --optimizer 127.0.0.1:1: not with --orchestrator 127.0.0.1:2, which uses the stages of its own "
             "config; set there: stages { optimizer: \"127.0.0.1:1\" }\n");
   const Finished model = Design("room", {"--language", "127.0.0.1:1", "--translator", "127.0.0.1:2", "--model", "m"});
   EXPECT_EQ(model.exit_code, 2);

@@ -117,7 +117,7 @@ TEST(Secrets, FlagsThatCannotBeUsedAreNamedWithoutTheSecret) {
   };
   const std::string two = folder / "two.token";
   EXPECT_THAT(jobs({"--token-file", two}),
-              AllOf(HasSubstr("--token-file " + two + ": that is no token"), Not(HasSubstr("secret"))));
+              AllOf(HasSubstr("--token-file " + two + ": not a token"), Not(HasSubstr("secret"))));
   EXPECT_THAT(jobs({"--token-file", folder / "empty.token"}), HasSubstr("holds no token"));
   EXPECT_THAT(jobs({"--token-file", folder / "none"}), HasSubstr("cannot be read"));
   EXPECT_THAT(jobs({"--tls-authority", two}), HasSubstr("--tls-authority: " + two + ": holds no certificate"));

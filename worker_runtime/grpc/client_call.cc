@@ -107,7 +107,7 @@ std::string InPlainWords(std::string_view message) {
   return std::string(message);
 }
 
-bool SaidNoHello(const absl::Status& status) {
+bool HandshakeTimedOut(const absl::Status& status) {
   const std::string_view message(status.message().data(), status.message().size());
   return absl::IsUnavailable(status) && Holds(message, " accepts connections but does not respond; ");
 }

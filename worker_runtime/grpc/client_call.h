@@ -31,7 +31,7 @@ std::string InPlainWords(std::string_view message);
 
 // Whether a call failed (with a message of InPlainWords) because the server accepted the connection but did not finish
 // the handshake in time, for example because it is very busy. The server has not seen the call.
-bool SaidNoHello(const absl::Status& status);
+bool HandshakeTimedOut(const absl::Status& status);
 
 // The package of messages and services that this program speaks; see GetWorkerResponse.protocols.
 inline constexpr char kProtocol[] = "flair.v1";

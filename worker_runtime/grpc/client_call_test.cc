@@ -89,12 +89,12 @@ TEST(ConnectionErrors, TlsNamesAndOtherServersAreNamedInPlainWords) {
 TEST(ConnectionErrors, HandshakeTimeoutsDifferFromRefusedConnections) {
   const std::string tried = "failed to connect to all addresses; last error: UNKNOWN: ipv4:10.0.0.1:7: ";
   const auto ends = [&](const std::string& what) {
-    return SaidNoHello(absl::UnavailableError(InPlainWords(tried + what)));
+    return HandshakeTimedOut(absl::UnavailableError(InPlainWords(tried + what)));
   };
   EXPECT_TRUE(ends("connection attempt timed out before receiving SETTINGS frame"));
   EXPECT_TRUE(ends("Handshake read failed"));
   EXPECT_FALSE(ends("Failed to connect to remote host: Connection refused"));
-  EXPECT_FALSE(SaidNoHello(absl::OkStatus()));
+  EXPECT_FALSE(HandshakeTimedOut(absl::OkStatus()));
 }
 
 TEST(Channel, TheLastOneDoesNotWaitForTheLibraryToEnd) {

@@ -169,7 +169,8 @@ class SizeReader {
   SizeRequest Read() {
     for (std::size_t i = 0; i < text_.size() && !size_.in_numbers(); ++i) {
       if (const std::optional<SidePair> sides = PairAt(text_, i)) {
-        if (owner_.IsOfAThing(i, sides->end)) {
+        // There is one room: "140 x 70 cm each" is said of pieces.
+        if (owner_.IsOfAThing(i, sides->end) || text_.Says(sides->end, {"each", "apiece"})) {
           i = sides->end - 1;
           continue;
         }

@@ -97,6 +97,12 @@ TEST(ReadSize, LeavesTheSizesOfThingsInTheRoomAlone) {
   }
 }
 
+TEST(ReadSize, WhatIsSaidOfEachIsNotSaidOfTheRoom) {
+  const absl::StatusOr<SizeRequest> size = Read("An office with two desks at the window, 140 x 70 cm each.");
+  ASSERT_TRUE(size.ok()) << size.status();
+  EXPECT_FALSE(size->in_numbers());
+}
+
 TEST(ReadSize, SizeWordsOfThingsAndPeopleAreNotTheRooms) {
   for (const char* text :
        {"a bedroom with a small desk", "A bedroom, small desk and sofa", "a music room with a grand piano",
