@@ -234,7 +234,7 @@ TEST(ReadBrief, TakesTextJsonAndArtifacts) {
 
 TEST(ReadBrief, NamesFlagFilePlaceAndWhatIsRight) {
   EXPECT_EQ(ReadBrief("--brief", "/no/such/brief").status().message(), "--brief: /no/such/brief: no such file");
-  for (const std::string& bytes : {"txet: \"A bedroom.\"", "{\"txet\": \"A bedroom.\"}"}) {
+  for (const std::string bytes : {"txet: \"A bedroom.\"", "{\"txet\": \"A bedroom.\"}"}) {
     const absl::Status status = ReadBrief("--brief", FileWith(bytes)).status();
     EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
     EXPECT_THAT(std::string(status.message()), ::testing::AllOf(HasSubstr("--brief: "), HasSubstr("txet"),

@@ -229,7 +229,7 @@ absl::Status JobFlags::Set(v1::JobSpec& spec) const {
     const bool is_ratio = given.option == "renderer.scale" && given.text.starts_with("1:");
     if (SetValue(is_ratio ? given.text.substr(2) : given.text, *place.field, *place.message)) continue;
     return absl::InvalidArgumentError(
-        fmt::format("{}: {}: should be {}", given.flag->get_name(), given.text, ValuesInWords(*place.field)));
+        fmt::format("{}: {}: expected {}", given.flag->get_name(), given.text, ValuesInWords(*place.field)));
   }
   return absl::OkStatus();
 }

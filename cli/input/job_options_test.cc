@@ -76,10 +76,10 @@ TEST(SetOption, SaysWhatAValueShouldBe) {
   EXPECT_EQ(After("optimizer.restarts=1.5"), "--set optimizer.restarts: 1.5: expected a whole number");
   EXPECT_EQ(After("optimizer.restarts=99999999999"), "--set optimizer.restarts: 99999999999: expected a whole number");
   EXPECT_EQ(After("optimizer.path_width=nan"), "--set optimizer.path_width: nan: expected a number");
-  EXPECT_EQ(After("optimizer.time_limit=-1"), "--set optimizer.time_limit: -1: should be seconds");
-  EXPECT_EQ(After("renderer.view=side"), "--set renderer.view: side: should be plan, birdseye or perspective");
+  EXPECT_EQ(After("optimizer.time_limit=-1"), "--set optimizer.time_limit: -1: expected seconds");
+  EXPECT_EQ(After("renderer.view=side"), "--set renderer.view: side: expected plan, birdseye or perspective");
   EXPECT_EQ(After("renderer.view=unspecified"),
-            "--set renderer.view: unspecified: should be plan, birdseye or perspective");
+            "--set renderer.view: unspecified: expected plan, birdseye or perspective");
   EXPECT_THAT(After("renderer.layers=zones,"), HasSubstr("several, separated by commas, of: floor_pieces"));
 }
 
@@ -154,7 +154,7 @@ TEST(SolveFlags, EveryFlagArrives) {
   EXPECT_EQ(options->ShortDebugString(),
             "seed: 7 thread_count: 2 path_width_m: 0.7 variant_count: 3 misfit_policy: MISFIT_POLICY_LEAVE_OUT "
             "find_contradictions: true");
-  EXPECT_EQ(ErrorOf("--misfits drop"), "--misfits: drop: should be keep or leave_out");
+  EXPECT_EQ(ErrorOf("--misfits drop"), "--misfits: drop: expected keep or leave_out");
   EXPECT_EQ(ErrorOf("--threads 0"), "--threads: 0: expected a whole number, 1 to 256");
 }
 
@@ -244,7 +244,7 @@ const Bad kBad[] = {
     {"PlanAsExr", "", "plan.exr", "--out: EXR is for the ray-traced views"},
     {"ViewAsSvg", "--view birdseye", "view.svg", "--out: SVG is for plans"},
     {"ViewAsPdf", "--view perspective", "view.pdf", "--out: PDF is for plans"},
-    {"UnknownView", "--view side", "view.png", "--view: side: should be plan, birdseye or perspective"},
+    {"UnknownView", "--view side", "view.png", "--view: side: expected plan, birdseye or perspective"},
     {"DpiWithSize", "--size 800 --dpi 300", "plan.png", "--size: 800 and dpi 300 say both"},
     {"DpiOfAnSvg", "--dpi 300", "plan.svg", "--dpi: 300 has no meaning for SVG and PDF"},
     {"SizeTooLarge", "--size 9000", "plan.png", "--size: 9000: expected a whole number, 256 to 8192"},
@@ -253,7 +253,7 @@ const Bad kBad[] = {
     {"ScaleTheWrongWay", "--scale 50:1", "plan.pdf", "--scale: 50:1: expected a whole number"},
     {"ScaleTooSmall", "--scale 1:4", "plan.pdf", "--scale: 4 is outside [5, 1000]"},
     {"UnknownLayer", "--layers zones,walls", "plan.png",
-     "--layers: zones,walls: should be several, separated by commas, of: floor_pieces"},
+     "--layers: zones,walls: expected several, separated by commas, of: floor_pieces"},
     {"SamplesOfAPlan", "--samples 9", "plan.png", "--samples: 9 is for the ray-traced views"},
     {"CameraOfAPlan", "--camera 0,0,5 --look-at 1,1,0", "plan.png", "--camera: is for the ray-traced views"},
     {"CameraWithoutTarget", "--view birdseye --camera 0,0,5", "v.png",

@@ -138,7 +138,7 @@ struct Fault {
 };
 std::optional<Fault> FindSyntaxFault(const std::string& json) {
   try {
-    (void)nlohmann::json::parse(json);
+    [[maybe_unused]] const nlohmann::json read = nlohmann::json::parse(json);
   } catch (const nlohmann::json::parse_error& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 24: syntax error while ...".
     const std::string text = error.what();

@@ -71,7 +71,7 @@ struct PlansBeside {
   std::string picture;  // its ending says the format
   std::optional<int> size_px;
   RendererChoice renderer;
-  std::vector<PlanBeside> plans;  // at least 2, at most 8
+  std::vector<PlanBeside> plans = {};  // at least 2, at most 8
 };
 
 // Whether the picture can be drawn to that file; for before the work. INVALID_ARGUMENT for an ending that says no

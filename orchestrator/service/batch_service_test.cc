@@ -115,7 +115,7 @@ TEST_F(BatchServiceTest, GrowsPageByPageAndStreamsEveryEndOnce) {
     sequence = end.sequence();
     places.insert(end.job().batch_index());
     EXPECT_EQ(end.job().state(), v1::JOB_STATE_SUCCEEDED) << end.job().error();
-    EXPECT_THAT(end.job().artifacts(), SizeIs(11));
+    EXPECT_THAT(end.job().artifacts(), SizeIs(12));
   }
   EXPECT_THAT(places, ElementsAre(0, 1, 2, 3, 4, 5, 6));
   EXPECT_THAT(ends, SizeIs(7));

@@ -85,7 +85,7 @@ std::map<std::string, std::vector<std::string>> ReadArtifacts(const std::string&
     std::vector<std::string>& ids = artifacts[NameOf(job)];
     EXPECT_TRUE(ids.empty()) << "two jobs for " << NameOf(job);
     EXPECT_EQ(job.state(), v1::JOB_STATE_SUCCEEDED) << job.error();
-    EXPECT_EQ(job.artifacts_size(), 11);
+    EXPECT_EQ(job.artifacts_size(), 12);
     for (const v1::ArtifactRef& ref : job.artifacts()) {
       EXPECT_TRUE(artifacts_of->Get(ref.id()).ok());
       if (ref.kind() != v1::ARTIFACT_KIND_REPORT) ids.push_back(ref.id());

@@ -61,13 +61,13 @@ TEST_F(OrchestratorServiceTest, RunsAJobAndStreamsWhatHappens) {
   absl::Status status;
   const std::vector<v1::JobEvent> events = orchestrator_->Watch(job.id(), 0, &status);
   EXPECT_TRUE(status.ok()) << status;
-  ASSERT_THAT(events, SizeIs(23));
+  ASSERT_THAT(events, SizeIs(25));
   for (size_t i = 0; i < events.size(); ++i) EXPECT_EQ(events[i].sequence(), static_cast<int64_t>(i + 1));
   EXPECT_EQ(events.back().kind(), v1::JOB_EVENT_KIND_ENDED);
   EXPECT_EQ(events.back().state(), v1::JOB_STATE_SUCCEEDED);
   const v1::Job ended = *orchestrator_->GetJob(job.id());
   EXPECT_EQ(ended.state(), v1::JOB_STATE_SUCCEEDED);
-  EXPECT_THAT(ended.artifacts(), SizeIs(11));
+  EXPECT_THAT(ended.artifacts(), SizeIs(12));
   EXPECT_TRUE(ended.has_end_time());
 }
 
@@ -75,7 +75,7 @@ TEST_F(OrchestratorServiceTest, StreamsFromWhereAWatcherLeftOff) {
   Start();
   const v1::Job job = *orchestrator_->CreateJob("r1", Spec());
   orchestrator_->Watch(job.id());
-  EXPECT_THAT(orchestrator_->Watch(job.id(), 20), SizeIs(3));
+  EXPECT_THAT(orchestrator_->Watch(job.id(), 20), SizeIs(5));
 }
 
 TEST_F(OrchestratorServiceTest, DoesNotKnowOtherJobs) {
@@ -228,8 +228,8 @@ TEST_F(OrchestratorServiceTest, TwoOrchestratorsShareAStore) {
         (i % 2 == 0 ? *orchestrator_ : other).CreateJob(std::to_string(i), Spec("Room " + std::to_string(i)))->id());
   }
   for (const std::string& id : ids) {
-    EXPECT_THAT(orchestrator_->Watch(id), SizeIs(23));
-    EXPECT_THAT(other.Watch(id), SizeIs(23));
+    EXPECT_THAT(orchestrator_->Watch(id), SizeIs(25));
+    EXPECT_THAT(other.Watch(id), SizeIs(25));
   }
   EXPECT_EQ(stages_.calls("Solve"), 10);
 }

@@ -186,7 +186,7 @@ TEST_F(InspectCommand, WhatIsNoArtifactIsRefusedByEveryCommand) {
 TEST_F(InspectCommand, EveryArtifactSaysWhatMadeIt) {
   const std::string job = Design();
   const json steps = json::parse(Good({"inspect", job + "/report", "--provenance", "--json"}));
-  EXPECT_EQ(steps.size(), 11u);
+  EXPECT_EQ(steps.size(), 12u);
   for (const json& step : steps) {
     EXPECT_TRUE(step["found"]) << step;
     EXPECT_THAT(std::string(step["program"]), StartsWith("flair-"));

@@ -109,7 +109,7 @@ TEST_F(Models, AJobRunsAgainFromRecordedAnswersAndNotWithoutAModel) {
   const Environment home = {{"FLAIR_HOME", Path("home_recorded")}};
   const Finished again = RunProgram("flair", {"replay", id, "--replay", Path("answers")}, home);
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_THAT(again.out, HasSubstr("11 stages agree\n"));
+  EXPECT_THAT(again.out, HasSubstr("12 stages agree\n"));
   const Finished handbook = RunProgram("flair", {"replay", id}, home);
   EXPECT_EQ(handbook.exit_code, 7);
   EXPECT_THAT(handbook.err, HasSubstr("was made by scripted-1; without --model, --llm or --replay it is made without"));

@@ -65,7 +65,7 @@ TEST_F(RenderCommand, ADesignMayHaveViewsBesideItsPlan) {
   EXPECT_FALSE(fs::exists(folder_ / "design" / "perspective.png"));
   const Finished bad = Flair({"design", "A bedroom.", "--view", "below", "--out", folder_ / "bad"});
   EXPECT_EQ(bad.exit_code, cli::kExitBadInput);
-  EXPECT_THAT(bad.err, HasSubstr("--view: below: should be plan, birdseye or perspective"));
+  EXPECT_THAT(bad.err, HasSubstr("--view: below: expected plan, birdseye or perspective"));
 }
 
 TEST_F(RenderCommand, MeshesOfASceneStateLieWhereItsReadersLook) {
@@ -250,7 +250,7 @@ const Bad kBad[] = {
     {"UnknownView",
      {"render", "LAYOUT", "--view", "top", "--out", "OUT.png"},
      2,
-     "--view: top: should be plan, birdseye or perspective"},
+     "--view: top: expected plan, birdseye or perspective"},
     {"SizeOfWords", {"render", "LAYOUT", "--size", "big", "--out", "OUT.png"}, 2, "--size"},
     {"SizeTooSmall",
      {"render", "LAYOUT", "--size", "10", "--out", "OUT.png"},
@@ -265,7 +265,7 @@ const Bad kBad[] = {
     {"CameraOfNan",
      {"render", "LAYOUT", "--view", "birdseye", "--camera", "nan,1,4", "--look-at", "1,2,0", "--out", "OUT.png"},
      2,
-     "--camera: nan,1,4: should be several, separated by commas, of: a number"},
+     "--camera: nan,1,4: expected several, separated by commas, of: a number"},
     {"SamplesOfZero",
      {"render", "LAYOUT", "--view", "birdseye", "--samples", "0", "--out", "OUT.png"},
      2,

@@ -44,15 +44,16 @@ class ReplayCommand : public ::testing::Test {
   }
   // As if the job had been given another layout the first time.
   void MoveFirstObjectIn(const std::string& job) const {
-    auto store = *orchestrator::JobStore::Open(folder_ / "home");
+    auto jobs = *orchestrator::JobStore::Open(folder_ / "home");
     const auto artifacts = *orchestrator::LocalArtifacts::Open(folder_ / "home" / "artifacts");
-    const std::vector<v1::ArtifactRef> refs = *store->jobs().ArtifactsOf(job);
-    for (size_t i = 0; i < refs.size(); ++i) {
-      if (refs[i].kind() != v1::ARTIFACT_KIND_SOLVED_LAYOUT) continue;
-      v1::Artifact layout = *artifacts->Get(refs[i].id());
+    store::v1::JobRecord record = *jobs->jobs().Load(job);
+    for (v1::ArtifactRef& ref : *record.mutable_job()->mutable_artifacts()) {
+      if (ref.kind() != v1::ARTIFACT_KIND_SOLVED_LAYOUT) continue;
+      v1::Artifact layout = *artifacts->Get(ref.id());
       layout.mutable_solved_layout()->mutable_placements(0)->set_x_m(1.25);
-      ASSERT_TRUE(store->jobs().Attach(job, static_cast<int>(i), *artifacts->Put(layout)).ok());
+      ref = *artifacts->Put(layout);
     }
+    ASSERT_TRUE(jobs->jobs().Save(record, record.events_size()).ok());
   }
 
   TestFolder folder_;
@@ -63,7 +64,7 @@ TEST_F(ReplayCommand, TheSameComesOutAndTheJobsSaySo) {
   const Finished run = Replay(job);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("brief        agrees\n"), HasSubstr("report       agrees\n"),
-                             HasSubstr("of " + job + ": 11 stages agree\n")));
+                             HasSubstr("of " + job + ": 12 stages agree\n")));
   EXPECT_THAT(run.err, AllOf(HasSubstr("solve        "), Not(HasSubstr("(as before)"))));
   EXPECT_THAT(Flair({"jobs"}).out, HasSubstr("(replay of " + job + ")\n"));
 }
@@ -74,8 +75,8 @@ TEST_F(ReplayCommand, FromAStageTakesTheRest) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const json all = LastLine(run.out);
   EXPECT_EQ(all["agrees"], true) << all;
-  EXPECT_EQ(all["stages"][7]["verdict"], "taken");
-  EXPECT_EQ(all["stages"][8]["verdict"], "agrees");
+  EXPECT_EQ(all["stages"][8]["verdict"], "taken");
+  EXPECT_EQ(all["stages"][9]["verdict"], "agrees");
   const Finished shown = Flair({"jobs", "show", all["replay_job_id"]});
   EXPECT_THAT(shown.out, HasSubstr("replay of  " + job + " from solve\n"));
   // A replay can be replayed, and what it took be taken again.
@@ -131,7 +132,7 @@ TEST_F(ReplayCommand, ServesJobsOfAnOrchestratorElsewhere) {
   const std::string job = Design({"--orchestrator", programs.orchestrator()});
   const Finished run = Replay(job, {"--orchestrator", programs.orchestrator(), "--from", "translation"});
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("4 stages agree, 7 taken\n"));
+  EXPECT_THAT(run.out, HasSubstr("4 stages agree, 8 taken\n"));
   EXPECT_EQ(Replay(job).exit_code, 2);  // not in the own store
 }
 

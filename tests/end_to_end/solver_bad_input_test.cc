@@ -137,7 +137,7 @@ TEST_F(SolverBadInput, Solve) {
   refused({"@graph.pb", "--out", "@new.pb", "--seed", "-1"}, cli::kExitBadInput,
           "--seed: -1: expected a whole number, 0 to");
   refused({"@graph.pb", "--out", "@new.pb", "--lambda", "zone=nan"}, cli::kExitBadInput,
-          "--lambda: zone=nan: should be");
+          "--lambda: zone=nan: expected");
   refused({"@graph.pb", "--out", "@new.pb", "--options", "@options.txt"}, cli::kExitBadInput,
           "--options: @options.txt:2: column 9: ");
   refused({"@graph.pb", "--out", "@new.pb", "--options", "@nothing.txt"}, cli::kExitBadInput,

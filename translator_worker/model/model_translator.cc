@@ -38,12 +38,15 @@ struct Portion {
   std::vector<const v1::Sentence*> sentences;
 };
 
+// Sentences that completion added are in the handbook's words, which the grammar knows: no model is asked about them.
+bool IsImplied(const v1::Sentence& sentence) { return sentence.origin() == v1::SENTENCE_ORIGIN_IMPLIED; }
+
 std::vector<Portion> Divide(const v1::ConstraintList& list) {
   std::vector<Portion> portions;
   for (const Pass& pass : kPasses) {
     std::vector<const v1::Sentence*> sentences;
     for (const v1::Sentence& sentence : list.sentences()) {
-      if (sentence.scope() == pass.scope) sentences.push_back(&sentence);
+      if (sentence.scope() == pass.scope && !IsImplied(sentence)) sentences.push_back(&sentence);
     }
     for (size_t begin = 0; begin < sentences.size(); begin += kMostSentences) {
       const size_t end = std::min(begin + kMostSentences, sentences.size());
@@ -63,7 +66,12 @@ class Run {
         prompts_(prompts),
         catalog_(request.catalog()),
         reader_(request),
-        names_(request.room(), request.zone_plan(), request.object_list()) {}
+        names_(request.room(), request.zone_plan(), request.object_list()),
+        floor_names_(request.room(), request.zone_plan(), request.object_list(), NamedObjects::kFloorFirst) {
+    for (const v1::Sentence& sentence : request.constraint_list().sentences()) {
+      if (IsImplied(sentence)) ReadByGrammar(sentence);
+    }
+  }
 
   llm::Question Ask(const Portion& portion, size_t number) const {
     llm::Question question;
@@ -104,9 +112,7 @@ class Run {
 
   // Without a model.
   void StandIn(const Portion& portion, const absl::Status& failure) {
-    for (const v1::Sentence* sentence : portion.sentences) {
-      kept_[sentence->id()] = TranslateSentence(request_, names_, catalog_, *sentence);
-    }
+    for (const v1::Sentence* sentence : portion.sentences) ReadByGrammar(*sentence);
     v1::Diagnostic& remark = remarks_.emplace_back();
     remark.set_severity(v1::SEVERITY_WARNING);
     remark.set_code("stand_in");
@@ -122,6 +128,11 @@ class Run {
   }
 
  private:
+  void ReadByGrammar(const v1::Sentence& sentence) {
+    const SceneNames& names = sentence.scope() == v1::SENTENCE_SCOPE_TERTIARY ? names_ : floor_names_;
+    kept_[sentence.id()] = TranslateSentence(request_, names, catalog_, sentence);
+  }
+
   // The names by which the functions of a pass may be called.
   llm::Choices FunctionsOf(const Portion& portion) const {
     llm::Choices functions;
@@ -163,6 +174,7 @@ class Run {
   const CatalogIndex catalog_;
   const ArgumentReader reader_;
   const SceneNames names_;
+  const SceneNames floor_names_;
   std::map<std::string, Translation> kept_;
   std::vector<v1::Diagnostic> remarks_;
 };
