@@ -62,7 +62,7 @@ TEST_F(BatchDeletionTest, WithoutATerminalItWantsAYes) {
   if (::isatty(0) != 0 && ::isatty(2) != 0) GTEST_SKIP() << "somebody could be asked";
   const absl::Status status = Delete(EndedBatch(30), {});
   EXPECT_TRUE(absl::IsInvalidArgument(status));
-  EXPECT_THAT(status.message(), HasSubstr("--yes: missing; 30 jobs of batch b1"));
+  EXPECT_THAT(status.message(), HasSubstr("--yes: missing; this deletes 30 jobs of batch b1"));
 }
 
 }  // namespace

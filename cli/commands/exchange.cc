@@ -157,7 +157,7 @@ absl::Status ImportTranslation(const language::RecordedRoom& room, const languag
   *request.mutable_room() = imported.room;
   *request.mutable_zone_plan() = imported.zones;
   *request.mutable_object_list() = imported.objects;
-  *request.mutable_constraint_list() = imported.constraints;
+  *request.mutable_constraint_list() = imported.completed;
   *request.mutable_catalog() = optimizer::MakeCatalog();
   request.mutable_model_options()->set_stand_in_allowed(arguments.no_calls);
   runtime::CallContext call;

@@ -175,7 +175,7 @@ TEST(ArtifactFile, ANewerFlairIsNamedWhenTheBytesAreWhole) {
   EXPECT_THAT(std::string(status.message()), AllOf(HasSubstr("made by a newer Flair, build 9.9-1-gabcdef: "),
                                                    HasSubstr("(layout_graph.object_list.objects[0], field 99)")));
   v1::Artifact kind;
-  kind.GetReflection()->MutableUnknownFields(&kind)->AddLengthDelimited(27)->assign("new");
+  kind.GetReflection()->MutableUnknownFields(&kind)->AddLengthDelimited(99)->assign("new");
   kind.set_id(orchestrator::ComputeArtifactId(kind));
   EXPECT_THAT(std::string(Refusal("new.pb", ArtifactBytes(kind)).message()), HasSubstr("newer Flair"));
 }

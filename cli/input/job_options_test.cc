@@ -262,7 +262,7 @@ const Bad kBad[] = {
      "--camera: has 0 numbers; x, y and z in metres"},
     {"CameraOfTwo", "--view birdseye --camera 0,5 --look-at 1,1,0", "v.png",
      "--camera: has 2 numbers; x, y and z in metres"},
-    {"CameraOfWords", "--view birdseye --camera a,b,c --look-at 1,1,0", "v.png", "--camera: a,b,c: should"},
+    {"CameraOfWords", "--view birdseye --camera a,b,c --look-at 1,1,0", "v.png", "--camera: a,b,c: expected"},
     {"CameraAbove", "--view birdseye --camera 1,1,5 --look-at 1,1,0", "v.png", "--look-at: is straight below the eye"},
     {"FieldOfViewAlone", "--view birdseye --fov 60", "v.png", "--camera: has 0 numbers; x, y and z in metres"},
     {"ScaleOfAView", "--view birdseye --scale 1:50", "v.png", "--scale: 50 is for plans"},

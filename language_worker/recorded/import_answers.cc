@@ -35,6 +35,10 @@ class Phase {
     if (status.ok()) {
       status = Take<v1::CleanConstraintsRequest>(result_.constraints, &v1::CleanConstraintsResponse::constraint_list);
     }
+    if (status.ok()) {
+      status =
+          Take<v1::CompleteConstraintsRequest>(result_.completed, &v1::CompleteConstraintsResponse::constraint_list);
+    }
     return status;
   }
 

@@ -27,6 +27,8 @@ struct ImportedAnswers {
   v1::ObjectList objects;
   // Cleaned.
   v1::ConstraintList constraints;
+  // The same with what is implied, as it is translated.
+  v1::ConstraintList completed;
   std::vector<v1::ModelCall> calls;
   // By step.
   std::map<std::string, Conversion> conversions;
