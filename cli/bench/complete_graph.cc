@@ -11,6 +11,7 @@
 #include "flair/v1/translator_service.pb.h"
 #include "language_worker/handbook/completion/complete_constraints.h"
 #include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/handbook/parts/furniture_index.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "translator_worker/grammar/translate.h"
 #include "worker_runtime/status/status_macros.h"
@@ -39,6 +40,19 @@ v1::Sentence SentenceOf(const v1::ConstraintEdge& edge, const std::map<std::stri
   return sentence;
 }
 
+// The objects as completion sees them: recorded problems have no heights, so a wardrobe is as tall as wardrobes are.
+v1::ObjectList WithUsualHeights(const v1::ObjectList& objects, const language::Handbook& handbook) {
+  const language::FurnitureIndex index(handbook);
+  v1::ObjectList tall = objects;
+  for (v1::Object& object : *tall.mutable_objects()) {
+    const language::hb::Furniture* furniture = index.Find(object.name());
+    if (furniture != nullptr && object.kind() == v1::OBJECT_KIND_FLOOR) {
+      object.set_height_m(furniture->height_m().typical());
+    }
+  }
+  return tall;
+}
+
 }  // namespace
 
 absl::Status CompleteGraph(v1::LayoutGraph& graph) {
@@ -50,8 +64,8 @@ absl::Status CompleteGraph(v1::LayoutGraph& graph) {
   for (const v1::Object& object : graph.object_list().objects()) roles[object.id()] = object.role();
   v1::ConstraintList said;
   for (const v1::ConstraintEdge& edge : graph.edges()) *said.add_sentences() = SentenceOf(edge, roles);
-  const v1::ConstraintList completed =
-      language::CompleteConstraints({brief, graph.room(), graph.zone_plan()}, graph.object_list(), said, *handbook);
+  const v1::ConstraintList completed = language::CompleteConstraints(
+      {brief, graph.room(), graph.zone_plan()}, WithUsualHeights(graph.object_list(), *handbook), said, *handbook);
 
   v1::TranslateRequest request;
   std::set<std::string> kept;
