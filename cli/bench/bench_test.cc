@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cli/bench/complete_graph.h"
 #include "cli/bench/measures.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
@@ -13,6 +14,7 @@ namespace flair::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -41,6 +43,19 @@ const SolveMeasure& Measure() {
     return MeasureSolve(Study(), options, 2).value();
   }();
   return measure;
+}
+
+TEST_F(BenchTest, RecordedGraphsAreCompleted) {
+  v1::LayoutGraph graph = Study().graph;
+  const int before = graph.edges_size();
+  ASSERT_TRUE(CompleteGraph(graph).ok());
+  EXPECT_GT(graph.edges_size(), before);
+  std::vector<std::string> implied;
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    if (edge.id().starts_with("implied_")) implied.push_back(edge.type());
+  }
+  EXPECT_THAT(implied, Contains("next_to")) << "the chair is drawn up to the desk";
+  EXPECT_EQ(graph.constraint_list().sentences(0).origin(), v1::SENTENCE_ORIGIN_IMPLIED);
 }
 
 TEST_F(BenchTest, FilesAndGraphsOfDesignsAreListedByName) {

@@ -21,15 +21,43 @@ bool IsCarriedAlike(const v1::Object& object, const hb::Furniture& furniture) {
   return static_cast<int>(object.kind()) == kind;
 }
 
+// Whether the class is used with one of these.
+bool HasPartner(const hb::Furniture& furniture, const std::set<std::string>& classes) {
+  return std::ranges::any_of(furniture.relations(), [&](const hb::Relation& relation) {
+    return relation.use() &&
+           std::ranges::any_of(relation.targets(), [&](const std::string& target) { return classes.contains(target); });
+  });
+}
+
+// A plain "chair" is what its room needs: the dining chair that it is called after, but an office chair where there is
+// a desk and no dining table. Null when the class has its partner, or no class of its category has one.
+const hb::Furniture* UsedInstead(const hb::Furniture& furniture, const std::set<std::string>& classes,
+                                 const Handbook& handbook) {
+  if (HasPartner(furniture, classes)) return nullptr;
+  const auto found = std::ranges::find_if(handbook.contents().furniture(), [&](const hb::Furniture& other) {
+    return other.category() == furniture.category() && other.kind() == furniture.kind() && HasPartner(other, classes);
+  });
+  return found == handbook.contents().furniture().end() ? nullptr : &*found;
+}
+
 // The objects by the names of their classes; those of no class keep their own.
 v1::ObjectList ByClass(const v1::ObjectList& objects, const Handbook& handbook) {
   const FurnitureIndex index(handbook);
   v1::ObjectList named = objects;
+  std::set<std::string> classes;
   for (v1::Object& object : *named.mutable_objects()) {
     const hb::Furniture* furniture = index.Find(object.name());
     if (furniture == nullptr || !IsCarriedAlike(object, *furniture)) continue;
     object.set_name(furniture->name());
     object.set_category(furniture->category());
+    classes.insert(furniture->name());
+  }
+  for (int i = 0; i < objects.objects_size(); ++i) {
+    v1::Object& object = *named.mutable_objects(i);
+    // Who calls it by the class's own name means that class.
+    if (!classes.contains(object.name()) || PlainName(objects.objects(i).name()) == object.name()) continue;
+    const hb::Furniture* instead = UsedInstead(*handbook.FindFurniture(object.name()), classes, handbook);
+    if (instead != nullptr) object.set_name(instead->name());
   }
   return named;
 }

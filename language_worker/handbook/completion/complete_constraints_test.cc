@@ -90,6 +90,13 @@ TEST_F(Strangers, ChairsSurroundTheirTable) {
   EXPECT_THAT(Implied(), Contains("The dining_chairs surround the walnut dining table."));
 }
 
+TEST_F(Strangers, PlainChairIsWhatTheRoomNeeds) {
+  Piece("desk", "desk");
+  Piece("seat", "chair");
+  Complete();
+  EXPECT_THAT(Implied(), Contains("The front of the chair is next to the front of the desk."));
+}
+
 TEST_F(Strangers, NamesInThePluralAreOnePieceEach) {
   Piece("table", "dining table");
   Piece("a", "dining chairs");
