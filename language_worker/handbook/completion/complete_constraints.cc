@@ -64,7 +64,8 @@ v1::ObjectList ByClass(const v1::ObjectList& objects, const Handbook& handbook) 
 
 class Completion {
  public:
-  Completion(const v1::ObjectList& objects, const v1::ConstraintList& list) : list_(list) {
+  Completion(const v1::Brief& brief, const v1::ObjectList& objects, const v1::ConstraintList& list) : list_(list) {
+    for (const v1::Sentence& sentence : brief.constraint_list().sentences()) brief_ids_.insert(sentence.id());
     for (const v1::Object& object : objects.objects()) {
       if (object.role() == v1::OBJECT_ROLE_TERTIARY) tertiary_ids_.insert(object.id());
     }
@@ -101,7 +102,7 @@ class Completion {
   void Overrule(const UseSentence& use) {
     const std::set<std::string> used(use.sentence.subject_ids().begin(), use.sentence.subject_ids().end());
     const auto gives_way = [&](const v1::Sentence& other) {
-      if (other.origin() == v1::SENTENCE_ORIGIN_BRIEF || other.scope() == v1::SENTENCE_SCOPE_TERTIARY) return false;
+      if (IsOfBrief(other) || other.scope() == v1::SENTENCE_SCOPE_TERTIARY) return false;
       if (other.subject_ids().empty() || other.subject_ids(0) != use.sentence.subject_ids(0)) return false;
       const bool alone = std::ranges::all_of(other.subject_ids(), [&](const auto& id) { return used.contains(id); });
       const std::string words = fmt::format(" {} ", PlainName(other.text()));
@@ -123,6 +124,12 @@ class Completion {
     }
   }
 
+  // Whether the user says so, also where cleaning has put it into other words.
+  bool IsOfBrief(const v1::Sentence& sentence) const {
+    return sentence.origin() == v1::SENTENCE_ORIGIN_BRIEF || brief_ids_.contains(sentence.id()) ||
+           std::ranges::any_of(sentence.made_from_ids(), [&](const auto& id) { return brief_ids_.contains(id); });
+  }
+
   std::string NextId() {
     const auto is_taken = [&](const std::string& id) {
       return std::ranges::any_of(list_.sentences(), [&](const v1::Sentence& one) { return one.id() == id; });
@@ -134,6 +141,7 @@ class Completion {
   }
 
   v1::ConstraintList list_;
+  std::set<std::string> brief_ids_;
   std::set<std::string> tertiary_ids_;
   std::set<std::string> placed_ids_;
   std::set<std::string> texts_;
@@ -154,7 +162,7 @@ v1::ConstraintList CompleteConstraints(const ObjectsRequest& request, const v1::
                   same);
     return same;
   }
-  Completion completion(objects, list);
+  Completion completion(request.brief, objects, list);
   for (const UseSentence& use : *uses) completion.Add(use);
   return std::move(completion).Take();
 }

@@ -136,6 +136,18 @@ TEST_F(Strangers, TheUsersWordsGiveWayToNothing) {
   EXPECT_THAT(Written(), ElementsAre("Each dining chair is near a wall."));
 }
 
+TEST_F(Strangers, NorDoTheConstraintsThatABriefBrings) {
+  Piece("table", "dining table");
+  Piece("a", "dining chair");
+  Piece("b", "dining chair");
+  Say("Each dining chair is near a wall.", {"a", "b"});
+  *brief_.mutable_constraint_list() = list_;
+  list_.mutable_sentences(0)->set_id("s1_simple");
+  list_.mutable_sentences(0)->add_made_from_ids("s1");
+  Complete();
+  EXPECT_THAT(Written(), ElementsAre("Each dining chair is near a wall."));
+}
+
 TEST_F(Strangers, WhatIsSaidIsNotSaidAgain) {
   Piece("sofa", "sofa");
   Piece("low", "coffee table");
