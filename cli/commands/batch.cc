@@ -33,8 +33,8 @@ struct LineFlags : JobFlags {
   int& seed_count = Whole("--seeds COUNT", 1, 500, 1, "Jobs per line, with its seed N, N + 1, ..., 1 to 500 (1)");
   std::vector<std::string>& views =
       Commas("--view A,B", "Pictures: plan, birdseye, perspective, separated by commas (plan)");
-  bool& no_completion = Flag("--no-completion",
-                             "Add nothing that nobody wrote: chairs are drawn up to desks only where somebody says so");
+  bool& no_completion =
+      Flag("--no-completion", "Do not add what follows from use, such as a chair drawn up to its desk");
   std::vector<std::string>& options =
       List("--set NAME=VALUE", "Any other option, as for flair replay: optimizer.path_width=0.7");
 };

@@ -54,8 +54,8 @@ struct DesignArguments : Options {
   StageFlags stages{command()};
   LlmFlags llm{command()};
   ModelFlags model{command()};
-  bool& no_completion = Flag("--no-completion",
-                             "Add nothing that nobody wrote: chairs are drawn up to desks only where somebody says so");
+  bool& no_completion =
+      Flag("--no-completion", "Do not add what follows from use, such as a chair drawn up to its desk");
   bool& json = Flag("--json", "Events as JSON lines on standard output");
   bool& quiet = Flag("-q,--quiet", "Print nothing but errors", {"--json"});
 };

@@ -7,11 +7,9 @@
 #include <atomic>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <unordered_map>
-#include <utility>
 
 #include "absl/strings/escaping.h"
-#include "absl/synchronization/mutex.h"
+#include "orchestrator/jetstream/pending_messages.h"
 #include "worker_runtime/executor/parallel.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -66,66 +64,14 @@ NatsRequest WithExpected(std::string subject, std::string content, uint64_t expe
   return {std::move(subject), std::move(content), {{"Nats-Expected-Last-Subject-Sequence", std::to_string(expected)}}};
 }
 
-// Messages that were sent and not yet acknowledged. Thread-safe.
-class Streams::Pending {
- public:
-  using Result = absl::StatusOr<uint64_t>;
-  // Messages of one call.
-  struct Call {
-    std::vector<natsMsg*> sent;
-    int64_t awaited = 0;
-  };
-
-  explicit Pending(const Streams& streams) : streams_(streams) {}
-
-  // The acknowledgement of the message comes to `result`, until it is forgotten or awaited no longer.
-  void Add(Call& call, natsMsg* message, Result* result) {
-    const absl::MutexLock lock(&mutex_);
-    waiting_[message] = {&call, result};
-    call.sent.push_back(message);
-    ++call.awaited;
-  }
-  void ForgetLast(Call& call) {
-    const absl::MutexLock lock(&mutex_);
-    waiting_.erase(call.sent.back());
-    call.sent.pop_back();
-    --call.awaited;
-  }
-  // Until all of a call have come, no longer than `limit`; the others keep the results that they have.
-  void Await(Call& call, absl::Duration limit) {
-    const absl::MutexLock lock(&mutex_);
-    mutex_.AwaitWithTimeout(absl::Condition(
-                                +[](int64_t* awaited) { return *awaited == 0; }, &call.awaited),
-                            limit);
-    for (natsMsg* message : call.sent) waiting_.erase(message);
-  }
-  static void OnAck(jsCtx* /*context*/, natsMsg* message, jsPubAck* ack, jsPubAckErr* error, void* pending) {
-    const NatsMessagePtr made(message);
-    static_cast<Pending*>(pending)->Came(message, ack, error);
-  }
-
- private:
-  void Came(natsMsg* message, const jsPubAck* ack, const jsPubAckErr* error) {
-    const absl::MutexLock lock(&mutex_);
-    const auto found = waiting_.find(message);
-    if (found == waiting_.end()) return;
-    const auto [call, result] = found->second;
-    *result =
-        ack != nullptr ? Result(ack->Sequence) : Result(streams_.ToStatus(error->Err, error->ErrCode, error->ErrText));
-    --call->awaited;
-    waiting_.erase(found);
-  }
-
-  const Streams& streams_;
-  absl::Mutex mutex_;
-  std::unordered_map<natsMsg*, std::pair<Call*, Result*>> waiting_;
-};
-
 Streams::Streams(NatsConnection& connection, absl::Duration limit)
-    : connection_(connection), limit_(limit), pending_(std::make_unique<Pending>(*this)) {
+    : connection_(connection),
+      limit_(limit),
+      pending_(std::make_unique<PendingMessages>(
+          [this](int status, int code, const char* text) { return ToStatus(status, code, text); })) {
   jsOptions options;
   jsOptions_Init(&options);
-  options.PublishAsync.AckHandler = Pending::OnAck;
+  options.PublishAsync.AckHandler = PendingMessages::OnAck;
   options.PublishAsync.AckHandlerClosure = pending_.get();
   // Both fail only without memory; then every call says so.
   (void)natsConnection_JetStream(&context_, connection.handle(), nullptr);
@@ -252,7 +198,7 @@ absl::StatusOr<uint64_t> Streams::Publish(const NatsRequest& message) {
 std::vector<absl::StatusOr<uint64_t>> Streams::PublishAll(std::span<const NatsRequest> messages) {
   std::vector<absl::StatusOr<uint64_t>> results(messages.size(), connection_.Unreachable("no answer in time"));
   if (messages.empty()) return results;
-  Pending::Call call;
+  PendingMessages::Call call;
   for (size_t i = 0; i < messages.size() && connection_.connected(); ++i) {
     if (const absl::Status fits = connection_.CheckSize(messages[i]); !fits.ok()) {
       results[i] = fits;

@@ -22,6 +22,8 @@ typedef struct __jsCtx jsCtx;
 
 namespace flair::orchestrator {
 
+class PendingMessages;
+
 // A message as a stream keeps it.
 struct StoredMessage {
   std::string subject;
@@ -126,7 +128,6 @@ class Streams {
   }
 
  private:
-  class Pending;
   static const absl::Status& StatusOf(const absl::Status& status) { return status; }
   template <typename T>
   static const absl::Status& StatusOf(const absl::StatusOr<T>& result) {
@@ -147,7 +148,7 @@ class Streams {
   const absl::Duration limit_;
   jsCtx* context_ = nullptr;
   // Publishes without waiting for each answer; `pending_` awaits the answers.
-  std::unique_ptr<Pending> pending_;
+  std::unique_ptr<PendingMessages> pending_;
   jsCtx* publishing_ = nullptr;
 };
 

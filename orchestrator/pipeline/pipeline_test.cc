@@ -71,26 +71,6 @@ TEST_F(PipelineTest, StoresOneArtifactPerStageInOrder) {
   EXPECT_EQ(stages.all_calls(), 12);
 }
 
-TEST_F(PipelineTest, WithoutCompletionTheListGoesOnAsItIs) {
-  FakeStages unable([](std::string_view rpc, runtime::CallContext&) {
-    return rpc == "CompleteConstraints" ? absl::UnimplementedError("not here") : absl::OkStatus();
-  });
-  ASSERT_TRUE(Run(unable, NewJob("j1")).status.ok());
-  FakeStages stages;
-  v1::Job refused = NewJob("j2");
-  refused.mutable_spec()->set_no_completion(true);
-  ASSERT_TRUE(Run(stages, refused).status.ok());
-  EXPECT_EQ(stages.calls("CompleteConstraints"), 0);
-  for (const char* const job : {"j1", "j2"}) {
-    const v1::ConstraintList cleaned = pipeline_.Artifact(Ids(job)[6]).constraint_list();
-    v1::ConstraintList completed = pipeline_.Artifact(Ids(job)[7]).completed_constraint_list();
-    ASSERT_EQ(completed.diagnostics_size(), cleaned.diagnostics_size() + 1) << job;
-    EXPECT_EQ(completed.diagnostics().rbegin()->code(), "not_completed");
-    completed.mutable_diagnostics()->RemoveLast();
-    EXPECT_EQ(completed.SerializeAsString(), cleaned.SerializeAsString()) << job;
-  }
-}
-
 TEST_F(PipelineTest, ReportsWhatModelsConsumedForThisJobOnly) {
   FakeStages stages;
   v1::Job job = NewJob("j1");
