@@ -29,8 +29,8 @@ bool Satisfied(const Term& term, const PartialLayout& state) {
 
 }  // namespace
 
-Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const Baseline& baseline) {
-  Grievances grievances;
+Violations FindViolations(const SolveInput& input, const PartialLayout& state, const Baseline& baseline) {
+  Violations violations;
   const auto solid = [&](int object) { return object < 0 || IsSolid(input.scene.objects[object]); };
   const SceneCosts costs = BindCosts(input, state);
   for (const Misfit& misfit : FindMisfits(input, costs, state)) {
@@ -38,21 +38,21 @@ Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, c
     // Where the user has put things into each other or through a wall, nobody can help.
     if (input.pinned[misfit.object] && (misfit.other < 0 || input.pinned[misfit.other])) continue;
     const bool on_floor = solid(misfit.object) && solid(misfit.other);
-    if (on_floor) grievances.depth_m += misfit.depth_m;
+    if (on_floor) violations.depth_m += misfit.depth_m;
     for (int object : {misfit.object, misfit.other}) {
       if (object < 0 || input.pinned[object]) continue;
-      if (on_floor) AddOnce(grievances.colliding, object);
+      if (on_floor) AddOnce(violations.colliding, object);
       // Where something on a wall meets something on the floor, the first gives way.
-      if (!solid(object)) AddOnce(grievances.astray, object);
+      if (!solid(object)) AddOnce(violations.astray, object);
     }
   }
   for (const Term& term : costs.terms) {
     if (term.edge < 0 || !baseline.held[term.edge]) continue;
     const bool there =
         std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
-    if (there && !Satisfied(term, state)) grievances.broken.push_back(term.edge);
+    if (there && !Satisfied(term, state)) violations.broken.push_back(term.edge);
   }
-  return grievances;
+  return violations;
 }
 
 std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state) {

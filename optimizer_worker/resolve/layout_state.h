@@ -20,7 +20,8 @@ struct Baseline {
   std::set<std::pair<int, int>> tolerated;
 };
 
-struct Grievances {
+// What an edit has made worse.
+struct Violations {
   // Floor objects that collide, ascending, without pinned ones.
   std::vector<int> colliding;
   // Sum of the depths of their collisions.
@@ -31,7 +32,7 @@ struct Grievances {
   std::vector<int> astray;
 };
 
-Grievances FindGrievances(const SolveInput& input, const PartialLayout& state, const Baseline& baseline);
+Violations FindViolations(const SolveInput& input, const PartialLayout& state, const Baseline& baseline);
 
 // The pairs that are in each other's way in `state`.
 std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state);

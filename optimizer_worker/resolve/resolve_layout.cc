@@ -87,11 +87,11 @@ absl::StatusOr<WarmResult> SolveAnew(const SolveInput& input) {
 absl::StatusOr<WarmResult> Search(const SolveInput& input, const WarmStart& start) {
   absl::StatusOr<WarmResult> warm = SearchWarm(input, start);
   if (!warm.ok() || input.OutOfTime()) return warm;
-  const double left_m = FindGrievances(input, warm->state, start.baseline).depth_m;
+  const double left_m = FindViolations(input, warm->state, start.baseline).depth_m;
   if (left_m <= kFits_m) return warm;
   absl::StatusOr<WarmResult> anew = SolveAnew(input);
   if (!anew.ok()) return anew.status();
-  return FindGrievances(input, anew->state, start.baseline).depth_m < left_m ? anew : warm;
+  return FindViolations(input, anew->state, start.baseline).depth_m < left_m ? anew : warm;
 }
 
 std::vector<std::string> MovedIds(const SolveInput& input, const PartialLayout& before, const PartialLayout& after) {

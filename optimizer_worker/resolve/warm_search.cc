@@ -20,7 +20,7 @@ constexpr int kTertiaryRounds = 2;
 constexpr int kPlaceRestarts = 2;
 // Objects this near to a trouble that its own objects cannot end are moved too.
 constexpr double kNeighbour_m = 0.6;
-// Nothing moves for a gain of less than this; a tenth of what a wish missed costs.
+// Nothing moves for a gain of less than this; a tenth of what a missed constraint costs.
 constexpr double kWorthMoving = 0.05;
 // Moves smaller than these are taken back.
 constexpr double kNoMove_m = 1e-3;
@@ -90,8 +90,8 @@ class WarmSearch {
           Carried(start_.before.layout[leader], brought.layout[leader], start_.before.layout[object]);
     }
     Follow(input_, result_.state, belongings, brought);
-    const auto now = Trouble(FindGrievances(input_, result_.state, start_.baseline));
-    if (!(Trouble(FindGrievances(input_, brought, start_.baseline)) < now)) return false;
+    const auto now = Trouble(FindViolations(input_, result_.state, start_.baseline));
+    if (!(Trouble(FindViolations(input_, brought, start_.baseline)) < now)) return false;
     result_.state = std::move(brought);
     return true;
   }
@@ -114,9 +114,9 @@ class WarmSearch {
   }
 
   // The floor objects that may move and are to blame: those that collide, and those that broken edges name.
-  std::vector<int> ToBlame(const Grievances& grievances) const {
-    std::vector<char> blamed = Flags(grievances.colliding);
-    for (int edge : grievances.broken) {
+  std::vector<int> ToBlame(const Violations& violations) const {
+    std::vector<char> blamed = Flags(violations.colliding);
+    for (int edge : violations.broken) {
       for (int object : ObjectsOfEdge(input_, edge)) blamed[object] = 1;
     }
     std::vector<int> objects;
@@ -127,15 +127,15 @@ class WarmSearch {
   }
 
   // How bad it is for the floor: depth of collisions, then weight of broken edges.
-  std::pair<double, double> Trouble(const Grievances& grievances) const {
+  std::pair<double, double> Trouble(const Violations& violations) const {
     double weight = 0;
-    for (int edge : grievances.broken) {
+    for (int edge : violations.broken) {
       const std::vector<int> named = ObjectsOfEdge(input_, edge);
       const bool on_floor =
           std::all_of(named.begin(), named.end(), [&](int object) { return IsSolid(input_.scene.objects[object]); });
       if (on_floor) weight += input_.graph.edges(edge).weight();
     }
-    return {grievances.depth_m > kFits_m ? grievances.depth_m : 0.0, weight};
+    return {violations.depth_m > kFits_m ? violations.depth_m : 0.0, weight};
   }
 
   bool Near(int object, const std::vector<int>& others) const {
@@ -147,14 +147,14 @@ class WarmSearch {
   }
 
   // Adds those to blame to `free`; when all of them are free already and things still collide, their neighbours.
-  bool Grow(const Grievances& grievances, std::vector<char>& free) const {
-    const std::vector<int> blamed = ToBlame(grievances);
+  bool Grow(const Violations& violations, std::vector<char>& free) const {
+    const std::vector<int> blamed = ToBlame(violations);
     bool grown = false;
     for (int object : blamed) {
       grown = grown || !free[object];
       free[object] = 1;
     }
-    if (grown || blamed.empty() || grievances.depth_m <= kFits_m) return grown;
+    if (grown || blamed.empty() || violations.depth_m <= kFits_m) return grown;
     for (size_t i = 0; i < free.size(); ++i) {
       if (free[i] || !floor_[i] || !result_.state.placed[i] || !Near(static_cast<int>(i), blamed)) continue;
       free[i] = 1;
@@ -165,8 +165,8 @@ class WarmSearch {
 
   absl::Status SettleFloor() {
     std::vector<char> free = Flags(start_.touched);
-    Grievances grievances = FindGrievances(input_, result_.state, start_.baseline);
-    Grow(grievances, free);
+    Violations violations = FindViolations(input_, result_.state, start_.baseline);
+    Grow(violations, free);
     for (int round = 0; round < kFloorRounds; ++round) {
       if (input_.Cancelled()) return absl::CancelledError("cancelled while solving again");
       StageSpec stage{StageKind::kPolish, -1, {}};
@@ -174,25 +174,25 @@ class WarmSearch {
         if (free[i] && floor_[i] && result_.state.placed[i]) stage.objects.push_back(static_cast<int>(i));
       }
       if (stage.objects.empty() || (round > 0 && input_.OutOfTime())) return absl::OkStatus();
-      const std::pair<double, double> before = Trouble(grievances);
-      Polish(stage, round, grievances);
-      const std::pair<double, double> after = Trouble(grievances);
+      const std::pair<double, double> before = Trouble(violations);
+      Polish(stage, round, violations);
+      const std::pair<double, double> after = Trouble(violations);
       // What more freedom has not mended once, it will not mend: not every constraint survives every edit.
       const bool in_vain = round > 0 && after.first == 0 && after == before;
-      if (after == std::pair<double, double>{0, 0} || in_vain || !Grow(grievances, free)) return absl::OkStatus();
+      if (after == std::pair<double, double>{0, 0} || in_vain || !Grow(violations, free)) return absl::OkStatus();
     }
     return absl::OkStatus();
   }
 
-  // One round; keeps what it finds when it is better, and says in `grievances` how things stand then.
-  void Polish(const StageSpec& stage, int round, Grievances& grievances) {
+  // One round; keeps what it finds when it is better, and says in `violations` how things stand then.
+  void Polish(const StageSpec& stage, int round, Violations& violations) {
     const absl::Time began = absl::Now();
     const PartialLayout before = result_.state;
     RestartResult polished = PolishRestart(input_, stage, before, round);
     TakeBackSmallMoves(stage, before, polished.state);
     Follow(input_, before, stage.objects, polished.state);
-    const Grievances after = FindGrievances(input_, polished.state, start_.baseline);
-    const auto trouble_before = Trouble(grievances), trouble_after = Trouble(after);
+    const Violations after = FindViolations(input_, polished.state, start_.baseline);
+    const auto trouble_before = Trouble(violations), trouble_after = Trouble(after);
     bool better = trouble_after < trouble_before;
     if (trouble_after == trouble_before) {
       better = ScoreOf(input_, stage, polished.state) < ScoreOf(input_, stage, before) - kWorthMoving;
@@ -200,7 +200,7 @@ class WarmSearch {
     Record(stage, polished, 1, began);
     if (!better) return;
     result_.state = std::move(polished.state);
-    grievances = after;
+    violations = after;
   }
 
   // Puts those back exactly that have hardly moved, if that breaks nothing.
@@ -218,20 +218,20 @@ class WarmSearch {
       any = true;
     }
     if (!any) return;
-    const auto now = Trouble(FindGrievances(input_, after, start_.baseline));
-    if (Trouble(FindGrievances(input_, taken_back, start_.baseline)) <= now) after = std::move(taken_back);
+    const auto now = Trouble(FindViolations(input_, after, start_.baseline));
+    if (Trouble(FindViolations(input_, taken_back, start_.baseline)) <= now) after = std::move(taken_back);
   }
 
   // Tertiaries that have no place, lie in the way, or whose edges are broken.
-  bool GrowTertiaries(const Grievances& grievances, std::vector<char>& free) const {
+  bool GrowTertiaries(const Violations& violations, std::vector<char>& free) const {
     bool grown = false;
     const auto add = [&](int object) {
       if (!tertiary_[object] || free[object]) return;
       free[object] = 1;
       grown = true;
     };
-    for (int object : grievances.astray) add(object);
-    for (int edge : grievances.broken) {
+    for (int object : violations.astray) add(object);
+    for (int edge : violations.broken) {
       for (int object : ObjectsOfEdge(input_, edge)) add(object);
     }
     return grown;
@@ -248,8 +248,8 @@ class WarmSearch {
       const auto lost = start_.lost_carriers.find(object);
       PutOnLikeTop(input_, object, lost == start_.lost_carriers.end() ? nullptr : &lost->second, result_.state);
     }
-    Grievances grievances = FindGrievances(input_, result_.state, start_.baseline);
-    GrowTertiaries(grievances, free);
+    Violations violations = FindViolations(input_, result_.state, start_.baseline);
+    GrowTertiaries(violations, free);
     for (int round = 0; round < kTertiaryRounds; ++round) {
       if (input_.Cancelled()) return absl::CancelledError("cancelled while solving again");
       StageSpec stage{StageKind::kTertiary, -1, {}};
@@ -257,14 +257,14 @@ class WarmSearch {
         if (free[i]) stage.objects.push_back(static_cast<int>(i));
       }
       if (stage.objects.empty()) return absl::OkStatus();
-      Replace(stage, grievances);
-      if (!GrowTertiaries(grievances, free)) return absl::OkStatus();
+      Replace(stage, violations);
+      if (!GrowTertiaries(violations, free)) return absl::OkStatus();
     }
     return absl::OkStatus();
   }
 
   // Places the stage's tertiaries anew, all of them; keeps that when it is better or some had no place.
-  void Replace(const StageSpec& stage, Grievances& grievances) {
+  void Replace(const StageSpec& stage, Violations& violations) {
     const absl::Time began = absl::Now();
     PartialLayout without = result_.state;
     bool complete = true;
@@ -275,15 +275,15 @@ class WarmSearch {
     }
     const RestartResult placed = TertiaryRestart(input_, stage, without, 0);
     Record(stage, placed, 1, began);
-    const Grievances after = FindGrievances(input_, placed.state, start_.baseline);
-    const size_t now = grievances.astray.size() + grievances.broken.size();
+    const Violations after = FindViolations(input_, placed.state, start_.baseline);
+    const size_t now = violations.astray.size() + violations.broken.size();
     const size_t then = after.astray.size() + after.broken.size();
     const bool better =
         !complete || then < now ||
         (then == now && ScoreOf(input_, stage, placed.state) < ScoreOf(input_, stage, result_.state) - kWorthMoving);
     if (!better) return;
     result_.state = placed.state;
-    grievances = after;
+    violations = after;
   }
 
   const SolveInput& input_;

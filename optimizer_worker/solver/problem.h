@@ -26,8 +26,8 @@ struct Term {
   double reach_m = std::numeric_limits<double>::infinity();
   // Overlap, bounds and doors: must be zero in the end.
   bool hard = false;
-  // A wish: counts as Wish(cost), so that one wish missed is better than five missed a little.
-  bool wish = false;
+  // Counts as RobustLoss(cost): one soft constraint missed is better than five missed a little.
+  bool robust = false;
   // Index of the graph's edge, or -1 for a whole-room term called `name`.
   int edge = -1;
   std::string name;
@@ -35,20 +35,20 @@ struct Term {
   double factor = 1;
 };
 
-// The paper's penalties compete with the wishes; the search must not trade a wish for an overlap. Multiplies factors of
+// The paper's penalties compete with the soft constraints; the search must not trade one for an overlap. Multiplies factors of
 // hard terms that are smaller than this.
 inline constexpr double kHardFactor = 40;
 
-// What a wish of cost c is worth in the search:
+// Robust loss of a soft constraint of cost c:
 //   kHopeless log(1 + c / kHopeless) + kMissed c / (c + kNearly)
-// Zero where c is zero, grows with c, adds almost kMissed as soon as the wish is missed at all, and grows slowly when
-// it is missed by far: least squares alone would rather miss every wish by some centimetres than one of them honestly,
+// Zero where c is zero, grows with c, adds almost kMissed as soon as the constraint is missed at all, and grows slowly when
+// it is missed by far: least squares alone would rather miss every constraint by some centimetres than one of them honestly,
 // and let one that cannot be met (2 m from the door in a 3 m room) spoil the others.
 inline constexpr double kMissed = 0.9;
 inline constexpr double kNearly = 0.01;
 inline constexpr double kHopeless = 0.2;
-inline double Wish(double cost) { return kHopeless * std::log1p(cost / kHopeless) + kMissed * cost / (cost + kNearly); }
-inline double WishSlope(double cost) {
+inline double RobustLoss(double cost) { return kHopeless * std::log1p(cost / kHopeless) + kMissed * cost / (cost + kNearly); }
+inline double RobustSlope(double cost) {
   return kHopeless / (kHopeless + cost) + kMissed * kNearly / ((cost + kNearly) * (cost + kNearly));
 }
 

@@ -15,7 +15,7 @@
 
 namespace flair::optimizer {
 
-// What the walkability of a layout is worth, in units of cost: the paper has no term for it. Small against a wish that
+// What the walkability of a layout is worth, in units of cost: the paper has no term for it. Small against a constraint that
 // is missed, large against nearly equal minima.
 struct WalkWeights {
   double unreachable_floor = 7.0;

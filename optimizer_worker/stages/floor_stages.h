@@ -18,7 +18,7 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
 
 // Stage "polish": all floor objects together, ending exactly feasible.
 
-// What a remaining overlap of one metre is worth against any wish.
+// What a remaining overlap of one metre is worth against any constraint.
 inline constexpr double kInfeasible = 100;
 
 // How often a polish goes over everything before it makes the layout exact.

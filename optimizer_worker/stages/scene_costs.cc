@@ -31,7 +31,7 @@ class Collector {
       // A call about many objects stands for as many wishes: four chairs round a table are more than one of them.
       term.weight = term.factor * std::max(1, static_cast<int>(term.required.size()) / 2);
       term.edge = e;
-      term.wish = true;
+      term.robust = true;
       term.name = edge.type();
     }
   }
@@ -97,8 +97,8 @@ class Collector {
     term.weight = hard && factor < kHardFactor ? factor * kHardFactor : factor;
     term.hard = hard;
     term.name = name;
-    // A crooked piece is missed like a wish.
-    term.wish = term.name == kAlignedTerm;
+    // A crooked piece counts like a missed constraint.
+    term.robust = term.name == kAlignedTerm;
   }
 
   const SolveInput& input_;

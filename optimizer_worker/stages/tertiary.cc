@@ -181,20 +181,20 @@ void PushApart(const SolveInput& input, const StageSpec& stage, const std::vecto
 // Pieces that are in each other's way are taken out and placed anew together, in another order each time.
 void PartByReplacing(const SolveInput& input, const StageSpec& stage, LayoutSearch& search, Random& random) {
   for (int attempt = 0; attempt < kPartAttempts; ++attempt) {
-    std::vector<int> tangled;
+    std::vector<int> overlapping;
     for (int object : stage.objects) {
       const bool in_the_way = std::any_of(stage.objects.begin(), stage.objects.end(), [&](int other) {
         if (!CanCollide(input.scene, object, other)) return false;
         const Vec2<double> push = PushOf(input.scene, object, other, search.layout());
         return push.x != 0 || push.y != 0;
       });
-      if (in_the_way) tangled.push_back(object);
+      if (in_the_way) overlapping.push_back(object);
     }
-    if (tangled.empty()) return;
-    for (size_t i = tangled.size() - 1; i > 0; --i) {
-      std::swap(tangled[i], tangled[static_cast<size_t>(random.Below(static_cast<int>(i) + 1))]);
+    if (overlapping.empty()) return;
+    for (size_t i = overlapping.size() - 1; i > 0; --i) {
+      std::swap(overlapping[i], overlapping[static_cast<size_t>(random.Below(static_cast<int>(i) + 1))]);
     }
-    search.Replace(tangled, attempt == 0 ? 0.0 : kNoise, random);
+    search.Replace(overlapping, attempt == 0 ? 0.0 : kNoise, random);
   }
 }
 
@@ -285,7 +285,7 @@ RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, c
     Tidy(input, stage.objects[i], carriers[i], result.state);
   }
   PushApart(input, stage, carriers, result.state);
-  PackTangles(input, stage, search.problem(), result.state);
+  SeparateClusters(input, stage, search.problem(), result.state);
   search.set_layout(result.state.layout);
   result.score = search.Cost();
   result.evaluations = search.evaluations();

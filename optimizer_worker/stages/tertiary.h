@@ -31,7 +31,7 @@ bool FitsOn(const Scene& scene, int object, int carrier);
 // depth first for the cheapest in which nothing overlaps: the least costs first, a bounded number of
 // steps. Things stay on their tops; wall pieces may change walls. Where no such places are found nothing moves, but
 // flat things (5 cm) may then lie under others. `problem` has the stage's objects placed. Deterministic.
-void PackTangles(const SolveInput& input, const StageSpec& stage, Problem& problem, PartialLayout& state);
+void SeparateClusters(const SolveInput& input, const StageSpec& stage, Problem& problem, PartialLayout& state);
 
 // Whether these two are in each other's way where they are. Flat things on tops are in nobody's way unless `strict`.
 bool InTheWay(const Scene& scene, int a, int b, const Layout& layout, bool strict);

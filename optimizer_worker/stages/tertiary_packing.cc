@@ -17,9 +17,9 @@ constexpr size_t kBreadth = 4;
 constexpr int kSteps = 40;
 // The same when the cheap places leave no room for all: what counts is that they fit.
 constexpr int kStepsToFit = 100;
-// For all tangles of a layout.
+// For all clusters of a layout.
 constexpr int kMostSteps = 600;
-// What is further away than this from a tangle is not in its way.
+// What is further away than this from a cluster of overlapping objects is not in its way.
 constexpr double kNear_m = 0.5;
 
 bool IsFlat(const Object& object) { return object.kind == ObjectKind::kSurface && object.height_m <= kFlat_m; }
@@ -40,7 +40,7 @@ bool Contains(const std::vector<int>& objects, int object) {
   return std::find(objects.begin(), objects.end(), object) != objects.end();
 }
 
-// One tangle: finds the cheapest places of its objects among everything else.
+// One cluster of overlapping objects: finds the cheapest places of its objects among everything else.
 class Packing {
  public:
   // Objects in `ignored` are in nobody's way; `anywhere` frees things from their tops. Borrows all.
@@ -190,9 +190,9 @@ class Packing {
 };
 
 // Which of the stage's objects may be moved, and what is in whose way.
-class Tangles {
+class OverlapClusters {
  public:
-  Tangles(const SolveInput& input, const StageSpec& stage, const PartialLayout& state, bool strict)
+  OverlapClusters(const SolveInput& input, const StageSpec& stage, const PartialLayout& state, bool strict)
       : input_(input), state_(state), strict_(strict) {
     for (int object : stage.objects) {
       if (input.scene.objects[object].kind != ObjectKind::kFloor && state.placed[object]) movable_.push_back(object);
@@ -203,7 +203,7 @@ class Tangles {
   // `given_up`; empty when there is none.
   std::vector<int> First(const std::vector<int>& given_up) const {
     for (int object : movable_) {
-      if (Contains(given_up, object) || !IsTangled(object, given_up)) continue;
+      if (Contains(given_up, object) || !Overlaps(object, given_up)) continue;
       std::vector<int> group = {object};
       for (size_t next = 0; next < group.size(); ++next) {
         for (int other : movable_) {
@@ -217,7 +217,7 @@ class Tangles {
   }
 
   // Whether anything but `given_up` is in its way.
-  bool IsTangled(int object, const std::vector<int>& given_up) const {
+  bool Overlaps(int object, const std::vector<int>& given_up) const {
     for (int other = 0; other < static_cast<int>(state_.placed.size()); ++other) {
       if (!Contains(given_up, other) && state_.placed[other] &&
           InTheWay(input_.scene, object, other, state_.layout, strict_))
@@ -261,19 +261,19 @@ bool InTheWay(const Scene& scene, int a, int b, const Layout& layout, bool stric
   return CanCollide(scene, a, b) && GapOf(scene, a, b, layout) < -kTouches_m;
 }
 
-void PackTangles(const SolveInput& input, const StageSpec& stage, Problem& problem, PartialLayout& state) {
+void SeparateClusters(const SolveInput& input, const StageSpec& stage, Problem& problem, PartialLayout& state) {
   int steps_left = kMostSteps;
   for (const bool strict : {true, false}) {
-    const Tangles tangles(input, stage, state, strict);
+    const OverlapClusters clusters(input, stage, state, strict);
     std::vector<int> given_up;
     const auto pack = [&](const std::vector<int>& members) {
       return Packing(input, problem, state, members, given_up, strict).Run(steps_left, state);
     };
     while (!input.Cancelled() && steps_left > 0) {
-      const std::vector<int> group = tangles.First(given_up);
+      const std::vector<int> group = clusters.First(given_up);
       if (group.empty()) break;
       if (pack(group)) continue;
-      const std::vector<int> wider = tangles.Wider(group, given_up);
+      const std::vector<int> wider = clusters.Wider(group, given_up);
       if (wider.size() > group.size() && pack(wider)) continue;
       // The rest may fit without the largest.
       given_up.push_back(*std::max_element(group.begin(), group.end(), [&](int a, int b) {
@@ -284,7 +284,7 @@ void PackTangles(const SolveInput& input, const StageSpec& stage, Problem& probl
     const std::vector<int> left = std::move(given_up);
     given_up.clear();
     for (int object : left) {
-      if (!tangles.IsTangled(object, {}) || pack({object}) || !IsTooLarge(input.scene, object, state)) continue;
+      if (!clusters.Overlaps(object, {}) || pack({object}) || !IsTooLarge(input.scene, object, state)) continue;
       Packing(input, problem, state, {object}, given_up, strict, true).Run(steps_left, state);
     }
   }

@@ -27,7 +27,7 @@ v1::LayoutGraph Stool(double width_m, const std::string& things, const std::stri
 }
 
 // All want the middle; side by side there is room for two only, two by two for all.
-TEST(PackTangles, FourThingsThatFitInOneWayOnlyFindIt) {
+TEST(SeparateClusters, FourThingsThatFitInOneWayOnlyFindIt) {
   const std::string things =
       ObjectText("a", "TERTIARY", "SURFACE", 0.2, 0.19) + ObjectText("b", "TERTIARY", "SURFACE", 0.19, 0.2) +
       ObjectText("c", "TERTIARY", "SURFACE", 0.2, 0.2) + ObjectText("d", "TERTIARY", "SURFACE", 0.18, 0.2);
@@ -44,7 +44,7 @@ TEST(PackTangles, FourThingsThatFitInOneWayOnlyFindIt) {
   }
 }
 
-TEST(PackTangles, WhatHasNoRoomOnItsTopIsNamed) {
+TEST(SeparateClusters, WhatHasNoRoomOnItsTopIsNamed) {
   const std::string things =
       ObjectText("a", "TERTIARY", "SURFACE", 0.3, 0.3) + ObjectText("b", "TERTIARY", "SURFACE", 0.3, 0.3);
   const v1::SolvedLayout layout = Solve(Stool(0.4, things, OnTop("e1", "a") + OnTop("e2", "b")), 0);
@@ -54,7 +54,7 @@ TEST(PackTangles, WhatHasNoRoomOnItsTopIsNamed) {
   EXPECT_NE(layout.diagnostics(0).message().find("\"a\""), std::string::npos) << layout.diagnostics(0).message();
 }
 
-TEST(PackTangles, ABlanketLargerThanItsSeatLeavesTheCushionFree) {
+TEST(SeparateClusters, ABlanketLargerThanItsSeatLeavesTheCushionFree) {
   const std::string things =
       ObjectText("cushion", "TERTIARY", "SURFACE", 0.5, 0.5) + ObjectText("blanket", "TERTIARY", "SURFACE", 1.0, 1.5);
   for (int seed : {0, 1, 2}) {
@@ -66,7 +66,7 @@ TEST(PackTangles, ABlanketLargerThanItsSeatLeavesTheCushionFree) {
   }
 }
 
-TEST(PackTangles, LampsUnderTheCeilingHangBesideEachOther) {
+TEST(SeparateClusters, LampsUnderTheCeilingHangBesideEachOther) {
   std::string things, edges;
   for (const char* id : {"l1", "l2", "l3"}) {
     things += ObjectText(id, "TERTIARY", "CEILING", 0.6, 0.6);
@@ -78,7 +78,7 @@ TEST(PackTangles, LampsUnderTheCeilingHangBesideEachOther) {
   EXPECT_EQ(layout.diagnostics_size(), 0) << layout.ShortDebugString();
 }
 
-TEST(PackTangles, PinnedThingsStayAndOthersMakeWay) {
+TEST(SeparateClusters, PinnedThingsStayAndOthersMakeWay) {
   const std::string things =
       ObjectText("a", "TERTIARY", "SURFACE", 0.2, 0.2) + ObjectText("b", "TERTIARY", "SURFACE", 0.2, 0.2);
   const std::string pins =
