@@ -41,6 +41,7 @@ absl::StatusOr<SolveSettings> ReadSettings(const v1::SolveOptions& options) {
   }
   settings.leave_out_misfits = options.misfit_policy() == v1::MISFIT_POLICY_LEAVE_OUT;
   settings.find_contradictions = options.find_contradictions();
+  settings.groups = options.groups() != v1::GROUP_POLICY_OFF;
   return settings;
 }
 

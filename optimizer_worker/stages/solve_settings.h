@@ -42,6 +42,8 @@ struct SolveSettings {
   bool leave_out_misfits = false;
   // Search for groups of constraints that cannot hold together.
   bool find_contradictions = false;
+  // What is used together is placed as one piece first; else in the paper's order.
+  bool groups = true;
   // Of wall time; infinite when the result may depend on no clock.
   absl::Duration time_limit = absl::InfiniteDuration();
 };

@@ -26,6 +26,7 @@ TEST(ReadSettings, TakesWhatIsGiven) {
   options.set_seed(7);
   options.set_variant_count(4);
   options.set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
+  options.set_groups(v1::GROUP_POLICY_OFF);
   options.mutable_time_limit()->set_nanos(500000000);
   options.mutable_tolerances()->set_relative(1e-6);
   options.mutable_tolerances()->set_max_evaluation_count(9);
@@ -34,6 +35,7 @@ TEST(ReadSettings, TakesWhatIsGiven) {
   EXPECT_EQ(settings->seed, 7u);
   EXPECT_EQ(settings->variant_count, 4);
   EXPECT_TRUE(settings->leave_out_misfits);
+  EXPECT_FALSE(settings->groups);
   EXPECT_EQ(settings->time_limit, absl::Milliseconds(500));
   EXPECT_EQ(settings->tolerances.relative, 1e-6);
   EXPECT_EQ(settings->tolerances.max_evaluations, 9);
@@ -51,6 +53,7 @@ TEST(ReadSettings, NamesTheFieldThatIsOutOfRange) {
       {"options.path_width_m", [](v1::SolveOptions& o) { o.set_path_width_m(std::nan("")); }},
       {"options.variant_count", [](v1::SolveOptions& o) { o.set_variant_count(33); }},
       {"options.misfit_policy", [](v1::SolveOptions& o) { o.set_misfit_policy(static_cast<v1::MisfitPolicy>(9)); }},
+      {"options.groups", [](v1::SolveOptions& o) { o.set_groups(static_cast<v1::GroupPolicy>(9)); }},
       {"options.time_limit", [](v1::SolveOptions& o) { o.mutable_time_limit(); }},
       {"options.tolerances.relative", [](v1::SolveOptions& o) { o.mutable_tolerances()->set_relative(0); }},
       {"options.tolerances.absolute", [](v1::SolveOptions& o) { o.mutable_tolerances()->set_absolute(-1); }},

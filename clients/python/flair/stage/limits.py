@@ -108,7 +108,7 @@ IDS = {"Wall.name", "Opening.id", "Socket.id", "Zone.id", "Object.id", "Sentence
        "ObjectStyle.subject_id", "Placement.object_id", "Argument.name"}
 
 # Enums that may be left out.
-OPTIONAL_ENUMS = {"SolveOptions.misfit_policy", "DoorLeaf.hinge", "Sentence.origin"}
+OPTIONAL_ENUMS = {"SolveOptions.misfit_policy", "SolveOptions.groups", "DoorLeaf.hinge", "Sentence.origin"}
 
 # Messages that are checked as if they were there when they are not.
 REQUIRED = {"Room.floor", "LayoutGraph.room", "LayoutGraph.zone_plan", "LayoutGraph.object_list"}
