@@ -22,7 +22,7 @@ struct Reference {
   std::string_view field;
   std::string_view kind;
 };
-constexpr std::array<Reference, 38> kReferences = {{
+constexpr std::array<Reference, 41> kReferences = {{
     {"Furniture.hosts", "furniture"},
     {"Furniture.smaller", "furniture"},
     {"Furniture.zone_hints", "zone"},
@@ -42,6 +42,9 @@ constexpr std::array<Reference, 38> kReferences = {{
     {"Selector.furniture", "furniture"},
     {"Selector.except_furniture", "furniture"},
     {"Selector.categories", "category"},
+    {"Essential.furniture", "furniture"},
+    {"Essential.categories", "category"},
+    {"Essential.zone", "zone"},
     {"Archetype.styles", "style"},
     {"Archetype.per_person", "furniture"},
     {"Rows.furniture", "furniture"},
@@ -78,8 +81,9 @@ struct Needed {
   std::string_view type;
   std::string_view field;
 };
-constexpr std::array<Needed, 7> kNeeded = {{{"Archetype", "bands"},
+constexpr std::array<Needed, 8> kNeeded = {{{"Archetype", "bands"},
                                             {"Band", "zones"},
+                                            {"Essential", "furniture"},
                                             {"Need", "keywords"},
                                             {"Style", "palettes"},
                                             {"Style", "walls"},
