@@ -90,6 +90,7 @@ TEXTS = {
     "StyleSheet.name": (0, 200),
     "StyleSheet.summary": (0, 4000),
     "Diagnostic.message": (1, 10000),
+    "Finding.message": (1, 10000),
 }
 
 # Items of a repeated field.
