@@ -42,6 +42,8 @@ NUMBERS = {
     "Object.depth_m": _EXTENT_M,
     "Object.height_m": Range(0, 12, open_least=True),
     "Object.elevation_m": Range(0, 12),
+    "Object.rim_sides_m": Range(0, 10),
+    "Object.rim_ends_m": Range(0, 10),
     "Colour.red": Range(0, 255),
     "Colour.green": Range(0, 255),
     "Colour.blue": Range(0, 255),
