@@ -50,6 +50,7 @@ constexpr KnownFile kReadingOrder[] = {
     {"object_list", "What is placed"},
     {"style_sheet", "How it looks"},
     {"constraint_list", "What is wanted, in sentences"},
+    {"meaning", "What a sentence means"},
     {"constraint_catalog", "What can be wanted: types of constraints"},
     {"layout_graph", "The problem: a graph of calls"},
     {"solved_layout", "The solution: a furnished room"},

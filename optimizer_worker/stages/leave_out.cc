@@ -62,6 +62,18 @@ std::string ReasonOf(const SolveInput& input, const PartialLayout& without, cons
                      misfit.depth_m);
 }
 
+// Whether it names an object that `gone` is true of.
+template <typename Gone>
+bool Names(const v1::Meaning& meaning, const Gone& gone) {
+  const auto among = [&](const auto& participants) {
+    return std::any_of(participants.begin(), participants.end(),
+                       [&](const v1::Participant& one) { return gone(one.object_id()); });
+  };
+  return std::any_of(meaning.facts().begin(), meaning.facts().end(), [&](const v1::Fact& fact) {
+    return among(fact.movers()) || among(fact.targets()) || among(fact.others());
+  });
+}
+
 void TakeOut(Branch& branch, int object, std::string reason) {
   branch.state.placed[object] = 0;
   branch.state.layout[object] = FarAway(object);
@@ -268,6 +280,8 @@ std::vector<v1::Diagnostic> RemoveObjects(const IdSet& ids, v1::LayoutGraph& gra
         [&](const v1::ObjectStyle& style) { return gone(style.subject_id()); });
   for (v1::Sentence& sentence : *graph.mutable_constraint_list()->mutable_sentences()) {
     Erase(*sentence.mutable_subject_ids(), gone);
+    // Its text is read in the room that is left.
+    if (Names(sentence.meaning(), gone)) sentence.clear_meaning();
   }
   return diagnostics;
 }

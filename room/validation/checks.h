@@ -39,6 +39,8 @@ void Check(const v1::StyleSheet& sheet, const Known& known, const Field& at);
 void Check(const v1::ParameterSpec& parameter, const Known& known, const Field& at);
 void Check(const v1::ConstraintType& type, const Known& known, const Field& at);
 void Check(const v1::ConstraintCatalog& catalog, const Known& known, const Field& at);
+void Check(const v1::Participant& participant, const Known& known, const Field& at);
+void Check(const v1::Measure& measure, const Known& known, const Field& at);
 void Check(const v1::ConstraintEdge& edge, const Known& known, const Field& at);
 void Check(const v1::LayoutGraph& graph, const Known& known, const Field& at);
 void Check(const v1::ZoneRegion& region, const Known& known, const Field& at);

@@ -106,6 +106,17 @@ void CheckArgument(const v1::Argument& argument, const Field& at) {
 
 }  // namespace
 
+void Check(const v1::Participant& participant, const Known&, const Field& at) {
+  if (participant.thing_case() == v1::Participant::THING_NOT_SET)
+    at["object_id"].Reject("is not set, nor zone_id, wall or part; it is one of them");
+}
+
+void Check(const v1::Measure& measure, const Known&, const Field& at) {
+  if (!measure.has_min_m() && !measure.has_max_m()) at["min_m"].Reject("is not set, nor is max_m");
+  if (measure.has_min_m() && measure.has_max_m() && measure.min_m() > measure.max_m())
+    at["min_m"].Reject("{} is above max_m {}", measure.min_m(), measure.max_m());
+}
+
 void Check(const v1::ConstraintEdge& edge, const Known&, const Field& at) {
   NameSet names;
   for (int i = 0; i < edge.arguments_size(); ++i) {

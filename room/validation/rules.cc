@@ -106,6 +106,8 @@ class Plans {
       CheckOf<v1::ParameterSpec>(),
       CheckOf<v1::ConstraintType>(),
       CheckOf<v1::ConstraintCatalog>(),
+      CheckOf<v1::Participant>(),
+      CheckOf<v1::Measure>(),
       CheckOf<v1::ConstraintEdge>(),
       CheckOf<v1::LayoutGraph>(),
       CheckOf<v1::ZoneRegion>(),

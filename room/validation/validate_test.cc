@@ -199,6 +199,37 @@ TEST(ValidateLayoutGraph, FollowsReferences) {
   EXPECT_THAT(text, HasSubstr("edges[0].sentence_id: \"s9\" is not a sentence here"));
 }
 
+TEST(ValidateLayoutGraph, RefusesMeaningsThatMeanNothing) {
+  v1::LayoutGraph graph = GoodGraph();
+  v1::Meaning& meaning = *graph.mutable_constraint_list()->mutable_sentences(0)->mutable_meaning();
+  v1::Fact& fact = *meaning.add_facts();
+  const auto with = [&](const char* text) {
+    EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text, &fact)) << text;
+    return Text(Validate(graph));
+  };
+  EXPECT_THAT(with(R"(relation: "against")"), HasSubstr("sentences[0].meaning.text_digest: "));
+  meaning.set_text_digest(std::string(64, 'a'));
+  EXPECT_EQ(with(R"(relation: "against" movers { object_id: "bed" side: PARTICIPANT_SIDE_BACK })"), "");
+  EXPECT_THAT(with(R"(relation: "drop table")"), HasSubstr("facts[0].relation: \"drop table\""));
+  EXPECT_THAT(with(R"(relation: "near" targets { object_id: "sofa" })"),
+              HasSubstr("facts[0].targets[0].object_id: \"sofa\" is not an object here"));
+  EXPECT_THAT(with(R"(relation: "near" targets { zone_id: "attic" })"),
+              HasSubstr("facts[0].targets[0].zone_id: \"attic\" is not a zone here"));
+  EXPECT_THAT(with(R"(relation: "near" targets { side: PARTICIPANT_SIDE_BACK })"),
+              HasSubstr("facts[0].targets[0].object_id: is not set, nor zone_id, wall or part"));
+  EXPECT_THAT(with(R"(relation: "near" targets { part: 99 })"), HasSubstr("facts[0].targets[0].part: 99"));
+  EXPECT_THAT(with(R"(relation: "near" measure { max_m: 1e9 })"),
+              HasSubstr("facts[0].measure.max_m: 1000000000 is outside [0, 100]"));
+  EXPECT_THAT(with(R"(relation: "near" measure { max_m: nan })"), HasSubstr("facts[0].measure.max_m: nan"));
+  EXPECT_THAT(with(R"(relation: "near" measure { min_m: 2 max_m: 1 })"),
+              HasSubstr("facts[0].measure.min_m: 2 is above max_m 1"));
+  EXPECT_THAT(with(R"(relation: "near" measure { })"), HasSubstr("facts[0].measure.min_m: is not set, nor is max_m"));
+  fact.set_relation("near");
+  fact.clear_measure();
+  for (int i = 0; i < 100; ++i) *meaning.add_facts() = fact;
+  EXPECT_THAT(Text(Validate(graph)), HasSubstr("meaning.facts: has 101 facts"));
+}
+
 TEST(ValidateLayoutGraph, ReportsAtMostFiveProblemsAndCountsTheRest) {
   v1::LayoutGraph graph = GoodGraph();
   for (int i = 0; i < 8; ++i) graph.add_edges();

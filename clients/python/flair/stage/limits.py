@@ -48,6 +48,8 @@ NUMBERS = {
     "Colour.green": Range(0, 255),
     "Colour.blue": Range(0, 255),
     "Sentence.weight": Range(0, 10, open_least=True),
+    "Measure.min_m": _LENGTH_M,
+    "Measure.max_m": _LENGTH_M,
     "ConstraintEdge.weight": Range(0, 100, open_least=True),
     "Placement.x_m": _COORDINATE_M,
     "Placement.y_m": _COORDINATE_M,
@@ -103,6 +105,10 @@ COUNTS = {
     "ZonePlan.zones": (1, 50),
     "ObjectList.objects": (1, 250),
     "ConstraintList.sentences": (0, 10000),
+    "Meaning.facts": (0, 32),
+    "Fact.movers": (0, 250),
+    "Fact.targets": (0, 250),
+    "Fact.others": (0, 250),
     "LayoutGraph.edges": (0, 4000),
 }
 
@@ -111,7 +117,8 @@ IDS = {"Wall.name", "Opening.id", "Socket.id", "Zone.id", "Object.id", "Sentence
        "ObjectStyle.subject_id", "Placement.object_id", "Argument.name"}
 
 # Enums that may be left out.
-OPTIONAL_ENUMS = {"SolveOptions.misfit_policy", "SolveOptions.groups", "DoorLeaf.hinge", "Sentence.origin"}
+OPTIONAL_ENUMS = {"SolveOptions.misfit_policy", "SolveOptions.groups", "DoorLeaf.hinge", "Sentence.origin",
+                  "Fact.strength", "Participant.side"}
 
 # Messages that are checked as if they were there when they are not.
 REQUIRED = {"Room.floor", "LayoutGraph.room", "LayoutGraph.zone_plan", "LayoutGraph.object_list"}

@@ -46,6 +46,9 @@ def broken_in(message: Message, path: str = "") -> Iterator[str]:
         for index, sentence in enumerate(message.constraint_list.sentences):
             at = f"{prefix}constraint_list.sentences[{index}].subject_ids"
             yield from _unknown(sentence.subject_ids, objects, "an object", at)
+            named = [one.object_id for fact in sentence.meaning.facts for slot in (fact.movers, fact.targets, fact.others)
+                     for one in slot if one.object_id]
+            yield from _unknown(named, objects, "an object", f"{prefix}constraint_list.sentences[{index}].meaning")
     if isinstance(message, v1.LayoutGraph):
         yield from _graph(message, objects, prefix)
 
