@@ -171,10 +171,14 @@ std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report
 std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout) {
   const v1::LayoutGraph& graph = layout.graph();
   std::vector<std::string> lines;
+  std::ptrdiff_t essentials = 0;
   for (const auto* remarks : {&graph.room().diagnostics(), &graph.zone_plan().diagnostics(),
                               &graph.object_list().diagnostics(), &graph.constraint_list().diagnostics()}) {
     for (const v1::Diagnostic& remark : *remarks) {
-      if (remark.severity() >= v1::SEVERITY_WARNING) lines.push_back(remark.message());
+      if (remark.severity() < v1::SEVERITY_WARNING) continue;
+      // What the room cannot do without comes before all else.
+      const bool first = remark.code() == "essential_missing";
+      lines.insert(first ? lines.begin() + essentials++ : lines.end(), remark.message());
     }
   }
   for (const v1::Omission& omission : graph.object_list().omissions()) {

@@ -255,11 +255,13 @@ absl::StatusOr<v1::ObjectList> AskObjects(const ObjectsRequest& request, const M
     AddStandIn(floor_failure, *list);
   }
   const absl::Status failure = AskTertiaries(request, tools, conversation, ids, *list);
-  if (failure.ok()) return list;
-  if (!conversation.MayStandIn(failure)) return failure;
-  if (!floor_failure.ok()) return BothFailed(floor_failure, failure);
-  RETURN_IF_ERROR(AddUsualTertiaries(request, tools, ids, *list));
-  AddStandIn(failure, *list);
+  if (!failure.ok()) {
+    if (!conversation.MayStandIn(failure)) return failure;
+    if (!floor_failure.ok()) return BothFailed(floor_failure, failure);
+    RETURN_IF_ERROR(AddUsualTertiaries(request, tools, ids, *list));
+    AddStandIn(failure, *list);
+  }
+  RETURN_IF_ERROR(TellMissing(request.brief, request.room, tools.handbook, *list));
   return list;
 }
 

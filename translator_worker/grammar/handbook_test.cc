@@ -120,6 +120,8 @@ class HandbookSentences : public testing::Test {
     for (const char* measure : {"{front_m}", "{sides_m}", "{back_m}"}) Replace(text, measure, "0.9 m");
     Replace(text, "{side}", "left");
     Replace(text, "{other_side}", "right");
+    Replace(text, "{room_side}", "left");
+    Replace(text, "{other_room_side}", "right");
     Replace(text, "{corner}", "front right");
     Replace(text, "{zone}", "sleeping");
     Replace(text, "{wall}", "the north wall");

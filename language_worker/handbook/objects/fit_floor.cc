@@ -16,6 +16,7 @@ namespace {
 // [Handbook facts] the recorded rooms cover 20 to 29 % of the floor, small bedrooms up to 49 %.
 constexpr double kCoverLimit = 0.45;
 
+bool IsEssential(const ProgramItem& item) { return item.count <= item.essential; }
 bool IsAskedFor(const ProgramItem& item) { return item.requested && !item.optional; }
 double ToCentimetre(double length_m) { return std::round(length_m * 100) / 100; }
 
@@ -163,11 +164,12 @@ class FloorFitter {
     }
   }
 
-  // How much a piece is wanted: the first zone's primary above all, then what the brief asks for, then other primaries;
-  // within that by drop order and place in the list.
+  // How much a piece is wanted: what the room cannot do without and the first zone's primary above all, then what the
+  // brief asks for, then other primaries; within that by drop order and place in the list.
   int Rank(const SizedItem& sized) const {
     const bool main = sized.primary && !program_.zones.empty() && sized.item.zone == program_.zones.front().name();
-    return (main ? 4 : 0) + (IsAskedFor(sized.item) ? 2 : 0) + (sized.primary ? 1 : 0);
+    return (IsEssential(sized.item) ? 8 : 0) + (main ? 4 : 0) + (IsAskedFor(sized.item) ? 2 : 0) +
+           (sized.primary ? 1 : 0);
   }
 
   // Whether it goes with the piece that it is pulled up to, not by itself.

@@ -15,6 +15,7 @@
 #include "flair/v1/room.pb.h"
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/parts/brief_parts.h"
+#include "language_worker/handbook/program/essentials.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
@@ -149,7 +150,7 @@ std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectLi
   std::vector<HostedPiece> pieces;
   for (const ProgramItem& item : program.tertiary_items) {
     const bool full = static_cast<int>(pieces.size()) >= program.max_tertiaries;
-    if (full && !item.requested) continue;
+    if (full && !item.requested && item.essential == 0) continue;
     for (const HostedPiece& piece : sharer.Share(item)) pieces.push_back(piece);
   }
   return pieces;
@@ -194,7 +195,10 @@ class ObjectLister {
     TellLeftOut(left_out);
   }
 
-  void TellDifferences() { TellNotAsAsked(facts_, handbook_, list_); }
+  void TellDifferences() {
+    TellNotAsAsked(facts_, handbook_, list_);
+    TellMissingEssentials(program_, handbook_, list_);
+  }
 
   v1::ObjectList& list() { return list_; }
 
@@ -274,17 +278,18 @@ class ObjectLister {
     object.set_width_m(furniture.width_m().typical());
     object.set_depth_m(furniture.depth_m().typical());
     object.set_height_m(std::min(furniture.height_m().typical(), 0.9 * room_.height_m()));
+    if (piece.host != nullptr) {
+      object.set_host_id(piece.host->id());
+      object.set_zone_id(piece.host->zone_id());
+    } else if (!piece.item->zone.empty()) {
+      object.set_zone_id(ZoneId(piece.item->zone));
+    }
+    SizeByHost(piece, object);
     if (const hb::ObjectEntry* entry = piece.item->entry; entry != nullptr && entry->furniture() == furniture.name()) {
       if (entry->width_m() > 0) object.set_width_m(entry->width_m());
       if (entry->depth_m() > 0) object.set_depth_m(entry->depth_m());
     }
-    if (piece.host != nullptr) {
-      object.set_host_id(piece.host->id());
-      object.set_zone_id(piece.host->zone_id());
-      FitToHost(furniture, *piece.host, object);
-    } else if (!piece.item->zone.empty()) {
-      object.set_zone_id(ZoneId(piece.item->zone));
-    }
+    FitOnHost(piece, object);
     const PieceSize& asked = piece.item->size;
     object.set_width_m(asked.width_m.value_or(object.width_m()));
     object.set_depth_m(asked.depth_m.value_or(object.depth_m()));
@@ -293,16 +298,18 @@ class ObjectLister {
     object.set_elevation_m(ElevationOf(furniture, piece.host, object));
   }
 
-  void FitToHost(const hb::Furniture& furniture, const v1::Object& host, v1::Object& object) const {
-    if (furniture.sized_by_target()) {
-      const double reach_m = 2 * furniture.reach_beyond_target_m();
-      object.set_width_m(Clamp(host.width_m() + reach_m, furniture.width_m()));
-      object.set_depth_m(Clamp(host.depth_m() + reach_m, furniture.depth_m()));
-    }
-    if (furniture.kind() == hb::FURNITURE_KIND_SURFACE) {
-      object.set_width_m(std::min(object.width_m(), host.width_m()));
-      object.set_depth_m(std::min(object.depth_m(), host.depth_m()));
-    }
+  static void SizeByHost(const HostedPiece& piece, v1::Object& object) {
+    const hb::Furniture& furniture = *piece.item->furniture;
+    if (piece.host == nullptr || !furniture.sized_by_target()) return;
+    const double reach_m = 2 * furniture.reach_beyond_target_m();
+    object.set_width_m(Clamp(piece.host->width_m() + reach_m, furniture.width_m()));
+    object.set_depth_m(Clamp(piece.host->depth_m() + reach_m, furniture.depth_m()));
+  }
+
+  static void FitOnHost(const HostedPiece& piece, v1::Object& object) {
+    if (piece.host == nullptr || piece.item->furniture->kind() != hb::FURNITURE_KIND_SURFACE) return;
+    object.set_width_m(std::min(object.width_m(), piece.host->width_m()));
+    object.set_depth_m(std::min(object.depth_m(), piece.host->depth_m()));
   }
 
   // Rugs and lamps never reach from wall to wall.
@@ -370,6 +377,13 @@ absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Roo
     lister.ListTertiaries(v1::ObjectList(lister.list()), {});
     lister.TellDifferences();
   });
+}
+
+absl::Status TellMissing(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook, v1::ObjectList& list) {
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
+  const Choice choice(brief.seed(), brief.text());
+  TellMissingEssentials(MakeRoomProgram(facts, handbook, FloorArea(room), choice), handbook, list);
+  return absl::OkStatus();
 }
 
 absl::StatusOr<v1::ObjectList> ListFloorObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,

@@ -15,6 +15,10 @@ namespace flair::language {
 absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
                                            const Handbook& handbook);
 
+// Tells before all else which essentials of the brief's kind of room are missing in a list that came from elsewhere.
+// Errors as ReadBrief.
+absl::Status TellMissing(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook, v1::ObjectList& list);
+
 // Steps C i and ii alone.
 absl::StatusOr<v1::ObjectList> ListFloorObjects(const v1::Brief& brief, const v1::Room& room, const v1::ZonePlan& zones,
                                                 const Handbook& handbook);

@@ -24,6 +24,12 @@ bool IsTable(const hb::Furniture& furniture) {
   return furniture.category().ends_with("table") && SeatsRound(furniture, 1, 1) > 0;
 }
 
+// One sits with the thighs below the top: 0.2 to 0.35 m lie between seat and top (0.27 to 0.3 m is best).
+bool ReachesTop(const hb::Furniture& seat, double top_m) {
+  constexpr double kLeastM = 0.2, kMostM = 0.35;
+  return top_m - LeastOf(seat.seat_height_m()) >= kLeastM && top_m - MostOf(seat.seat_height_m()) <= kMostM;
+}
+
 std::string RowName(int i) {
   constexpr std::array<const char*, 10> kOrdinals = {"first", "second",  "third",  "fourth", "fifth",
                                                      "sixth", "seventh", "eighth", "ninth",  "tenth"};
@@ -38,6 +44,7 @@ class Grouper {
 
   void Group() {
     for (ProgramItem& seat : program_.floor_items) Attach(seat);
+    for (ProgramItem& seat : program_.floor_items) SuitHeight(seat);
     for (ProgramItem& host : program_.floor_items) SeatPeople(host);
     for (const hb::Rows& rows : program_.archetype->rows()) SplitRows(rows);
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SplitTables(i);
@@ -50,6 +57,23 @@ class Grouper {
     for (const ProgramItem& host : program_.floor_items) {
       if (host.zone != seat.zone || SeatOf(*host.furniture, handbook_) != seat.furniture) continue;
       seat.seat_of = host.furniture;
+      return;
+    }
+  }
+
+  // Stools of 0.45 m at a table of 0.9 m become higher ones: another class of seats that goes with the table.
+  void SuitHeight(ProgramItem& seat) {
+    const auto host = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& one) {
+      return one.furniture == seat.seat_of && one.zone == seat.zone;
+    });
+    if (host == program_.floor_items.end()) return;
+    const double top_m = host->size.height_m.value_or(host->furniture->height_m().typical());
+    if (!seat.furniture->has_seat_height_m() || ReachesTop(*seat.furniture, top_m)) return;
+    for (const hb::Furniture& other : handbook_.contents().furniture()) {
+      const bool seat_like = IsSeat(other) && other.has_seat_height_m() && ReachesTop(other, top_m);
+      if (!seat_like || !StandsWith(other, *host->furniture)) continue;
+      program_.substitutes.emplace_back(seat.furniture->name(), other.name());
+      seat.furniture = &other;
       return;
     }
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "language_worker/handbook/program/essentials.h"
+
 namespace flair::language {
 
 bool IsFloorPiece(const hb::Furniture& furniture) {
@@ -43,7 +45,8 @@ int PlacesOn(const hb::Furniture& furniture) {
   const double width_m = furniture.width_m().typical();
   if (category == "bench") return std::max(1, static_cast<int>(width_m / kOnABenchM));
   if (category == "sofa") return std::max(1, static_cast<int>(width_m / kOnASofaM));
-  if (category == "bed") return width_m >= kTwoInABedM || furniture.name() == "bunk bed" ? 2 : 1;
+  if (category == "bed" || category == "bunk_bed")
+    return width_m >= kTwoInABedM || furniture.name() == "bunk bed" ? 2 : 1;
   return category == "chair" || category == "stool" || category == "armchair" ? 1 : 0;
 }
 
@@ -68,8 +71,10 @@ class ProgramMaker {
     TakeBands();
     for (const hb::Changes* changes : program_.changes) Apply(*changes);
     ApplyWishes(facts_, handbook_, program_);
+    BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
     GiveZonesTheirPrimaries();
     SplitIntoGroups(area_m2_, handbook_, program_);
+    MarkEssentials(program_);
     return std::move(program_);
   }
 

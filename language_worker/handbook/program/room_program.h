@@ -24,6 +24,7 @@ struct ProgramItem {
   const hb::Furniture* seat_of = nullptr;  // what it is pulled up to, in the same zone; null for what stands by itself
   bool optional = false;                   // asked for only if there is room
   PieceSize size = {};                     // as asked for
+  int essential = 0;                       // so many of them the room cannot do without
 };
 
 // What the room is to be, from the archetype, the needs, the themes and the wishes of a brief.
@@ -35,6 +36,7 @@ struct RoomProgram {
   std::vector<ProgramItem> tertiary_items;
   std::vector<const hb::Changes*> changes;                       // of needs and themes, in order of application
   std::vector<std::pair<std::string, std::string>> substitutes;  // class that went, class that came for it
+  std::vector<const hb::Essential*> essentials;                  // what the room cannot do without
   double primary_scale = 1;
   int max_tertiaries = 12;
 };

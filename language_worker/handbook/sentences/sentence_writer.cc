@@ -150,6 +150,8 @@ std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, co
   for (std::size_t i = 0; i < count; ++i) {
     Group targets;
     if (!FindTargets(relation, *group[i], targets)) continue;
+    const auto most = static_cast<std::size_t>(relation.most_a_partner());
+    if (most > 0 && i >= most * targets.size()) break;
     if (!targets.empty())
       std::rotate(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i % targets.size()), targets.end());
     sentences.push_back(WriteOne(relation, {group[i]}, targets, i));
@@ -220,6 +222,9 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   const bool left = (choice_.Index("side." + object.name(), 2) + number) % 2 == 0;
   words["side"] = left ? "left" : "right";
   words["other_side"] = left ? "right" : "left";
+  const bool run_left = choice_.Index("side of the room", 2) == 0;
+  words["room_side"] = run_left ? "left" : "right";
+  words["other_room_side"] = run_left ? "right" : "left";
   if (furniture != nullptr) {
     words["front_m"] = Metres(furniture->clear_front_m());
     words["sides_m"] = Metres(furniture->clear_sides_m());
@@ -256,15 +261,22 @@ bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object) {
   constexpr double kFlatM = 0.03;
   if (object.kind() != v1::OBJECT_KIND_SURFACE) return false;
   if (object.height_m() <= kFlatM) return true;
-  const v1::Object* largest = nullptr;
+  const auto host = std::ranges::find(objects.objects(), object.host_id(), &v1::Object::id);
+  bool passed = false;
   for (const v1::Object& other : objects.objects()) {
-    if (other.kind() != v1::OBJECT_KIND_SURFACE || other.host_id() != object.host_id() || other.height_m() <= kFlatM)
-      continue;
-    const bool larger =
-        largest == nullptr || other.width_m() * other.depth_m() > largest->width_m() * largest->depth_m();
-    if (larger) largest = &other;
+    passed = passed || other.id() == object.id();
+    const bool beside = other.kind() == v1::OBJECT_KIND_SURFACE && other.host_id() == object.host_id() &&
+                        other.height_m() > kFlatM && other.id() != object.id();
+    if (!beside) continue;
+    const double area_m2 = object.width_m() * object.depth_m(), other_m2 = other.width_m() * other.depth_m();
+    // Two of a kind, such as monitors, stand side by side.
+    if (other.name() == object.name() || other_m2 > area_m2 || (other_m2 == area_m2 && !passed)) return false;
+    // A lamp in the middle of a small top would leave no corner for the clock.
+    const bool fits = host == objects.objects().end() || 2 * other.width_m() + object.width_m() <= host->width_m() ||
+                      2 * other.depth_m() + object.depth_m() <= host->depth_m();
+    if (!fits) return false;
   }
-  return largest == &object;
+  return true;
 }
 
 std::string SentenceWriter::NameOf(const v1::Object& object) const {
