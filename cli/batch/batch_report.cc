@@ -40,6 +40,9 @@ constexpr char kCounts[] = R"sql(
     'last_time', COALESCE(MAX(end_time), ''),
     'satisfied_count', COALESCE(SUM(satisfied_count), 0),
     'violated_count', COALESCE(SUM(violated_count), 0),
+    'use_count', COALESCE(SUM(use_count), 0),
+    'met_use_count', COALESCE(SUM(met_use_count), 0),
+    'with_findings_count', COUNT(*) FILTER (WHERE findings != ''),
     'model_calls', COALESCE(SUM(model_calls), 0),
     'input_tokens', COALESCE(SUM(input_tokens), 0),
     'output_tokens', COALESCE(SUM(output_tokens), 0),
@@ -162,6 +165,12 @@ std::string BatchReportText(const BatchReport& report) {
   if (held > 0) {
     text += fmt::format("{} of {} ({:.1f} %)\n", satisfied, Counted(held, "constraint holds", "constraints hold"),
                         100.0 * static_cast<double>(satisfied) / static_cast<double>(held));
+  }
+  if (const int64_t uses = CountIn(report, "use_count"); uses > 0) {
+    text += fmt::format("{} of {} met\n", CountIn(report, "met_use_count"), Counted(uses, "use is", "uses are"));
+  }
+  if (const int64_t wrong = CountIn(report, "with_findings_count"); wrong > 0) {
+    text += fmt::format("{} something wrong (column \"findings\")\n", Counted(wrong, "job has", "jobs have"));
   }
   if (CountIn(report, "model_calls") > 0) {
     text += fmt::format("{} of models, {} + {} tokens, {:.4f} USD\n", Counted(CountIn(report, "model_calls"), "call"),

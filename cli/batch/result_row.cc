@@ -9,7 +9,9 @@
 #include "absl/time/time.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
+#include "cli/output/report_text.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 
 namespace flair::cli {
 namespace {
@@ -17,6 +19,8 @@ namespace {
 constexpr std::array<const char*, 16> kStages = {
     "brief",       "room",  "zones",  "objects", "style",  "constraints", "cleaning", "completion",
     "translation", "solve", "render", "view_1",  "view_2", "view_3",      "view_4",   "report"};
+
+constexpr size_t kListedFindings = 20;
 
 constexpr char kInteger[] = "INTEGER";
 constexpr char kReal[] = "REAL";
@@ -44,6 +48,13 @@ std::vector<ResultColumn> MakeColumns() {
       {"reachable_front_share", kReal, "share of the objects whose front can be reached"},
       {"pathway_cost_m3", kReal, "[Paper] pathway cost"},
       {"deepest_overlap_m", kReal, "deepest overlap, metres"},
+      {"oob_3d_percent", kReal, "volume outside the room, percent of its volume"},
+      {"oor_3d_percent", kReal, "volume of overlaps of everything with everything, percent of the room's volume"},
+      {"deepest_overlap_3d_m", kReal, "the deepest of these, metres"},
+      {"unsupported_count", kInteger, "pieces that nothing holds"},
+      {"use_count", kInteger, "sentences that say how one uses a piece"},
+      {"met_use_count", kInteger, "of these, the ones that hold"},
+      {"findings", kText, "what cannot be so in a real room and which uses are not met, in words"},
       {"satisfied_count", kInteger, "constraints that hold"},
       {"violated_count", kInteger, "constraints that do not"},
       {"dropped_count", kInteger, "constraints left out of the problem"},
@@ -79,7 +90,8 @@ void AddFields(const google::protobuf::Message& message, ResultRow& row) {
   using google::protobuf::FieldDescriptor;
   for (const ResultColumn& column : ResultColumns()) {
     const FieldDescriptor* const field = message.GetDescriptor()->FindFieldByName(column.name);
-    if (field == nullptr) continue;
+    if (field == nullptr || field->is_repeated()) continue;
+    if (field->has_presence() && !message.GetReflection()->HasField(message, field)) continue;
     if (field->cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
       row.Set(column.name, message.GetReflection()->GetDouble(message, field));
     } else {
@@ -155,6 +167,7 @@ ResultRow RowOf(const v1::Job& job) {
 
 void AddReport(const v1::Report& report, ResultRow& row) {
   AddFields(report.metrics(), row);
+  row.Set("findings", fmt::format("{}", fmt::join(WrongInWords(report.metrics(), kListedFindings), "; ")));
   AddFields(report.constraints(), row);
   double time_s = 0;
   for (const v1::StageTiming& timing : report.stage_timings()) {

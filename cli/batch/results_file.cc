@@ -16,7 +16,7 @@ namespace {
 constexpr int kBusyTimeoutMs = 20000;
 // "flrb", so that another program's database is not taken for ours.
 constexpr int kApplicationId = 0x666c7262;
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 std::string ColumnNames() {
   return absl::StrJoin(ResultColumns(), ", ",

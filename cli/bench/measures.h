@@ -23,7 +23,7 @@ struct SolveMeasure {
   v1::SolvedLayout layout;
   // name, objects, cpu_s and wall_s of this process (all threads, medians over the repeats), restarts and evaluations
   // of all branches, total_cost; "stages" with the same of each; "ours" and, of the layout that the problem came with,
-  // "recorded": verdicts and measures; "missed": the constraints that do not hold, and why.
+  // "recorded": verdicts, measures and findings; "missed": the constraints that do not hold, and why.
   Record record;
 };
 

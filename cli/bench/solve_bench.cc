@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "cli/bench/measures.h"
+#include "cli/output/message_view.h"
 #include "fmt/format.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
@@ -62,6 +63,8 @@ struct Metric {
 constexpr Metric kMetrics[] = {{"oob_percent", "OOB, % of the room", true},
                                {"oor_percent", "OOR, % of the room", true},
                                {"deepest_overlap_m", "deepest overlap, m", true},
+                               {"oob_3d_percent", "OOB in 3D, % of the volume", true},
+                               {"oor_3d_percent", "OOR in 3D, % of the volume", true},
                                {"reachable_floor_share", "reachable floor, share", false},
                                {"reachable_front_share", "reachable fronts, share", false},
                                {"pathway_cost_m3", "pathway cost, m3", true}};
@@ -80,6 +83,12 @@ Record QualityOf(const Message& message) {
   for (const Metric& metric : kMetrics) {
     const auto* const field = metrics.GetDescriptor()->FindFieldByName(metric.name);
     quality[metric.name] = metrics.GetReflection()->GetDouble(metrics, field);
+  }
+  quality["use_count"] = metrics.use_count();
+  quality["met_use_count"] = metrics.met_use_count();
+  quality["findings"] = Record::array();
+  for (const v1::Finding& finding : metrics.findings()) {
+    quality["findings"].push_back({{"kind", EnumInWords(finding.kind())}, {"message", finding.message()}});
   }
   return quality;
 }

@@ -111,6 +111,10 @@ void ShowEnd(const DesignArguments& arguments, const v1::Job& job, const Artifac
   }
   if (arguments.quiet) return;
   for (const std::string& line : NotAsAsked(layout.solved_layout())) fmt::print(stderr, "not as asked {}\n", line);
+  constexpr size_t kShownWrongs = 5;
+  const v1::LayoutMetrics& metrics = layout.solved_layout().metrics();
+  for (const std::string& line : WrongInWords(metrics, kShownWrongs)) fmt::print(stderr, "wrong        {}\n", line);
+  if (const std::string uses = UsesInWords(metrics); !uses.empty()) fmt::print(stderr, "uses         {}\n", uses);
   ShowUsage(usage);
   fmt::print(stderr, "Done: {}/plan.png, and the reasons in {}/report.md\n", arguments.out, arguments.out);
 }

@@ -108,6 +108,13 @@ const std::vector<Figure>& Figures() {
       {"overlaps (OOR), %", "oor_percent", 3, [](const Trial& trial) { return trial.layout.metrics().oor_percent(); }},
       {"deepest overlap, mm", "deepest_overlap_mm", 1,
        [](const Trial& trial) { return 1e3 * trial.layout.metrics().deepest_overlap_m(); }},
+      {"overlaps in 3D, %", "oor_3d_percent", 3,
+       [](const Trial& trial) { return trial.layout.metrics().oor_3d_percent(); }},
+      {"uses met, %", "uses_met_percent", 1,
+       [](const Trial& trial) {
+         const v1::LayoutMetrics& metrics = trial.layout.metrics();
+         return metrics.use_count() == 0 ? 100.0 : 100.0 * metrics.met_use_count() / metrics.use_count();
+       }},
       {"floor reached, %", "reachable_floor_percent", 1,
        [](const Trial& trial) { return 100 * trial.layout.metrics().reachable_floor_share(); }},
       {"fronts reached, %", "reachable_front_percent", 1,

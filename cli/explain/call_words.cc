@@ -17,7 +17,7 @@ using optimizer::Arguments;
 
 std::string ObjectNames(const std::vector<int>& objects, const Scene& scene) {
   std::vector<std::string> names;
-  for (const int object : objects) names.push_back(optimizer::NameForPeople(scene, object));
+  for (const int object : objects) names.push_back(NameForPeople(scene, object));
   return Joined(names);
 }
 

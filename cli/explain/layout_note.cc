@@ -6,7 +6,10 @@
 #include <set>
 #include <string_view>
 
+#include "absl/strings/ascii.h"
 #include "cli/explain/in_words.h"
+#include "evaluation/metrics/solids.h"
+#include "evaluation/metrics/uses.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "optimizer_worker/constraints/shortfall.h"
@@ -74,6 +77,8 @@ class NoteMaker {
   Note Make() {
     note_ = {{"room", RoomInWords(layout_.graph().room(), scene_.room)},
              {"demand_count", {{"holds", 0}, {"missed", 0}, {"dropped", 0}, {"not_understood", 0}}},
+             {"uses", Note::object()},
+             {"findings", Note::array()},
              {"zones", Note::array()},
              {"demands_of_no_object", Note::array()},
              {"left_out", Note::array()},
@@ -81,6 +86,7 @@ class NoteMaker {
              {"remarks", Note::array()}};
     DescribeObjects();
     AddDemands();
+    AddFindings();
     AddRemarks();
     SortIntoZones();
     return Pruned(note_, {"zones", "left_out", "clashes", "remarks"});
@@ -93,7 +99,7 @@ class NoteMaker {
       const v1::Object& object = layout_.graph().object_list().objects(i);
       const bool placed = where_.placed[static_cast<size_t>(i)];
       Note& told = objects_.emplace_back(Note{{"id", object.id()},
-                                              {"name", optimizer::NameForPeople(scene_, i)},
+                                              {"name", NameForPeople(scene_, i)},
                                               {"role", RoleName(object.role())},
                                               {"placed", placed},
                                               {"zone_id", object.zone_id()},
@@ -207,6 +213,25 @@ class NoteMaker {
         if (leader == object || told["role"] == "tertiary") continue;
         if (std::ranges::find(told["followers"], name) == told["followers"].end()) told["followers"].push_back(name);
       }
+    }
+  }
+
+  // Measured here: another optimizer may not measure them.
+  void AddFindings() {
+    v1::LayoutMetrics metrics;
+    for (v1::Finding& found : evaluation::MeasureSolids({scene_, where_.layout, where_.placed}).findings) {
+      Of(found.object_id())->at("remarks").push_back(found.message());
+      *metrics.add_findings() = std::move(found);
+    }
+    evaluation::AddUses(layout_.graph(), layout_.placements(), layout_.edge_outcomes(), metrics);
+    if (metrics.use_count() > 0) note_["uses"] = {{"asked", metrics.use_count()}, {"met", metrics.met_use_count()}};
+    for (const v1::Finding& finding : metrics.findings()) {
+      Note told = {{"kind", absl::AsciiStrToLower(v1::FindingKind_Name(finding.kind()).substr(13))},
+                   {"object_id", finding.object_id()},
+                   {"partner_id", finding.partner_id()},
+                   {"message", finding.message()}};
+      if (finding.has_amount()) told.update({{"amount", finding.amount()}, {"unit", finding.unit()}});
+      note_["findings"].push_back(Pruned(told, {}));
     }
   }
 

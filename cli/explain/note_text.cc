@@ -129,6 +129,21 @@ std::string CountText(const Note& note) {
                      Counted(note["demand_count"]["holds"].get<int>(), "holds", "hold"), Joined(wrong));
 }
 
+// What is found where it cannot be, and how many uses are met.
+std::string TruthText(const Note& note) {
+  std::string text;
+  int uses_missed = 0;
+  if (note.contains("uses")) {
+    const int asked = note["uses"]["asked"], met = note["uses"]["met"];
+    uses_missed = asked - met;
+    text = uses_missed == 0 ? fmt::format(" All {} met.", Counted(asked, "use is", "uses are"))
+                            : fmt::format(" {} of {} met.", met, Counted(asked, "use is", "uses are"));
+  }
+  const int wrong = static_cast<int>(note.value("findings", Note::array()).size()) - uses_missed;
+  if (wrong > 0) text += fmt::format(" {} where it cannot be.", Counted(wrong, "piece is", "pieces are"));
+  return text;
+}
+
 std::string ListText(const char* title, const Note& items, const NoteStyle& style) {
   std::string text = items.empty() ? "" : fmt::format("\n{}\n", title);
   for (const std::string item : items) text += Bullet('-', Sentence(item), style);
@@ -138,7 +153,7 @@ std::string ListText(const char* title, const Note& items, const NoteStyle& styl
 }  // namespace
 
 std::string NoteText(const Note& note, const NoteStyle& style) {
-  std::string text = Paragraph(Text(note, "room") + " " + CountText(note), style);
+  std::string text = Paragraph(Text(note, "room") + " " + CountText(note) + TruthText(note), style);
   for (const Note& zone : note["zones"]) {
     const std::string purpose = WithoutStop(Text(zone, "purpose"));
     text += fmt::format("\n{}{}{}\n", absl::AsciiStrToUpper(Text(zone, "name")), purpose.empty() ? "" : " - ", purpose);

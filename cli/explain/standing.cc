@@ -53,7 +53,7 @@ class Place {
   }
 
  private:
-  std::string Name(int object) const { return optimizer::NameForPeople(scene_, object); }
+  std::string Name(int object) const { return NameForPeople(scene_, object); }
   const Object& At(int object) const { return scene_.objects[static_cast<size_t>(object)]; }
   bool IsPlaced(int object) const { return where_.placed[static_cast<size_t>(object)]; }
   Frame<double> FrameAt(int object) const { return FrameOf(where_.layout[static_cast<size_t>(object)]); }
@@ -212,19 +212,7 @@ class Place {
     return "lies on the open floor";
   }
 
-  // The solid thing of the floor under its centre that reaches up to it, the highest one; -1 for none.
-  int Carrier() const {
-    if (object_.host >= 0 && IsPlaced(object_.host)) return object_.host;
-    int best = -1;
-    for (int other = 0; other < static_cast<int>(scene_.objects.size()); ++other) {
-      if (!StandsSolid(other)) continue;
-      const Vec2<double> p = FrameAt(other).ToObject(frame_.center);
-      const bool below =
-          std::abs(p.x) <= At(other).footprint.width_m / 2 && std::abs(p.y) <= At(other).footprint.depth_m / 2;
-      if (below && (best < 0 || scene_.TopOf(other) > scene_.TopOf(best))) best = other;
-    }
-    return best;
-  }
+  int Carrier() const { return CarrierOf(scene_, index_, where_.layout, where_.placed); }
 
   std::string OnTop() const {
     const int carrier = Carrier();

@@ -10,6 +10,7 @@
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 
@@ -28,6 +29,11 @@ std::string Heading(const v1::Room& room, const v1::Brief& brief, const v1::Prev
       MarkdownCell(brief.text()), brief.seed(), room.room_type(), width, depth, room.height_m(), PictureName(preview));
 }
 
+std::string SolidsInWords(const v1::LayoutMetrics& metrics) {
+  if (!metrics.has_oor_3d_percent()) return "not measured";
+  return fmt::format("OOB {:.3f} %, OOR {:.3f} %", metrics.oob_3d_percent(), metrics.oor_3d_percent());
+}
+
 std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
   const v1::LayoutMetrics& m = report.metrics();
   const v1::ConstraintSummary& c = report.constraints();
@@ -35,22 +41,27 @@ std::string Verdict(const v1::Report& report, const v1::SolvedLayout& layout) {
     return std::vector<std::string>{measure, fmt::format(fmt::runtime(format), value), meaning};
   };
   return "\n## Measures\n\n" +
-         MarkdownTable({"measure", "value", "meaning"},
-                       {row("OOB", "{:.4f} %", m.oob_percent(), "furniture outside the room, of the room's area"),
-                        row("OOR", "{:.4f} %", m.oor_percent(),
-                            "furniture in furniture or in a door's swing, of the room's area"),
-                        row("floor reached", "{:.0f} %", 100 * m.reachable_floor_share(),
-                            "of the free floor, by a person 0.6 m wide from the door"),
-                        row("fronts reached", "{:.0f} %", 100 * m.reachable_front_share(),
-                            "of the furniture has room to stand in front of it"),
-                        row("deepest overlap", "{:.1f} mm", 1e3 * m.deepest_overlap_m(),
-                            "deepest overlap with another object, a door's swing or a wall"),
-                        row("pathway cost", "{:.4f} m3", m.pathway_cost_m3(),
-                            "how much furniture narrows paths to less than 0.6 m"),
-                        {"constraints",
-                         fmt::format("{} hold, {} do not, {} dropped, {} not understood", c.satisfied_count(),
-                                     c.violated_count(), c.dropped_count(), c.untranslated_count()),
-                         fmt::format("{} calls", layout.graph().edges_size())}});
+         MarkdownTable(
+             {"measure", "value", "meaning"},
+             {row("OOB", "{:.4f} %", m.oob_percent(), "furniture outside the room, of the room's area"),
+              row("OOR", "{:.4f} %", m.oor_percent(),
+                  "furniture in furniture or in a door's swing, of the room's area"),
+              row("floor reached", "{:.0f} %", 100 * m.reachable_floor_share(),
+                  "of the free floor, by a person 0.6 m wide from the door"),
+              row("fronts reached", "{:.0f} %", 100 * m.reachable_front_share(),
+                  "of the furniture has room to stand in front of it"),
+              row("deepest overlap", "{:.1f} mm", 1e3 * m.deepest_overlap_m(),
+                  "deepest overlap on the floor: with another object, a door's swing or a wall"),
+              {"in three dimensions", SolidsInWords(m),
+               "outside and overlaps of everything with everything, of the room's volume"},
+              {"uses met", m.has_use_count() ? fmt::format("{} of {}", m.met_use_count(), m.use_count()) : "–",
+               "a chair drawn up to its desk, a lamp beside its seat"},
+              row("pathway cost", "{:.4f} m3", m.pathway_cost_m3(),
+                  "how much furniture narrows paths to less than 0.6 m"),
+              {"constraints",
+               fmt::format("{} hold, {} do not, {} dropped, {} not understood", c.satisfied_count(), c.violated_count(),
+                           c.dropped_count(), c.untranslated_count()),
+               fmt::format("{} calls", layout.graph().edges_size())}});
 }
 
 std::string ZoneText(const v1::ZonePlan& plan) {
@@ -92,6 +103,15 @@ std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& sty
   return "\n## Objects\n\n" + MarkdownTable({"object", "zone", "width x depth x height (m)", "look", "why"}, rows);
 }
 
+// Why no tick is due although all calls of a sentence hold: its piece is where it cannot be. Empty when it can.
+std::string Absurdity(const v1::Sentence& sentence, const v1::LayoutMetrics& metrics) {
+  const std::string moved = sentence.subject_ids_size() > 0 ? sentence.subject_ids(0) : "";
+  const auto found = std::ranges::find_if(metrics.findings(), [&](const v1::Finding& finding) {
+    return finding.kind() != v1::FINDING_KIND_USE_NOT_MET && finding.object_id() == moved;
+  });
+  return found == metrics.findings().end() ? "" : found->message();
+}
+
 // What became of one sentence: the worst of its calls.
 std::string SentenceOutcome(const v1::Sentence& sentence, const v1::SolvedLayout& layout) {
   int held = 0;
@@ -107,7 +127,9 @@ std::string SentenceOutcome(const v1::Sentence& sentence, const v1::SolvedLayout
     }
   }
   if (!problems.empty()) return "✗ " + problems.front();
-  return held > 0 ? "✓" : "– not understood";
+  if (held == 0) return "– not understood";
+  const std::string absurdity = Absurdity(sentence, layout.metrics());
+  return absurdity.empty() ? "✓" : "✗ holds, but " + absurdity;
 }
 
 std::string SentenceText(const v1::SolvedLayout& layout, const v1::ConstraintList& constraints) {
@@ -194,6 +216,24 @@ std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout) {
   return lines;
 }
 
+std::string UsesInWords(const v1::LayoutMetrics& metrics) {
+  const int asked = metrics.use_count(), met = metrics.met_use_count();
+  if (asked == 0) return "";
+  if (met == asked) return asked == 1 ? "The one use is met." : fmt::format("All {} uses are met.", asked);
+  return fmt::format("{} of {} met.", met, Counted(asked, "use is", "uses are"));
+}
+
+std::vector<std::string> WrongInWords(const v1::LayoutMetrics& metrics, size_t most) {
+  std::vector<std::string> lines;
+  for (const v1::Finding& finding : metrics.findings()) {
+    const bool is_use = finding.kind() == v1::FINDING_KIND_USE_NOT_MET;
+    if (lines.size() < most) lines.push_back((is_use ? "use not met: " : "") + finding.message());
+  }
+  const size_t all = static_cast<size_t>(metrics.findings_size());
+  if (all > lines.size()) lines.push_back(fmt::format("and {} more", all - lines.size()));
+  return lines;
+}
+
 std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   const v1::SolvedLayout& layout = Get(artifacts, v1::ARTIFACT_KIND_SOLVED_LAYOUT).solved_layout();
   const v1::StyleSheet& style = Get(artifacts, v1::ARTIFACT_KIND_STYLE_SHEET).style_sheet();
@@ -203,7 +243,9 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   std::string text = Heading(layout.graph().room(), Get(artifacts, v1::ARTIFACT_KIND_BRIEF).brief(),
                              Get(artifacts, v1::ARTIFACT_KIND_PREVIEW).preview());
   if (!style.summary().empty()) text += fmt::format("\nStyle: {}. {}\n", style.name(), style.summary());
+  constexpr size_t kListedWrongs = 12;
   text += Bullets("Not as asked", NotAsAsked(layout));
+  text += Bullets("What is wrong", WrongInWords(report.metrics(), kListedWrongs));
   text += LeftOutText(layout.graph().object_list());
   text += Verdict(report, layout);
   text += ZoneText(layout.graph().zone_plan());

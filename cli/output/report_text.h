@@ -20,6 +20,12 @@ using ArtifactsByKind = std::map<v1::ArtifactKind, v1::Artifact>;
 // and places that the layout does not keep. In report.md and on the terminal.
 std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout);
 
+// "All 7 uses are met." "5 of 7 uses are met." Empty when the layout says nothing of uses, or none is asked.
+std::string UsesInWords(const v1::LayoutMetrics& metrics);
+
+// What cannot be so in a real room and which uses are not met, one sentence each, at most `most` and how many more.
+std::vector<std::string> WrongInWords(const v1::LayoutMetrics& metrics, size_t most);
+
 // report.md: what is not as asked, what stands in the room and why, what holds, measures and times. For people.
 std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts);
 
@@ -61,7 +67,7 @@ std::string VariantsTable(const v1::SolvedLayout& layout, const std::vector<std:
 // Runner-up `index` of a layout as a layout of its own; its whole-room terms are not known here.
 v1::SolvedLayout VariantOf(const v1::SolvedLayout& layout, int index);
 
-// "45 of 50 constraints hold, OOB 0.00 %, OOR 0.00 %", for a caption.
+// "45 of 50 constraints hold, 5 of 7 uses met, OOB 0.00 %, OOR 0.00 % (0.01 % in 3D)", for a caption.
 std::string LayoutLine(const v1::SolvedLayout& layout);
 
 // A runner-up with an account of all edges; the others hold floor objects only.

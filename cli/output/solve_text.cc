@@ -51,8 +51,13 @@ std::string LayoutLine(const v1::SolvedLayout& layout) {
   const std::string held = count == 0 ? ""
                                       : fmt::format("{} of {}, ", CountOf(layout, v1::OUTCOME_STATUS_SATISFIED),
                                                     Counted(count, "constraint holds", "constraints hold"));
-  return fmt::format("{}OOB {:.2f} %, OOR {:.2f} %", held, layout.metrics().oob_percent(),
-                     layout.metrics().oor_percent());
+  const v1::LayoutMetrics& metrics = layout.metrics();
+  const std::string uses =
+      metrics.use_count() == 0 ? "" : fmt::format("{} of {} uses met, ", metrics.met_use_count(), metrics.use_count());
+  const std::string solids =
+      metrics.has_oor_3d_percent() ? fmt::format(" ({:.2f} % in 3D)", metrics.oor_3d_percent()) : "";
+  return fmt::format("{}{}OOB {:.2f} %, OOR {:.2f} %{}", held, uses, metrics.oob_percent(), metrics.oor_percent(),
+                     solids);
 }
 
 bool IsComplete(const v1::RunnerUp& runner_up) { return runner_up.has_metrics(); }

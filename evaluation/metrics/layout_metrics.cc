@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <vector>
 
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/routes.h"
+#include "evaluation/metrics/solids.h"
+#include "evaluation/metrics/uses.h"
 #include "flair/v1/report.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "room/conversion/conversion.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/polygon.h"
 #include "room/scene/room.h"
 #include "worker_runtime/status/status_macros.h"
@@ -23,12 +24,9 @@ namespace flair::evaluation {
 namespace {
 
 constexpr double kLeastArea_m2 = 1e-12;
-constexpr int kArcPieces = 32;
 constexpr double kHeightSlack_m = 1e-9;
 // A picture may begin where a wardrobe or another picture ends, to the centimetre.
 constexpr double kAboveSlack_m = 0.01;
-// A runner, a tray, a throw: flat enough for other things to stand on.
-constexpr double kFlat_m = 0.05;
 // A wall object further than this from its wall hangs nowhere; it is then no matter of openings.
 constexpr double kNearWall_m = 0.3;
 
@@ -84,7 +82,8 @@ void AddDoorSwings(const LayoutView& view, std::vector<Overlap>& overlaps) {
   }
 }
 
-// Metres of the opening that the object's footprint, seen along the wall, covers; 0 when it hangs elsewhere.
+}  // namespace
+
 double CoveredLength(const LayoutView& view, size_t i, const Opening& opening) {
   const Wall& wall = view.scene.room.walls[static_cast<size_t>(opening.wall)];
   const double half_depth = view.scene.objects[i].footprint.depth_m / 2;
@@ -100,6 +99,8 @@ double CoveredLength(const LayoutView& view, size_t i, const Opening& opening) {
   return std::max(0.0, std::min(high, opening.offset_m + opening.width_m) - std::max(low, opening.offset_m));
 }
 
+namespace {
+
 void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) {
   for (size_t i = 0; i < view.scene.objects.size(); ++i) {
     const Object& object = view.scene.objects[i];
@@ -114,25 +115,6 @@ void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) 
       if (area > kLeastArea_m2) overlaps.push_back({object.id, opening.id, area});
     }
   }
-}
-
-// Widest gap between two convex shapes along the outward normals of `a`; negative when none parts them.
-double WidestGap(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
-  double widest = -std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < a.size(); ++i) {
-    const Vec2<double> edge = a[(i + 1) % a.size()] - a[i];
-    const double length = Norm(edge);
-    if (length == 0) continue;
-    const Vec2<double> normal = (-1 / length) * Perpendicular(edge);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec2<double>& p : b) nearest = std::min(nearest, Dot(normal, p - a[i]));
-    widest = std::max(widest, nearest);
-  }
-  return widest;
-}
-
-double Penetration_m(std::span<const Vec2<double>> a, std::span<const Vec2<double>> b) {
-  return std::max(0.0, -std::max(WidestGap(a, b), WidestGap(b, a)));
 }
 
 }  // namespace
@@ -171,20 +153,24 @@ double OorPercent(const LayoutView& view) {
 double DeepestOverlap_m(const LayoutView& view) {
   const Scene& scene = view.scene;
   double deepest = 0;
-  std::vector<std::array<Vec2<double>, 4>> solids;
+  std::vector<Box<double>> solids;
+  const auto consider = [&deepest](const auto& a, const auto& b) {
+    deepest = std::max(deepest, -SeparatingAxis(a, b).gap_m);
+  };
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     if (!view.Has(i)) continue;
-    const std::array<Vec2<double>, 4> corners = Corners(scene.objects[i].footprint, view.layout[i]);
-    for (const Vec2<double>& corner : corners) {
-      deepest = std::max(deepest, -SignedDistance(scene.room.floor, corner));
+    const Box<double> box(scene.objects[i].footprint, FrameOf(view.layout[i]));
+    for (int corner = 0; corner < 4; ++corner) {
+      deepest = std::max(deepest, -SignedDistance(scene.room.floor, box.value(corner)));
     }
     if (!IsSolid(scene.objects[i])) continue;
-    for (const auto& other : solids) deepest = std::max(deepest, Penetration_m(corners, other));
-    solids.push_back(corners);
+    for (const Box<double>& other : solids) consider(box, other);
+    solids.push_back(box);
   }
   for (const Opening& door : scene.room.openings) {
     for (const Polygon& piece : ConvexSwingAreas(scene.room, door, kArcPieces)) {
-      for (const auto& corners : solids) deepest = std::max(deepest, Penetration_m(corners, piece.vertices));
+      const ConvexPiece swept(piece);
+      for (const Box<double>& box : solids) consider(box, swept);
     }
   }
   return deepest;
@@ -199,13 +185,22 @@ v1::LayoutMetrics MeasureLayout(const LayoutView& view) {
   metrics.set_reachable_front_share(reach.front_share);
   metrics.set_pathway_cost_m3(PathwayCost_m3(view));
   metrics.set_deepest_overlap_m(DeepestOverlap_m(view));
+  SolidMeasures solids = MeasureSolids(view);
+  const double percent_per_m3 = 100 / (Area(view.scene.room.floor) * view.scene.room.height_m);
+  metrics.set_oob_3d_percent(solids.outside_m3 * percent_per_m3);
+  metrics.set_oor_3d_percent(solids.overlap_m3 * percent_per_m3);
+  metrics.set_deepest_overlap_3d_m(solids.deepest_m);
+  metrics.set_unsupported_count(solids.unsupported_count);
+  for (v1::Finding& finding : solids.findings) *metrics.add_findings() = std::move(finding);
   return metrics;
 }
 
 absl::StatusOr<v1::LayoutMetrics> MeasureLayout(const v1::SolvedLayout& layout) {
   ASSIGN_OR_RETURN(const Scene scene, SceneFromProto(layout.graph()));
   ASSIGN_OR_RETURN(const PartialLayout partial, PosesFromPlacements(scene, layout.placements()));
-  return MeasureLayout({scene, partial.layout, partial.placed});
+  v1::LayoutMetrics metrics = MeasureLayout({scene, partial.layout, partial.placed});
+  AddUses(layout.graph(), layout.placements(), layout.edge_outcomes(), metrics);
+  return metrics;
 }
 
 }  // namespace flair::evaluation

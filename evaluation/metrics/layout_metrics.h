@@ -27,6 +27,11 @@ class SolvedLayout;
 
 namespace flair::evaluation {
 
+// A runner, a tray, a throw: flat enough for other things to stand on.
+inline constexpr double kFlat_m = 0.05;
+// Tangents that stand for the arc of a door.
+inline constexpr int kArcPieces = 32;
+
 // A furnished room as the measures see it. References must outlive it.
 struct LayoutView {
   LayoutView(const Scene& scene, const Layout& layout, std::vector<bool> placed = {})
@@ -63,15 +68,18 @@ std::vector<Outside> FindOutside(const LayoutView& view);
 double OobPercent(const LayoutView& view);
 double OorPercent(const LayoutView& view);
 
+// Metres of the opening that the object's footprint, seen along the wall, covers; 0 when it hangs elsewhere.
+double CoveredLength(const LayoutView& view, size_t object, const Opening& opening);
+
 // How deep things stand in each other, in lengths instead of areas: an overlap of no depth is none.
 // The largest of: the shortest push that parts two solid floor objects, or one from the swing of a door; the distance
 // of a corner of any object beyond the floor. Metres, 0 when all is clear.
 double DeepestOverlap_m(const LayoutView& view);
 
-// All measures of a layout; see above, routes.h and pathway.h for what they mean.
+// All measures of a layout but uses; see above, solids.h, routes.h and pathway.h for what they mean.
 v1::LayoutMetrics MeasureLayout(const LayoutView& view);
 
-// The same of a message, which is validated first.
+// The same of a message, which is validated first, and its uses (uses.h).
 absl::StatusOr<v1::LayoutMetrics> MeasureLayout(const v1::SolvedLayout& layout);
 
 }  // namespace flair::evaluation

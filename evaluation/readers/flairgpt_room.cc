@@ -20,6 +20,8 @@ using nlohmann::json;
 // The recordings have no heights. Furniture stands higher than a window sill and lower than what hangs on walls.
 constexpr double kRoomHeight_m = 3.0, kFurniture_m = 1.0, kWallBottom_m = 1.4, kWallPiece_m = 0.5, kLamp_m = 0.5;
 constexpr double kItem_m = 0.3, kRug_m = 0.01, kSill_m = 0.9, kHead_m = 2.1;
+// A thing on a table that covers half a square metre lies flat: a blanket, a cutting mat.
+constexpr double kCloth_m2 = 0.5, kCloth_m = 0.02;
 // Things recorded without a size.
 constexpr double kLeastExtent_m = 0.05;
 
@@ -165,7 +167,7 @@ void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) 
     object->set_height_m(kLamp_m);
   } else if (type == "table") {
     object->set_kind(v1::OBJECT_KIND_SURFACE);
-    object->set_height_m(kItem_m);
+    object->set_height_m(object->width_m() * object->depth_m() < kCloth_m2 ? kItem_m : kCloth_m);
   }
 }
 

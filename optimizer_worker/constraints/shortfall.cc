@@ -50,20 +50,6 @@ std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished
       {{fmt::format("what is asked of {} is missed by {:.2f} m", AllNamed(edge, where.scene), missed), missed, "m"}});
 }
 
-std::string NameForPeople(const Scene& scene, int object) {
-  const Object& what = scene.objects[static_cast<size_t>(object)];
-  const std::string name = what.name.empty() ? what.id : what.name;
-  const auto count = std::count_if(scene.objects.begin(), scene.objects.end(),
-                                   [&](const Object& other) { return other.name == what.name; });
-  if (count <= 1) return "the " + name;
-  // The number of its id when it has one, else its place among its likes.
-  const size_t number = what.id.find_last_not_of("0123456789") + 1;
-  if (number < what.id.size()) return fmt::format("{} {}", name, what.id.substr(number));
-  const auto before = std::count_if(scene.objects.begin(), scene.objects.begin() + object,
-                                    [&](const Object& other) { return other.name == what.name; });
-  return fmt::format("{} {}", name, before + 1);
-}
-
 double PlacedCall::CostRoot() const {
   const absl::StatusOr<std::unique_ptr<Cost>> cost =
       Bind(edge_, BindContext{where_.scene, where_.zone_centers, where_.linked});
@@ -87,13 +73,6 @@ std::string PlacedCall::FeatureName() const {
   const FeatureKind kind = arguments_.Feature("feature");
   const bool several = FeatureSegments(scene().room, kind).size() > 1;
   return fmt::format("the {}{}", several ? "nearest " : "", std::string(optimizer::FeatureName(kind)));
-}
-
-std::string WallName(const Wall& wall) {
-  for (const char* name : {"north", "east", "south", "west"}) {
-    if (wall.name == name) return fmt::format("the {} wall", name);
-  }
-  return wall.name;
 }
 
 std::string SideOf(const std::string& object, Side side) {

@@ -42,9 +42,6 @@ struct Furnished {
 // Pure; safe to call from several threads.
 std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished& where);
 
-// "the desk"; "dining chair 2" when the scene has several of that name.
-std::string NameForPeople(const Scene& scene, int object);
-
 // One call in its layout.
 class PlacedCall {
  public:
@@ -89,8 +86,6 @@ class PlacedCall {
   const Furnished& where_;
 };
 
-// "the south wall"; a wall that is just numbered keeps its name.
-std::string WallName(const Wall& wall);
 // "the front of the desk".
 std::string SideOf(const std::string& object, Side side);
 

@@ -2,6 +2,7 @@
 #include "optimizer_worker/stages/solve_layout.h"
 
 #include "evaluation/metrics/layout_metrics.h"
+#include "evaluation/metrics/uses.h"
 #include "fmt/format.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/infeasible.h"
@@ -39,6 +40,7 @@ absl::StatusOr<v1::EvaluateResponse> EvaluateLayout(const v1::EvaluateRequest& r
   for (v1::EdgeOutcome& outcome : EdgeOutcomes(input, costs, state)) *response.add_edge_outcomes() = std::move(outcome);
   for (v1::TermOutcome& outcome : TermOutcomes(input, costs, state)) *response.add_term_outcomes() = std::move(outcome);
   *response.mutable_metrics() = evaluation::MeasureLayout({input.scene, state.layout, state.placed});
+  evaluation::AddUses(input.graph, request.placements(), response.edge_outcomes(), *response.mutable_metrics());
   return response;
 }
 

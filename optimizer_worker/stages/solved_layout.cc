@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "evaluation/metrics/layout_metrics.h"
+#include "evaluation/metrics/uses.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"
@@ -18,27 +19,6 @@
 
 namespace flair::optimizer {
 
-namespace {
-
-double UndersideOf(const SolveInput& input, int object, const PartialLayout& state) {
-  const Scene& scene = input.scene;
-  const Object& what = scene.objects[object];
-  switch (what.kind) {
-    case ObjectKind::kFloor:
-    case ObjectKind::kWall:
-      return what.elevation_m;
-    case ObjectKind::kCeiling:
-      return std::max(0.0, scene.room.height_m - what.height_m);
-    case ObjectKind::kSurface: {
-      const int carrier = CarrierOf(scene, object, state);
-      return what.elevation_m + (carrier >= 0 ? scene.TopOf(carrier) : 0.0);
-    }
-  }
-  return 0;
-}
-
-}  // namespace
-
 std::vector<v1::Placement> MakePlacements(const SolveInput& input, const PartialLayout& state) {
   std::vector<v1::Placement> placements;
   for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
@@ -47,7 +27,7 @@ std::vector<v1::Placement> MakePlacements(const SolveInput& input, const Partial
     placement.set_object_id(input.scene.objects[i].id);
     placement.set_x_m(state.layout[i].x_m + 0.0);
     placement.set_y_m(state.layout[i].y_m + 0.0);
-    placement.set_z_m(UndersideOf(input, i, state));
+    placement.set_z_m(UndersideOf(input.scene, i, state.layout, state.placed));
     placement.set_theta_rad(WrapHeading(state.layout[i].theta_rad));
   }
   return placements;
@@ -209,6 +189,7 @@ void Describe(const SolveInput& input, const SceneCosts& costs, const Branch& br
   MoveInto(FitDiagnostics(input, costs, state), *message.mutable_diagnostics());
   ExplainLeftOut(input, branch, message);
   *message.mutable_metrics() = evaluation::MeasureLayout({input.scene, state.layout, state.placed});
+  evaluation::AddUses(input.graph, message.placements(), message.edge_outcomes(), *message.mutable_metrics());
 }
 
 v1::RunnerUp MakeRunnerUp(const SolveInput& input, const Branch& branch) {

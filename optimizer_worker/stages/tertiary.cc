@@ -240,22 +240,6 @@ int CarrierToKeep(const SolveInput& input, int object, int meant, int now) {
 
 }  // namespace
 
-int CarrierOf(const Scene& scene, int object, const PartialLayout& state) {
-  const int host = scene.objects[object].host;
-  if (host >= 0) return state.placed[host] ? host : -1;
-  const Vec2<double> p = Center(state.layout[object]);
-  int best = -1;
-  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
-    const Object& carrier = scene.objects[i];
-    if (i == object || !state.placed[i] || carrier.kind != ObjectKind::kFloor || carrier.walk_over) continue;
-    const Vec2<double> local = FrameOf(state.layout[i]).ToObject(p);
-    const bool under = std::abs(local.x) <= carrier.footprint.width_m / 2 + 1e-6 &&
-                       std::abs(local.y) <= carrier.footprint.depth_m / 2 + 1e-6;
-    if (under && (best < 0 || carrier.height_m > scene.objects[best].height_m)) best = i;
-  }
-  return best;
-}
-
 bool FitsOn(const Scene& scene, int object, int carrier) {
   const Footprint& thing = scene.objects[object].footprint;
   const Footprint& top = scene.objects[carrier].footprint;

@@ -19,8 +19,10 @@ namespace flair::optimizer {
 RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before,
                               int restart);
 
-// What a surface object stands on: its host, or the placed floor object under its centre; -1 when there is none.
-int CarrierOf(const Scene& scene, int object, const PartialLayout& state);
+// As of a scene.
+inline int CarrierOf(const Scene& scene, int object, const PartialLayout& state) {
+  return flair::CarrierOf(scene, object, state.layout, state.placed);
+}
 
 // Whether an object is no larger than the top of `carrier`, one way round or the other.
 bool FitsOn(const Scene& scene, int object, int carrier);

@@ -160,6 +160,8 @@ Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
           .footprint = {.width_m = message.width_m(), .depth_m = message.depth_m()},
           .height_m = message.height_m(),
           .elevation_m = message.elevation_m(),
+          .rim_sides_m = message.rim_sides_m(),
+          .rim_ends_m = message.rim_ends_m(),
           .walk_over = message.walk_over(),
           .category = message.category(),
           .host = -1};
@@ -201,6 +203,8 @@ void ObjectToProto(const Object& object, const Scene& scene, v1::Object& message
   message.set_depth_m(object.footprint.depth_m);
   message.set_height_m(object.height_m);
   message.set_elevation_m(object.elevation_m);
+  message.set_rim_sides_m(object.rim_sides_m);
+  message.set_rim_ends_m(object.rim_ends_m);
   message.set_walk_over(object.walk_over);
   message.set_category(object.category);
   if (object.host >= 0) message.set_host_id(scene.objects[static_cast<size_t>(object.host)].id);

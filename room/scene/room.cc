@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "room/scene/room.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -123,6 +125,25 @@ std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int
   const double angle = door.leaf->swing_angle_rad;
   if (angle <= kPi / 2 + 1e-9) return {Sector(room, door, 0, angle, arc_pieces)};
   return {Sector(room, door, 0, angle / 2, arc_pieces), Sector(room, door, angle / 2, angle, arc_pieces)};
+}
+
+std::string WallName(const Wall& wall) {
+  for (const char* name : {"north", "east", "south", "west"}) {
+    if (wall.name == name) return fmt::format("the {} wall", name);
+  }
+  return wall.name;
+}
+
+std::string NameForPeople(const Room& room, const Opening& opening) {
+  const char* const kind = opening.kind == OpeningKind::kDoor ? "door" : "window";
+  int count = 0, number = 0;
+  for (const Opening& other : room.openings) {
+    if (other.kind != opening.kind || other.wall != opening.wall) continue;
+    ++count;
+    if (other.id == opening.id) number = count;
+  }
+  const std::string wall = WallName(room.walls[static_cast<size_t>(opening.wall)]);
+  return count > 1 ? fmt::format("{} {} in {}", kind, number, wall) : fmt::format("the {} in {}", kind, wall);
 }
 
 Polygon PassageArea(const Room& room, const Opening& door, double depth_m, double margin_m) {

@@ -105,6 +105,12 @@ Polygon SwingArea(const Room& room, const Opening& door, int arc_pieces = 8);
 // The same in convex pieces: a leaf that opens wider than a half turn minus the wall is not convex any more.
 std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int arc_pieces = 8);
 
+// "the south wall"; a wall that is just numbered keeps its name.
+std::string WallName(const Wall& wall);
+
+// "the window in the east wall", "window 2 in the east wall" when there are several.
+std::string NameForPeople(const Room& room, const Opening& opening);
+
 // The rectangle in front of the opening, `depth_m` into the room, widened by `margin_m` at both ends. Convex.
 Polygon PassageArea(const Room& room, const Opening& door, double depth_m, double margin_m = 0);
 

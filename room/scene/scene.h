@@ -3,6 +3,8 @@
 // object.
 #pragma once
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +35,10 @@ struct Object {
   double height_m = 0;
   // Of its underside above what carries it (above the floor for wall and ceiling objects).
   double elevation_m = 0;
+  // Of a top with an opening in its middle, what carries at its left and right, and at its front and back; both 0 when
+  // the whole top carries.
+  double rim_sides_m = 0;
+  double rim_ends_m = 0;
   // A rug, a mat, a carpet: never collides.
   bool walk_over = false;
   std::string category;
@@ -43,6 +49,9 @@ struct Object {
 // Stands on the floor and is in the way.
 inline bool IsSolid(const Object& object) { return object.kind == ObjectKind::kFloor && !object.walk_over; }
 
+// The opening in the middle of its top, such as a basin's; none when the whole top carries.
+std::optional<Footprint> OpeningIn(const Object& top);
+
 struct Scene {
   Room room;
   std::vector<Zone> zones;
@@ -52,14 +61,50 @@ struct Scene {
   int IndexOf(std::string_view object_id) const;
   int ZoneIndexOf(std::string_view zone_id) const;
   // Whether `object` stands on `carrier` or is attached to it, directly or through others; true of an object and
-  // itself. What stands on the floor is carried by nothing else, whatever is said of its host.
+  // itself. What stands on the floor is carried by nothing else, whatever is said of its host; and what hangs, by
+  // nothing that stands: a mirror is above its dresser, not in it.
   bool Carries(int carrier, int object) const;
-  // Underside of an object above the floor; that of a surface object follows its host's top.
+  // Underside of an object above the floor; that of a surface object follows its host's top, and a ceiling object of no
+  // elevation hangs from the ceiling itself.
   double BottomOf(int object) const;
   double TopOf(int object) const { return BottomOf(object) + objects[static_cast<size_t>(object)].height_m; }
 };
 
 // One pose per object of a scene, in its order.
 using Layout = std::vector<Pose<double>>;
+
+// What a surface object stands on: its host, or the highest of the placed solid floor objects under its centre; -1 when
+// there is none. `placed` holds one per object.
+template <typename Placed>
+int CarrierOf(const Scene& scene, int object, const Layout& layout, const Placed& placed) {
+  const int host = scene.objects[static_cast<size_t>(object)].host;
+  if (host >= 0) return placed[static_cast<size_t>(host)] ? host : -1;
+  constexpr double kRounding_m = 1e-6;
+  const Vec2<double> center = Center(layout[static_cast<size_t>(object)]);
+  int best = -1;
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& carrier = scene.objects[i];
+    if (static_cast<int>(i) == object || !placed[i] || !IsSolid(carrier)) continue;
+    const Vec2<double> local = FrameOf(layout[i]).ToObject(center);
+    const bool under = std::abs(local.x) <= carrier.footprint.width_m / 2 + kRounding_m &&
+                       std::abs(local.y) <= carrier.footprint.depth_m / 2 + kRounding_m;
+    if (under && (best < 0 || carrier.height_m > scene.objects[static_cast<size_t>(best)].height_m)) {
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+// Underside above the floor of a placed object, wherever a surface object may stand.
+template <typename Placed>
+double UndersideOf(const Scene& scene, int object, const Layout& layout, const Placed& placed) {
+  const Object& what = scene.objects[static_cast<size_t>(object)];
+  if (what.kind != ObjectKind::kSurface) return scene.BottomOf(object);
+  const int carrier = CarrierOf(scene, object, layout, placed);
+  return what.elevation_m + (carrier < 0 ? 0 : scene.TopOf(carrier));
+}
+
+// "the desk"; "dining chair 2" when the scene has several of that name.
+std::string NameForPeople(const Scene& scene, int object);
 
 }  // namespace flair

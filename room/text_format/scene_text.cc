@@ -150,6 +150,7 @@ class Reader {
     if (word == "primary") return object.role = ObjectRole::kPrimary, true;
     if (word == "tertiary") return object.role = ObjectRole::kTertiary, true;
     if (word == "height") return ReadNumber(words, ++i, object.height_m);
+    if (word == "rim") return ReadNumber(words, ++i, object.rim_sides_m) && ReadNumber(words, ++i, object.rim_ends_m);
     if (word == "elevation") return ReadNumber(words, ++i, object.elevation_m);
     if (word == "zone" && i + 1 < words.size()) {
       object.zone = result_.scene.ZoneIndexOf(words[++i]);

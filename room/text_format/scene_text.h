@@ -7,7 +7,8 @@
 //   socket north 2 [height 0.3]
 //   zone sleeping [at 1,1]                    with its mean point
 //   desk 1.2x0.6 at 2,0.3,90 [words]          id, width x depth, centre and heading in degrees
-// Words of an object: wall | ceiling | surface | rug, tertiary | primary, height H, elevation H, zone ID, on ID (host).
+// Words of an object: wall | ceiling | surface | rug, tertiary | primary, height H, elevation H, zone ID, on ID (host),
+// rim W W (beside an opening in its top: at the sides, at front and back).
 // Lengths are metres. The room comes first; hosts and zones before they are named.
 #pragma once
 

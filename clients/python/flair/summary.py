@@ -87,6 +87,10 @@ def _layout(layout: v1.SolvedLayout) -> Iterator[str]:
            f"{counts[status.OUTCOME_STATUS_VIOLATED]} do not, {counts[status.OUTCOME_STATUS_DROPPED]} dropped")
     metrics = layout.metrics
     yield f"OOB {metrics.oob_percent:.3f} %, OOR {metrics.oor_percent:.3f} %, cost {layout.total_cost:.4g}"
+    if metrics.use_count:
+        yield f"{metrics.met_use_count} of {metrics.use_count} uses met"
+    yield from (f"wrong: {finding.message}" for finding in metrics.findings
+                if finding.kind != v1.FindingKind.FINDING_KIND_USE_NOT_MET)
     for place in layout.placements:
         turn_deg = math.degrees(place.theta_rad)
         yield f"{place.object_id:20} at {place.x_m:.2f}, {place.y_m:.2f} m, turned {turn_deg:.0f} deg"

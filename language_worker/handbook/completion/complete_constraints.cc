@@ -70,20 +70,20 @@ class Completion {
       if (object.role() == v1::OBJECT_ROLE_TERTIARY) tertiary_ids_.insert(object.id());
     }
     for (const v1::Sentence& sentence : list.sentences()) {
-      texts_.insert(PlainName(sentence.text()));
       if (sentence.subject_ids_size() > 0) placed_ids_.insert(sentence.subject_ids(0));
     }
   }
 
   void Add(const UseSentence& use) {
     const v1::Sentence& sentence = use.sentence;
+    if (MarkSaid(sentence)) return;
     // [Paper] One constraint per tertiary object: where somebody has placed it, there it stays.
     const std::string& mover = sentence.subject_ids(0);
     if (tertiary_ids_.contains(mover) && placed_ids_.contains(mover)) return;
-    if (!texts_.insert(PlainName(sentence.text())).second) return;
     Overrule(use);
     v1::Sentence& added = implied_.emplace_back(sentence);
     added.set_origin(v1::SENTENCE_ORIGIN_IMPLIED);
+    added.set_use(true);
     added.set_id(NextId());
     added.set_reason(fmt::format("nobody asked for it: {}",
                                  sentence.reason().empty() ? "it is how one uses it" : sentence.reason()));
@@ -98,6 +98,17 @@ class Completion {
   }
 
  private:
+  // Whether somebody says just that already; then it is known for a use from here on.
+  bool MarkSaid(const v1::Sentence& use) {
+    const std::string text = PlainName(use.text());
+    const auto same = [&](const v1::Sentence& other) { return PlainName(other.text()) == text; };
+    if (std::ranges::any_of(implied_, same)) return true;
+    const auto said = std::ranges::find_if(*list_.mutable_sentences(), same);
+    if (said == list_.mutable_sentences()->end()) return false;
+    said->set_use(true);
+    return true;
+  }
+
   // Takes out what others wish of the pieces that the use moves, of these alone.
   void Overrule(const UseSentence& use) {
     const std::set<std::string> used(use.sentence.subject_ids().begin(), use.sentence.subject_ids().end());
@@ -144,7 +155,6 @@ class Completion {
   std::set<std::string> brief_ids_;
   std::set<std::string> tertiary_ids_;
   std::set<std::string> placed_ids_;
-  std::set<std::string> texts_;
   std::vector<v1::Sentence> implied_;
   int last_number_ = 0;
 };

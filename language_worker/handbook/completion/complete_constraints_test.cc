@@ -81,6 +81,7 @@ TEST_F(Strangers, ChairIsDrawnUpToItsDesk) {
   });
   ASSERT_NE(chair, completed_.sentences().end());
   EXPECT_EQ(chair->reason(), "nobody asked for it: one sits down to work there");
+  EXPECT_TRUE(chair->use());
 }
 
 TEST_F(Strangers, ChairsSurroundTheirTable) {
@@ -171,7 +172,8 @@ TEST_F(Strangers, UnknownThingsGetNothing) {
   EXPECT_EQ(completed_.SerializeAsString(), list_.SerializeAsString());
 }
 
-TEST(CompleteConstraints, AddsNothingToTheHandbooksOwn) {
+TEST(CompleteConstraints, AddsNothingToTheHandbooksOwnButSaysWhatIsAUse) {
+  int uses = 0;
   for (const hb::Archetype& archetype : TheHandbook().contents().archetypes()) {
     SCOPED_TRACE(archetype.name());
     v1::Brief brief;
@@ -180,9 +182,14 @@ TEST(CompleteConstraints, AddsNothingToTheHandbooksOwn) {
     const v1::ZonePlan zones = *PlanZones(brief, room, TheHandbook());
     const v1::ObjectList objects = *ListObjects(brief, room, zones, TheHandbook());
     const v1::ConstraintList cleaned = CleanConstraints(*ListConstraints(brief, room, zones, objects, TheHandbook()));
-    const v1::ConstraintList completed = CompleteConstraints({brief, room, zones}, objects, cleaned, TheHandbook());
+    v1::ConstraintList completed = CompleteConstraints({brief, room, zones}, objects, cleaned, TheHandbook());
+    for (v1::Sentence& sentence : *completed.mutable_sentences()) {
+      uses += sentence.use() ? 1 : 0;
+      sentence.clear_use();
+    }
     EXPECT_EQ(completed.DebugString(), cleaned.DebugString());
   }
+  EXPECT_GT(uses, 0);
 }
 
 }  // namespace
