@@ -51,7 +51,11 @@ v1::Object DescribedObject(const Answer& answer, const std::string& id, const v1
   object.set_height_m(std::min(answer.height_m(), room.height_m()));
   object.set_description(answer.description());
   object.set_requested(answer.requested());
-  if (furniture != nullptr) object.set_category(furniture->category());
+  if (furniture != nullptr) {
+    object.set_category(furniture->category());
+    object.set_rim_sides_m(furniture->rim_sides_m());
+    object.set_rim_ends_m(furniture->rim_ends_m());
+  }
   return object;
 }
 

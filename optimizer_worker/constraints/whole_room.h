@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,11 @@ inline constexpr char kInZoneCall[] = "in_zone";
 // Whether two objects can be in each other's way: same storey of the room, none to walk over, none carrying the other.
 bool CanCollide(const Scene& scene, int a, int b);
 
-// depth^2 [m2], see types/room.cc. Null when they cannot collide.
+// The opening in the top of `host` that `object`, which stands on it, keeps off; none when it may be over it: when it
+// is meant to be inside, or long enough to lie across.
+std::optional<Footprint> OpeningBelow(const Scene& scene, int object, int host);
+
+// depth^2 [m2], see types/room.cc. Null when they cannot collide and neither stands on the other beside an opening.
 std::unique_ptr<Cost> NoOverlapPair(const Scene& scene, int a, int b);
 // Sum of squared distances outside [m2].
 std::unique_ptr<Cost> InBounds(const Scene& scene, int object);

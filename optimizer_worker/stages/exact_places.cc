@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "optimizer_worker/constraints/measure/hanging.h"
+#include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 
@@ -86,6 +87,12 @@ void Along(const PlaceContext& context, int object, const Frame<double>& frame, 
     const Extent extent = ExtentOf(scene.objects[other].footprint, context.layout[other], frame);
     others_u.push_back(extent.u);
     others_v.push_back(extent.v);
+  }
+  if (context.carrier >= 0) {
+    if (const std::optional<Footprint> below = OpeningBelow(scene, object, context.carrier)) {
+      others_u.push_back({-below->width_m / 2, below->width_m / 2});
+      others_v.push_back({-below->depth_m / 2, below->depth_m / 2});
+    }
   }
   const Vec2<double> wanted = frame.ToObject(Center(context.wanted));
   const Vec2<double> half{footprint.width_m / 2, footprint.depth_m / 2};

@@ -24,10 +24,16 @@ constexpr double kNear_m = 0.5;
 
 bool IsFlat(const Object& object) { return object.kind == ObjectKind::kSurface && object.height_m <= kFlat_m; }
 
+// Of what is in each other's way; infinite for two of which neither can be in the other's.
 double GapOf(const Scene& scene, int a, int b, const Layout& layout) {
-  return Separate(Box<double>(scene.objects[a].footprint, FrameOf(layout[a])),
-                  Box<double>(scene.objects[b].footprint, FrameOf(layout[b])))
-      .gap_m;
+  const auto gap = [&](const Footprint& first, const Footprint& second) {
+    return Separate(Box<double>(first, FrameOf(layout[a])), Box<double>(second, FrameOf(layout[b]))).gap_m;
+  };
+  const Footprint& first = scene.objects[a].footprint;
+  const Footprint& second = scene.objects[b].footprint;
+  if (const std::optional<Footprint> below = OpeningBelow(scene, a, b)) return gap(first, *below);
+  if (const std::optional<Footprint> below = OpeningBelow(scene, b, a)) return gap(*below, second);
+  return CanCollide(scene, a, b) ? gap(first, second) : kNever;
 }
 
 bool IsTooLarge(const Scene& scene, int object, const PartialLayout& state) {
@@ -155,7 +161,7 @@ class Packing {
   bool CanMeet(int a, int b) const {
     if (Contains(ignored_, b)) return false;
     if (!strict_ && (IsFlat(input_.scene.objects[a]) || IsFlat(input_.scene.objects[b]))) return false;
-    return CanCollide(input_.scene, a, b);
+    return CanCollide(input_.scene, a, b) || OpeningBelow(input_.scene, a, b);
   }
 
   void Extend(const std::vector<int>& order, size_t depth, double cost) {
@@ -231,7 +237,7 @@ class OverlapClusters {
     const std::vector<int> core = group;
     for (int other : movable_) {
       const bool near = std::any_of(core.begin(), core.end(), [&](int object) {
-        return CanCollide(input_.scene, object, other) && GapOf(input_.scene, object, other, state_.layout) < kNear_m;
+        return GapOf(input_.scene, object, other, state_.layout) < kNear_m;
       });
       if (near && !Contains(group, other) && !Contains(given_up, other)) group.push_back(other);
     }
@@ -258,7 +264,7 @@ class OverlapClusters {
 
 bool InTheWay(const Scene& scene, int a, int b, const Layout& layout, bool strict) {
   if (!strict && (IsFlat(scene.objects[a]) || IsFlat(scene.objects[b]))) return false;
-  return CanCollide(scene, a, b) && GapOf(scene, a, b, layout) < -kTouches_m;
+  return GapOf(scene, a, b, layout) < -kTouches_m;
 }
 
 void SeparateClusters(const SolveInput& input, const StageSpec& stage, Problem& problem, PartialLayout& state) {

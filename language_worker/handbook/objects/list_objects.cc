@@ -33,7 +33,7 @@ struct HostedPiece {
 
 // Share of a top that things on it may cover.
 constexpr double kMostCovered = 0.45;
-// Pieces up to this footprint find a spot on any top, m2.
+// Pieces up to this footprint need no more than a strip beside the largest, m2.
 constexpr double kSmallM2 = 0.025;
 
 bool IsRoomWord(const std::string& word) {
@@ -100,17 +100,32 @@ class Sharer {
     return !hosts.empty();
   }
 
+  // What of a top is taken.
+  struct Top {
+    int count = 0;
+    double covered_m2 = 0;
+    // Of the piece that takes most.
+    double width_m = 0, depth_m = 0;
+  };
+
+  // Whether the largest piece leaves a strip of the top that a thing of that width fits into.
+  static bool LeavesStrip(const v1::Object& host, const Top& top, double width_m) {
+    return std::max(host.width_m() - top.width_m, host.depth_m() - top.depth_m) >= width_m;
+  }
+
   // A top takes as many pieces as its class says, as long as a good part of it stays free.
   bool TakePlace(const v1::Object& host, const hb::Furniture& piece) {
     const hb::Furniture* furniture = handbook_.FindFurniture(host.name());
     const int places = furniture == nullptr ? 1 : std::max(1, furniture->top_places());
-    const double area_m2 = piece.width_m().typical() * piece.depth_m().typical();
-    const double covered_m2 = covered_m2_[host.id()] + area_m2;
-    const bool first = taken_[host.id()] == 0;
-    const bool full = area_m2 > kSmallM2 && covered_m2 > kMostCovered * host.width_m() * host.depth_m();
-    if (taken_[host.id()] >= places || (!first && full)) return false;
-    ++taken_[host.id()];
-    covered_m2_[host.id()] = covered_m2;
+    const double width_m = piece.width_m().typical(), depth_m = piece.depth_m().typical();
+    const double area_m2 = width_m * depth_m;
+    Top& top = tops_[host.id()];
+    const bool full = area_m2 > kSmallM2 ? top.covered_m2 + area_m2 > kMostCovered * host.width_m() * host.depth_m()
+                                         : !LeavesStrip(host, top, std::min(width_m, depth_m));
+    if (top.count >= places || (top.count > 0 && full)) return false;
+    ++top.count;
+    top.covered_m2 += area_m2;
+    if (area_m2 > top.width_m * top.depth_m) top.width_m = width_m, top.depth_m = depth_m;
     return true;
   }
 
@@ -137,8 +152,7 @@ class Sharer {
   const v1::ObjectList& floor_objects_;
   const Handbook& handbook_;
   int windows_ = 0;
-  std::map<std::string, int> taken_;
-  std::map<std::string, double> covered_m2_;
+  std::map<std::string, Top> tops_;
   std::map<std::string, double> hung_m_;
 };
 
@@ -267,6 +281,8 @@ class ObjectLister {
                                                                        : static_cast<v1::ObjectKind>(furniture.kind()));
     object.set_walk_over(furniture.walk_over());
     object.set_category(furniture.category());
+    object.set_rim_sides_m(furniture.rim_sides_m());
+    object.set_rim_ends_m(furniture.rim_ends_m());
     object.set_requested(item.requested);
     object.set_description(style_.Describe(furniture, style_.LookOf(furniture, drawn_++)));
     return object;

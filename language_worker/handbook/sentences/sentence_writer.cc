@@ -260,8 +260,9 @@ constexpr std::array<const char*, 12> kOrdinals = {"first",   "second", "third",
 bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object) {
   constexpr double kFlatM = 0.03;
   if (object.kind() != v1::OBJECT_KIND_SURFACE) return false;
-  if (object.height_m() <= kFlatM) return true;
   const auto host = std::ranges::find(objects.objects(), object.host_id(), &v1::Object::id);
+  if (host != objects.objects().end() && (host->rim_sides_m() > 0 || host->rim_ends_m() > 0)) return false;
+  if (object.height_m() <= kFlatM) return true;
   bool passed = false;
   for (const v1::Object& other : objects.objects()) {
     passed = passed || other.id() == object.id();

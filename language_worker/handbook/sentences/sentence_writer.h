@@ -19,7 +19,7 @@ namespace flair::language {
 using Group = std::vector<const v1::Object*>;
 
 // Whether a piece takes the middle of the top that it stands on: the one of the largest footprint does, and flat things
-// (a runner, a mat) lie under the others. False for what stands on no top.
+// (a runner, a mat) lie under the others. False for what stands on no top, and on one with an opening in its middle.
 bool TakesCentre(const v1::ObjectList& objects, const v1::Object& object);
 
 // "bookshelves" of "bookshelf": as the class says, or by rule.

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "room/autodiff/smooth.h"
 #include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {
@@ -53,13 +55,34 @@ struct HangingWall {
   std::vector<Interval> blocked;
 };
 
-// All walls, with what is blocked at the heights of that object.
+// Blocks what a door's leaf sweeps of the strip before a wall that something `depth_m` deep takes up.
+inline void BlockSwept(const Polygon& swept, double depth_m, HangingWall& place) {
+  const Wall& wall = place.wall;
+  const Vec2<double> inward = depth_m * wall.inward_normal;
+  const Polygon strip{{wall.start, wall.end, wall.end + inward, wall.start + inward}};
+  const Polygon hit = ClipByConvex(strip, swept.vertices);
+  constexpr double kNothing_m2 = 1e-9;
+  if (std::abs(SignedArea(hit.vertices)) <= kNothing_m2) return;
+  HangingWall::Interval interval{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Vec2<double>& p : hit.vertices) {
+    interval.start_m = std::min(interval.start_m, wall.Offset(p));
+    interval.end_m = std::max(interval.end_m, wall.Offset(p));
+  }
+  place.blocked.push_back(interval);
+}
+
+// All walls, with what is blocked at the heights of that object: doors and windows, and where a door's leaf comes to.
 inline std::vector<HangingWall> HangingWalls(const Scene& scene, int object) {
   std::vector<HangingWall> places;
   for (const Wall& wall : scene.room.walls) places.push_back({wall, {}});
   for (const Opening& opening : scene.room.openings) {
     if (opening.sill_height_m >= scene.TopOf(object) || opening.head_height_m <= scene.BottomOf(object)) continue;
     places[static_cast<size_t>(opening.wall)].blocked.push_back({opening.offset_m, opening.offset_m + opening.width_m});
+    for (const Polygon& swept : ConvexSwingAreas(scene.room, opening)) {
+      for (HangingWall& place : places) {
+        BlockSwept(swept, scene.objects[static_cast<size_t>(object)].footprint.depth_m, place);
+      }
+    }
   }
   return places;
 }

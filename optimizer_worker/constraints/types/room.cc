@@ -216,11 +216,24 @@ bool CanCollide(const Scene& scene, int a, int b) {
   return scene.BottomOf(a) < scene.TopOf(b) - kTouching_m && scene.BottomOf(b) < scene.TopOf(a) - kTouching_m;
 }
 
+std::optional<Footprint> OpeningBelow(const Scene& scene, int object, int host) {
+  const Object& what = scene.objects[static_cast<size_t>(object)];
+  if (what.kind != ObjectKind::kSurface || what.host != host || what.elevation_m < 0) return std::nullopt;
+  const std::optional<Footprint> opening = OpeningIn(scene.objects[static_cast<size_t>(host)]);
+  if (!opening) return std::nullopt;
+  const double longest_m = std::max(what.footprint.width_m, what.footprint.depth_m);
+  return longest_m > std::min(opening->width_m, opening->depth_m) ? std::nullopt : opening;
+}
+
 std::unique_ptr<Cost> NoOverlapPair(const Scene& scene, int a, int b) {
+  const Footprint& first = scene.objects[static_cast<size_t>(a)].footprint;
+  const Footprint& second = scene.objects[static_cast<size_t>(b)].footprint;
+  if (const std::optional<Footprint> below = OpeningBelow(scene, a, b))
+    return MakeCost(NoOverlap{first, *below}, {a, b});
+  if (const std::optional<Footprint> below = OpeningBelow(scene, b, a))
+    return MakeCost(NoOverlap{*below, second}, {a, b});
   if (!CanCollide(scene, a, b)) return nullptr;
-  return MakeCost(
-      NoOverlap{scene.objects[static_cast<size_t>(a)].footprint, scene.objects[static_cast<size_t>(b)].footprint},
-      {a, b});
+  return MakeCost(NoOverlap{first, second}, {a, b});
 }
 
 namespace {

@@ -74,7 +74,7 @@ TEST(NoOverlap, RugsCarriersAndOtherHeightsAreExempt) {
       "art 0.6x0.05 at 2,0,0 wall height 0.5 elevation 1.4; shelf 1x0.3 at 2,0.15,0 height 2; bulb 0.5x0.5 at 2,1,0 "
       "ceiling "
       "height 0.5 elevation 2.4; screen 0.5x0.1 at 2,0.2,0 surface on desk height 0.4; bin 0.3x0.3 at 2,0.3,0 on desk "
-      "height 0.4");
+      "height 0.4; rail 0.6x0.1 at 2,0.05,0 wall on shelf height 1.2 elevation 0.9");
   ASSERT_TRUE(text.ok());
   const Scene& scene = text->scene;
   const auto collide = [&scene](const char* a, const char* b) {
@@ -90,6 +90,8 @@ TEST(NoOverlap, RugsCarriersAndOtherHeightsAreExempt) {
   EXPECT_TRUE(collide("lamp", "screen"));
   // Two pieces on the floor, whatever is said about one carrying the other.
   EXPECT_TRUE(collide("bin", "desk"));
+  // What hangs above a piece and belongs to it does not hang in it.
+  EXPECT_TRUE(collide("rail", "shelf"));
 }
 
 TEST(OnWall, AFullTurnOnTheSouthWallCostsNothing) {
@@ -101,6 +103,32 @@ TEST(OnWall, SlidesOffAWindowTheShorterWay) {
   EXPECT_NEAR(CostAt("4x3 room; window south 1 1; art 0.6x0.04 at 0.8,0.02,0 wall height 0.5 elevation 1.3", "on_wall",
                      "object=art"),
               0.01, 1e-12);
+}
+
+TEST(OnWall, KeepsOutOfTheWayOfADoorsLeaf) {
+  const std::string door = "4x3 room; door south 0.1 0.8; ";
+  // The open leaf stands 0.1 m off the west wall and is 0.8 m long: the shelf, up to y = 0.2, has 0.6 m to go.
+  EXPECT_NEAR(CostAt(door + "shelf 0.6x0.2 at 0.1,0.5,270 wall height 0.3 elevation 1.5", "on_wall", "object=shelf"),
+              0.36, 0.01);
+  EXPECT_NEAR(CostAt(door + "art 0.6x0.08 at 0.04,0.5,270 wall height 0.3 elevation 1.5", "on_wall", "object=art"), 0,
+              1e-12);
+  EXPECT_NEAR(CostAt(door + "shelf 0.6x0.2 at 0.1,0.5,270 wall height 0.3 elevation 2.2", "on_wall", "object=shelf"), 0,
+              1e-12);
+}
+
+TEST(NoOverlap, KeepsThingsOffTheOpeningOfWhatTheyStandOn) {
+  const auto cost = [](const std::string& thing) {
+    return CostAt("4x3 room; basin 1x0.6 at 2,1,0 height 0.85 rim 0.2 0.1; " + thing, "no_overlap",
+                  "object=thing other=basin");
+  };
+  EXPECT_NEAR(cost("thing 0.2x0.2 at 1.7,1,0 surface on basin height 0.3"), 0.01, 1e-12);
+  EXPECT_NEAR(cost("thing 0.2x0.2 at 1.6,1,0 surface on basin height 0.3"), 0, 1e-12);
+  const auto text = ParseScene(
+      "4x3 room; basin 1x0.6 at 2,1,0 height 0.85 rim 0.2 0.1; duck 0.1x0.1 at 2,1,0 surface on basin elevation -0.1; "
+      "board 0.5x0.3 at 2,1,0 surface on basin");
+  ASSERT_TRUE(text.ok());
+  EXPECT_EQ(NoOverlapPair(text->scene, 1, 0), nullptr) << "is meant to be in it";
+  EXPECT_EQ(NoOverlapPair(text->scene, 2, 0), nullptr) << "lies across it";
 }
 
 }  // namespace
