@@ -34,9 +34,6 @@ absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request);
 // As DrawPlanDocument.
 absl::StatusOr<std::string> DrawComparisonDocument(const v1::RenderRequest& request, const DrawingMetadata& metadata);
 
-// Of the paper.
-inline const Rgb kWhite = Hex(0xFFFFFF);
-
 Rgb ColourOf(ChangeKind kind);
 
 // Marks the panel's changes in its plan: outlines of what stands there now, dashed ones of where and how large it was,

@@ -173,16 +173,6 @@ const Rgb kInk = Hex(0x2B2926);
 
 TextBlock NameOf(const PlanObject& object) { return {object.name, {.size_mm = 2.9, .colour = kInk}}; }
 
-LabelItem ItemAt(const PlanObject& object, const Sheet& sheet) {
-  LabelItem item;
-  item.centre_mm = sheet.ToSheet(object.centre_m);
-  item.theta_rad = object.theta_rad;
-  item.half_width_mm = object.width_m / 2 * sheet.mm_per_m();
-  item.half_depth_mm = object.depth_m / 2 * sheet.mm_per_m();
-  item.ellipse = object.shown_as->outline() == FurnitureClass::ELLIPSE;
-  return item;
-}
-
 class Names {
  public:
   Names(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet) : canvas_(canvas), sheet_(sheet) {
@@ -197,12 +187,7 @@ class Names {
 
   void Draw() {
     const std::vector<PlacedLabel> placed = PlaceLabels(items_, obstacles_, floor_mm_);
-    for (const PlacedLabel& label : placed) {
-      if (!label.leader) continue;
-      canvas_.Line(label.box_mm.centre(), items_[label.item].centre_mm);
-      canvas_.Draw({kWhite, 0.7, 0.8}, true);
-      canvas_.Draw({kInk, 0.16});
-    }
+    for (const PlacedLabel& label : placed) DrawLeader(canvas_, label, items_[label.item]);
     for (const PlacedLabel& label : placed) DrawOne(label);
   }
 
@@ -210,7 +195,7 @@ class Names {
   void AddChange(const PlanChange& change) {
     const std::optional<PlanObject>& object = change.after.has_value() ? change.after : change.before;
     if (!object.has_value()) return;
-    LabelItem item = ItemAt(*object, sheet_);
+    LabelItem item = LabelItemOf(*object, sheet_);
     item.badge_mm = BadgeSize(change.number);
     changed_.insert(object->id);
     Add(std::move(item), *object, {&change, nullptr});
@@ -230,8 +215,9 @@ class Names {
 
   void AddName(const PlanObject& object) {
     if (changed_.contains(object.id) || object.kind == v1::OBJECT_KIND_CEILING) return;
-    LabelItem item = ItemAt(object, sheet_);
+    LabelItem item = LabelItemOf(object, sheet_);
     item.only_inside = true;
+    item.group = object.key;
     if (object.kind == v1::OBJECT_KIND_FLOOR) item.forms_mm = {Measure(canvas_, NameOf(object))};
     // A rug's name would be hidden by what stands on it.
     if (object.walk_over) item.forms_mm.clear();
@@ -243,11 +229,7 @@ class Names {
     const PlanObject* object = nullptr;
   };
   void Add(LabelItem item, const PlanObject& object, Meaning meaning) {
-    std::vector<Point> corners;
-    for (const Point corner : object.Corners()) corners.push_back(sheet_.ToSheet(corner));
-    const Box box = BoundsOf(corners);
-    const double cost = object.walk_over ? 0.02 : std::clamp(60 / std::max(box.width() * box.height(), 1.0), 0.12, 2.0);
-    obstacles_.push_back({box, cost, static_cast<int>(items_.size())});
+    obstacles_.push_back(LabelObstacleOf(object, sheet_, static_cast<int>(items_.size())));
     items_.push_back(std::move(item));
     meanings_.push_back(meaning);
   }

@@ -36,6 +36,8 @@ bool Exists(const Rgb& linear) {
 
 Rgb Hex(unsigned value) { return {((value >> 16) & 255) / 255.0, ((value >> 8) & 255) / 255.0, (value & 255) / 255.0}; }
 
+Rgb FromLinear(const Vec3& linear) { return {FromLinear(linear.x), FromLinear(linear.y), FromLinear(linear.z)}; }
+
 Rgb FromProto(const v1::Colour& colour) {
   const auto channel = [](int value) { return std::clamp(value, 0, 255) / 255.0; };
   return {channel(colour.red()), channel(colour.green()), channel(colour.blue())};
@@ -71,15 +73,15 @@ Rgb ZoneTint(int index) { return FromOklch({0.80, 0.075, 1.0 + 2.399963 * index}
 
 Rgb SoftenForPrint(const Rgb& colour) {
   Oklch soft = ToOklch(colour);
-  soft.lightness = 0.64 + 0.34 * soft.lightness;
+  soft.lightness = 0.605 + 0.03 * soft.lightness + 0.34 * std::pow(soft.lightness, 1.5);
   soft.chroma = std::min(0.72 * soft.chroma, 0.10);
   return FromOklch(soft);
 }
 
 Rgb TintForPrint(const Rgb& colour) {
   Oklch tint = ToOklch(colour);
-  tint.lightness = 0.915 + 0.065 * tint.lightness;
-  tint.chroma = std::min(0.5 * tint.chroma, 0.022);
+  tint.lightness = 0.902 + 0.05 * tint.lightness;
+  tint.chroma = std::min(0.4 * tint.chroma, 0.034);
   return FromOklch(tint);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "flair/v1/style_sheet.pb.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer {
 
@@ -12,6 +13,8 @@ struct Rgb {
   double blue = 0;
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
+
+inline constexpr Rgb kWhite{1, 1, 1};
 
 // The same colour as people see it (OKLCH): lightness in [0, 1], chroma in about [0, 0.35], hue in radians.
 struct Oklch {
@@ -24,6 +27,8 @@ struct Oklch {
 Rgb Hex(unsigned value);
 // Channels are clamped to [0, 255].
 Rgb FromProto(const v1::Colour& colour);
+// Of linear RGB, as materials have it.
+Rgb FromLinear(const Vec3& linear);
 // `from` at share 0, `to` at share 1.
 Rgb Mix(const Rgb& from, const Rgb& to, double share);
 Oklch ToOklch(const Rgb& colour);

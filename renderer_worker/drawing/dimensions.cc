@@ -239,7 +239,7 @@ void DrawClearances(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
     }
     const Box box = ClearanceTextBox(canvas, sheet, clearance);
     canvas.Rectangle(box, 1);
-    canvas.Fill(Hex(0xFFFFFF), 0.85);
+    canvas.Fill(kWhite, 0.85);
     DrawTextAt(canvas, NumberOf(clearance), box.centre());
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 void DrawFrame(Canvas& canvas, const Sheet& sheet) {
   canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
-  canvas.Fill(Hex(0xFFFFFF));
+  canvas.Fill(kWhite);
   canvas.Rectangle(Box{0, 0, sheet.size_mm.width, sheet.size_mm.height}.Grown(-6));
   canvas.Draw({Hex(0x8A8379), 0.25});
 }
@@ -179,7 +179,7 @@ absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px
   const Sheet sheet = TileSheet(plan, {width_px / px_per_mm, height_px / px_per_mm});
   return DrawOnPixels(width_px, height_px, px_per_mm, [&](Canvas& canvas) {
     canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
-    canvas.Fill(Hex(0xFFFFFF));
+    canvas.Fill(kWhite);
     DrawRoom(canvas, plan, sheet);
   });
 }

@@ -35,7 +35,7 @@ void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number
                                    [number](const PlanObject& o) { return o.key == number - 1; });
   const Ink ink = object != plan.objects.end() ? object->ink : Ink{Hex(0xE5E0D8), kPanelSoft};
   const double middle = (row.y0 + row.y1) / 2;
-  DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, Hex(0xFFFFFF), 0.25), ink.line,
+  DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, kWhite, 0.25), ink.line,
             std::min(1.0, 0.9 * row.height() / BadgeSize(1).height));
   // Where columns are narrow, names are worth more than sizes.
   const TextBlock dims{row.width() < 55 ? "" : fmt::format("{:.2f} × {:.2f}", key.width_m, key.depth_m),
@@ -53,7 +53,7 @@ void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, dou
   const double y = row.y1 - 0.85 * size;
   if (zone >= 0) {
     canvas.Rectangle({row.x0 + 1.2, y - 1.7, row.x0 + 4.6, y + 1.7}, 0.5);
-    canvas.Fill(Mix(Hex(0xFFFFFF), plan.zones[zone].tint, 0.55), 1, true);
+    canvas.Fill(Mix(kWhite, plan.zones[zone].tint, 0.55), 1, true);
     canvas.Draw({LineColourFor(plan.zones[zone].tint), 0.18});
   }
   const TextBlock text{Capital(zone < 0 ? "whole room" : plan.zones[zone].name),

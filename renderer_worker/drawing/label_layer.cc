@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "absl/strings/str_split.h"
 #include "renderer_worker/drawing/dimensions.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"
@@ -13,26 +13,25 @@ namespace flair::renderer {
 namespace {
 
 constexpr double kBadgeMm = 4.5;
-constexpr double kNameGapMm = 0.7;
-const Rgb kWhite = Hex(0xFFFFFF);
 
-// A name's two lines, broken where they are most equal; empty when it is one word.
-std::vector<std::string> TwoLines(const std::string& name) {
-  size_t best = std::string::npos;
-  for (size_t at = name.find(' '); at != std::string::npos; at = name.find(' ', at + 1)) {
-    const auto off = [&name](size_t i) {
-      return std::abs(static_cast<double>(i) - static_cast<double>(name.size()) / 2);
-    };
-    if (best == std::string::npos || off(at) < off(best)) best = at;
+// A name on that many lines, as short as they can be; empty when it has fewer words.
+std::vector<std::string> Wrapped(const std::string& name, size_t count) {
+  const std::vector<std::string> words = absl::StrSplit(name, ' ', absl::SkipEmpty());
+  if (words.size() < count || words.size() > 12) return {};
+  for (size_t width = 1;; ++width) {
+    std::vector<std::string> lines;
+    for (const std::string& word : words) {
+      if (lines.empty() || lines.back().size() + 1 + word.size() > width) {
+        lines.push_back(word);
+      } else {
+        lines.back() += ' ' + word;
+      }
+    }
+    if (lines.size() <= count) return lines.size() == count ? lines : std::vector<std::string>();
   }
-  if (best == std::string::npos || best == 0 || best + 1 >= name.size()) return {};
-  return {name.substr(0, best), name.substr(best + 1)};
 }
 
-struct Form {
-  std::vector<std::string> lines;
-  bool beside = false;  // the badge stands left of the name instead of above it
-};
+using Form = std::vector<std::string>;  // its lines
 
 class LabelLayer {
  public:
@@ -63,7 +62,7 @@ class LabelLayer {
 
   std::vector<PlacedLabel> Draw() {
     std::vector<PlacedLabel> placed = PlaceLabels(items_, obstacles_, floor_mm_, taken_);
-    for (const PlacedLabel& label : placed) DrawLeader(label);
+    for (const PlacedLabel& label : placed) DrawLeader(canvas_, label, items_[label.item]);
     for (const PlacedLabel& label : placed) DrawOne(label);
     return placed;
   }
@@ -78,34 +77,25 @@ class LabelLayer {
   static TextStyle NumberStyle() { return {.size_mm = 2.9, .colour = Hex(0x4A4641)}; }
 
   void AddObject(const PlanObject& object) {
-    LabelItem item;
-    item.centre_mm = sheet_.ToSheet(object.centre_m);
-    item.theta_rad = object.theta_rad;
-    item.half_width_mm = object.width_m / 2 * sheet_.mm_per_m();
-    item.half_depth_mm = object.depth_m / 2 * sheet_.mm_per_m();
-    item.ellipse = object.shown_as->outline() == FurnitureClass::ELLIPSE;
+    LabelItem item = LabelItemOf(object, sheet_);
     item.badge_mm = BadgeSize(object.key + 1);
-    std::vector<Form> forms;
+    item.group = object.key;
     if (object.walk_over) item.shyness = 10;
-    if (object.kind == v1::OBJECT_KIND_FLOOR && item.half_width_mm * item.half_depth_mm > 45) {
-      forms.push_back({{object.name}, true});
-      if (std::vector<std::string> two = TwoLines(object.name); !two.empty()) forms.push_back({two, true});
-      forms.push_back({{object.name}, false});
-      if (std::vector<std::string> two = TwoLines(object.name); !two.empty()) forms.push_back({two, false});
+    const bool floor_piece = object.kind == v1::OBJECT_KIND_FLOOR && !object.name.empty();
+    item.named_beside = floor_piece && !object.walk_over && object.name.size() < 40;
+    std::vector<Form> forms;
+    if (floor_piece) {
+      const int count = plan_.keys[object.key].count;
+      const std::string name = count > 1 ? fmt::format("{} × {}", count, object.name) : object.name;
+      forms.push_back({name});
+      for (const size_t lines : {2, 3}) {
+        if (Form form = Wrapped(name, lines); !form.empty()) forms.push_back(std::move(form));
+      }
     }
-    for (const Form& form : forms) item.forms_mm.push_back(SizeOf(form, item.badge_mm));
-    const int index = static_cast<int>(items_.size());
+    for (const Form& form : forms) item.forms_mm.push_back(SizeOf(form));
+    obstacles_.push_back(LabelObstacleOf(object, sheet_, static_cast<int>(items_.size())));
     items_.push_back(std::move(item));
     forms_.push_back(std::move(forms));
-    std::vector<Point> corners;
-    for (Point corner : object.Corners()) corners.push_back(sheet_.ToSheet(corner));
-    // Small things should stay visible; large ones may carry the numbers of what stands near them.
-    const Box box = BoundsOf(corners);
-    const double area = std::max(box.width() * box.height(), 1.0);
-    const double cost = object.walk_over                         ? 0.02
-                        : object.kind == v1::OBJECT_KIND_CEILING ? 0.15
-                                                                 : std::clamp(60 / area, 0.12, 2.0);
-    obstacles_.push_back({box, cost, index});
   }
 
   // The name of a zone or of the room with its area.
@@ -149,23 +139,10 @@ class LabelLayer {
     return text;
   }
 
-  Size SizeOf(const Form& form, Size badge) const {
+  Size SizeOf(const Form& form) const {
     double width = 0;
-    for (const std::string& line : form.lines) width = std::max(width, Measure(canvas_, {line, NameStyle()}).width);
-    const double height = kLineMm * static_cast<double>(form.lines.size());
-    if (form.beside) return {width + badge.width + kNameGapMm, std::max(height, badge.height)};
-    return {std::max(width, badge.width), height + badge.height};
-  }
-
-  void DrawLeader(const PlacedLabel& label) {
-    if (!label.leader) return;
-    const Point target = items_[label.item].centre_mm, from = label.box_mm.centre();
-    canvas_.Line(from, target);
-    canvas_.Draw({kWhite, 0.7, 0.8});
-    canvas_.Line(from, target);
-    canvas_.Draw({Hex(0x4A4641), 0.16});
-    canvas_.Ellipse(target, 0.42, 0.42);
-    canvas_.Fill(Hex(0x4A4641));
+    for (const std::string& line : form) width = std::max(width, Measure(canvas_, {line, NameStyle()}).width);
+    return {width + 0.6, kLineMm * static_cast<double>(form.size())};
   }
 
   void DrawOne(const PlacedLabel& label) {
@@ -173,9 +150,10 @@ class LabelLayer {
     if (label.item >= static_cast<int>(plan_.objects.size())) {
       const Area& area = areas_[label.item - plan_.objects.size()];
       const double title = Measure(canvas_, {area.name, AreaStyle(area.colour)}).height;
-      DrawTextAt(canvas_, {area.name, AreaStyle(area.colour)}, {centre.x, label.box_mm.y0 + title / 2}, 0, &kWhite);
+      DrawTextAt(canvas_, {area.name, AreaStyle(area.colour)}, {centre.x, label.box_mm.y0 + title / 2}, 0,
+                 &plan_.floor_tint);
       DrawTextAt(canvas_, {area.area, NumberStyle()}, {centre.x, (label.box_mm.y0 + title + label.box_mm.y1) / 2}, 0,
-                 &kWhite);
+                 &plan_.floor_tint);
       return;
     }
     const PlanObject& object = plan_.objects[label.item];
@@ -184,19 +162,12 @@ class LabelLayer {
       DrawBadge(canvas_, object.key + 1, centre, fill, object.ink.line);
       return;
     }
+    // Its halo hides the lines of the piece below the name.
     const Form& form = forms_[label.item][label.form];
-    const Size badge = items_[label.item].badge_mm;
-    // A plate hides the lines of the piece below the name.
-    canvas_.Rectangle(label.box_mm.Grown(0.35), kBadgeMm / 2);
-    canvas_.Fill(Mix(object.ink.fill, kWhite, 0.72), 0.88);
-    const Point badge_at = form.beside ? Point{label.box_mm.x0 + badge.width / 2, centre.y}
-                                       : Point{centre.x, label.box_mm.y0 + badge.height / 2};
-    DrawBadge(canvas_, object.key + 1, badge_at, fill, object.ink.line);
-    const double x = form.beside ? (label.box_mm.x0 + badge.width + kNameGapMm + label.box_mm.x1) / 2 : centre.x;
-    double y = form.beside ? centre.y - kLineMm * (static_cast<double>(form.lines.size()) - 1) / 2
-                           : label.box_mm.y0 + badge.height + kLineMm / 2;
-    for (const std::string& line : form.lines) {
-      DrawTextAt(canvas_, {line, NameStyle()}, {x, y});
+    const Rgb halo = label.leader ? plan_.floor_tint : Mix(object.ink.fill, kWhite, 0.6);
+    double y = centre.y - kLineMm * (static_cast<double>(form.size()) - 1) / 2;
+    for (const std::string& line : form) {
+      DrawTextAt(canvas_, {line, NameStyle()}, {centre.x, y}, 0, &halo);
       y += kLineMm;
     }
   }
@@ -218,6 +189,46 @@ class LabelLayer {
 };
 
 }  // namespace
+
+LabelItem LabelItemOf(const PlanObject& object, const Sheet& sheet) {
+  LabelItem item;
+  item.centre_mm = sheet.ToSheet(object.centre_m);
+  item.theta_rad = object.theta_rad;
+  item.half_width_mm = object.width_m / 2 * sheet.mm_per_m();
+  item.half_depth_mm = object.depth_m / 2 * sheet.mm_per_m();
+  item.ellipse = object.shown_as->outline() == FurnitureClass::ELLIPSE;
+  return item;
+}
+
+// Small things should stay visible; large ones may carry the numbers of what stands near them.
+LabelObstacle LabelObstacleOf(const PlanObject& object, const Sheet& sheet, int owner) {
+  std::vector<Point> corners;
+  for (Point corner : object.Corners()) corners.push_back(sheet.ToSheet(corner));
+  const Box box = BoundsOf(corners);
+  const double cost = object.walk_over ? 0.02
+                      : object.kind == v1::OBJECT_KIND_CEILING
+                          ? 0.15
+                          : std::clamp(140 / std::max(box.width() * box.height(), 1.0), 0.12, 4.0);
+  return {box, cost, owner};
+}
+
+void DrawLeader(Canvas& canvas, const PlacedLabel& label, const LabelItem& item) {
+  if (!label.leader) return;
+  // From the label's border to a little within the piece's.
+  const Box& box = label.box_mm;
+  const Point from{std::clamp(item.centre_mm.x, box.x0, box.x1), std::clamp(item.centre_mm.y, box.y0, box.y1)};
+  const Point way = from - item.centre_mm;
+  const double length = std::hypot(way.x, way.y), c = std::cos(item.theta_rad), s = std::sin(item.theta_rad);
+  const Point axis{std::abs(way.x * c - way.y * s), std::abs(way.x * s + way.y * c)};
+  const double edge =
+      std::min({item.half_width_mm / std::max(axis.x, 1e-6), item.half_depth_mm / std::max(axis.y, 1e-6), 1.0});
+  const Point target = item.centre_mm + way * std::max(0.0, edge - 1.5 / std::max(length, 1e-6));
+  canvas.Line(from, target);
+  canvas.Draw({kWhite, 0.7, 0.8}, true);
+  canvas.Draw({Hex(0x4A4641), 0.16});
+  canvas.Ellipse(target, 0.42, 0.42);
+  canvas.Fill(Hex(0x4A4641));
+}
 
 Size BadgeSize(int number) { return {number > 99 ? 1.7 * kBadgeMm : number > 9 ? 1.2 * kBadgeMm : kBadgeMm, kBadgeMm}; }
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace flair::renderer {
 namespace {
@@ -14,6 +16,8 @@ constexpr double kGapMm = 0.7;       // between two labels
 constexpr double kPaddingMm = 0.8;   // between a label and its piece's outline
 constexpr double kOutsideCost = 12;  // per corner of a zone's name beyond its zone
 constexpr size_t kMostLabels = 600;
+constexpr size_t kMostTried = 24;  // of a group
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 std::array<Point, 4> CornersOf(const Box& box) {
   return {{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
@@ -31,7 +35,7 @@ Point FromLocal(const LabelItem& item, Point local) {
   return item.centre_mm + Point{local.x * c + local.y * s, -local.x * s + local.y * c};
 }
 
-bool Inside(const LabelItem& item, const Box& box, double padding) {
+bool LiesInside(const LabelItem& item, const Box& box, double padding) {
   const double w = item.half_width_mm - padding, d = item.half_depth_mm - padding;
   if (w <= 0 || d <= 0) return false;
   for (Point corner : CornersOf(box)) {
@@ -53,8 +57,14 @@ class Placer {
          const std::vector<Point>& floor, const std::vector<Box>& taken)
       : items_(items), obstacles_(obstacles), floor_(floor), taken_(taken) {}
 
-  // The cheapest place for the form inside the item, at most `limit` dear.
-  bool TryInside(int item, int form, Size size, double padding, double limit) {
+  struct Best {
+    double cost;
+    bool found = false;
+    Box box{};
+  };
+
+  // The cheapest place inside the item, at most `limit` dear.
+  Best Inside(int item, Size size, double padding, double limit) const {
     const LabelItem& it = items_[item];
     constexpr int kSteps = 6;
     Best best{limit};
@@ -62,44 +72,52 @@ class Placer {
       for (int j = -kSteps; j <= kSteps; ++j) {
         const Point local{it.half_width_mm * i / kSteps, it.half_depth_mm * j / kSteps};
         const Box box = BoxAround(FromLocal(it, local), size);
-        if (!Inside(it, box, padding)) continue;
-        Consider(item, box, 0.25 * std::hypot(local.x, local.y), best);
+        if (LiesInside(it, box, padding)) Consider(item, box, 0.25 * std::hypot(local.x, local.y), true, best);
       }
     }
-    return Take(item, form, best, false);
+    return best;
   }
 
-  // The cheapest place around the item, with a leader unless it touches.
-  bool TryAround(int item, Size size) {
+  // The cheapest place around the item, within `ring_count` rings, at most `limit` dear.
+  Best Around(int item, Size size, int ring_count, double limit) const {
     const LabelItem& it = items_[item];
-    Best best{std::numeric_limits<double>::infinity()};
-    const double reach = std::hypot(size.width, size.height) / 2;
-    for (int ring = 0; ring < 14; ++ring) {
+    Best best{limit};
+    for (int ring = 0; ring < ring_count; ++ring) {
       const double gap = 0.5 + 1.6 * ring + 0.12 * ring * ring;
       for (int i = 0; i < 24; ++i) {
         const double angle = 2 * std::numbers::pi * i / 24, c = std::cos(angle), s = std::sin(angle);
-        // From the outline of the piece outwards in this direction.
+        // From the outline of the piece outwards in this direction, by as much as the label reaches back in it.
         const Point axis = Local(it, it.centre_mm + Point{c, s});
         const double edge = std::min(it.half_width_mm / std::max(std::abs(axis.x), 1e-6),
                                      it.half_depth_mm / std::max(std::abs(axis.y), 1e-6));
-        const Point centre = it.centre_mm + Point{c, s} * (edge + 0.85 * reach + gap);
-        Consider(item, BoxAround(centre, size), 2.2 * gap + (i % 6 == 0 ? 0 : 0.4), best);
+        const double reach =
+            std::min(size.width / 2 / std::max(std::abs(c), 1e-6), size.height / 2 / std::max(std::abs(s), 1e-6));
+        const Point centre = it.centre_mm + Point{c, s} * (edge + reach + gap);
+        Consider(item, BoxAround(centre, size), 2.2 * gap + (i % 6 == 0 ? 0 : 0.4), false, best);
       }
       if (best.found && best.cost < 2.2 * gap) break;
     }
-    return Take(item, kBadgeForm, best, true);
+    return best;
+  }
+
+  // Labels the one of the group for which `way` finds the cheapest place.
+  template <typename Way>
+  bool Place(const std::vector<int>& group, int form, bool leader, const Way& way) {
+    Best best{kNoLimit};
+    int chosen = 0;
+    for (const int item : group) {
+      const Size size = form == kBadgeForm ? items_[item].badge_mm : items_[item].forms_mm[form];
+      if (const Best here = way(item, size); here.found && here.cost < best.cost) best = here, chosen = item;
+    }
+    if (best.found) placed_.push_back({chosen, form, best.box, leader});
+    return best.found;
   }
 
   std::vector<PlacedLabel> placed() && { return std::move(placed_); }
 
  private:
-  struct Best {
-    double cost;
-    bool found = false;
-    Box box{};
-  };
-
-  void Consider(int item, const Box& box, double cost, Best& best) const {
+  // `owned`: the label may cover its own piece.
+  void Consider(int item, const Box& box, double cost, bool owned, Best& best) const {
     if (cost >= best.cost) return;
     for (Point corner : CornersOf(box)) {
       if (!PolygonContains(floor_, corner)) return;
@@ -116,15 +134,9 @@ class Placer {
       if (other.Overlaps(box.Grown(kGapMm))) return;
     }
     for (const LabelObstacle& obstacle : obstacles_) {
-      if (obstacle.owner != item) cost += it.shyness * obstacle.cost * OverlapArea(obstacle.box_mm, box);
+      if (!owned || obstacle.owner != item) cost += it.shyness * obstacle.cost * OverlapArea(obstacle.box_mm, box);
     }
     if (cost < best.cost) best = {cost, true, box};
-  }
-
-  bool Take(int item, int form, const Best& best, bool leader) {
-    if (!best.found) return false;
-    placed_.push_back({item, form, best.box, leader});
-    return true;
   }
 
   const std::vector<LabelItem>& items_;
@@ -134,42 +146,64 @@ class Placer {
   std::vector<PlacedLabel> placed_;
 };
 
-double Area(const LabelItem& item) { return item.half_width_mm * item.half_depth_mm; }
+using Group = std::vector<int>;  // items of which one gets the label
+
+// Items by their groups, the largest first.
+std::vector<Group> GroupsOf(const std::vector<LabelItem>& items) {
+  std::vector<Group> groups;
+  std::map<int, size_t> known;
+  for (size_t i = 0; i < items.size(); ++i) {
+    const int item = static_cast<int>(i);
+    const auto [at, is_new] =
+        items[i].group < 0 ? std::pair(known.end(), true) : known.try_emplace(items[i].group, groups.size());
+    if (is_new) {
+      groups.push_back({item});
+    } else if (groups[at->second].size() < kMostTried) {
+      groups[at->second].push_back(item);
+    }
+  }
+  const auto area = [&items](const Group& group) {
+    return items[group[0]].half_width_mm * items[group[0]].half_depth_mm;
+  };
+  std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) { return area(a) > area(b); });
+  if (groups.size() > kMostLabels) groups.resize(kMostLabels);
+  return groups;
+}
 
 }  // namespace
 
 std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
                                      const std::vector<Point>& floor_mm, const std::vector<Box>& taken) {
   Placer placer(items, obstacles, floor_mm, taken);
-  std::vector<int> order;
-  for (size_t i = 0; i < items.size(); ++i) order.push_back(static_cast<int>(i));
-  std::stable_sort(order.begin(), order.end(), [&items](int a, int b) { return Area(items[a]) > Area(items[b]); });
-  if (order.size() > kMostLabels) order.resize(kMostLabels);
-  // Names where they fit without covering anything, largest pieces first; then numbers, smallest pieces first.
-  std::vector<int> left;
-  for (int i : order) {
-    bool done = false;
-    if (items[i].only_inside) {
-      left.push_back(i);
-      continue;
+  const std::vector<Group> groups = GroupsOf(items);
+  // Whether one of the forms finds a place that way.
+  const auto any_form = [&](const Group& group, bool leader, const auto& way) {
+    for (size_t form = 0; form < items[group[0]].forms_mm.size(); ++form) {
+      if (placer.Place(group, static_cast<int>(form), leader, way)) return true;
     }
-    for (size_t form = 0; form < items[i].forms_mm.size() && !done; ++form) {
-      done = placer.TryInside(i, static_cast<int>(form), items[i].forms_mm[form], kPaddingMm, 25);
-    }
-    if (!done) left.push_back(i);
+    return false;
+  };
+  const auto inside = [&placer](double padding, double limit) {
+    return [&placer, padding, limit](int item, Size size) { return placer.Inside(item, size, padding, limit); };
+  };
+  const auto around = [&placer](int ring_count, double limit) {
+    return [&placer, ring_count, limit](int item, Size size) { return placer.Around(item, size, ring_count, limit); };
+  };
+  // Names where they fit without covering anything, largest pieces first; then smallest pieces first.
+  std::vector<Group> left;
+  for (const Group& group : groups) {
+    if (items[group[0]].only_inside || !any_form(group, false, inside(kPaddingMm, 15))) left.push_back(group);
   }
   std::reverse(left.begin(), left.end());
-  for (int i : left) {
-    if (items[i].only_inside) continue;
-    const Size badge = items[i].badge_mm;
-    if (placer.TryInside(i, kBadgeForm, badge, 0.1, 8)) continue;
-    placer.TryAround(i, badge);
-  }
-  for (int i : left) {
-    if (!items[i].only_inside) continue;
-    for (size_t form = 0; form < items[i].forms_mm.size(); ++form) {
-      if (placer.TryInside(i, static_cast<int>(form), items[i].forms_mm[form], 0.5, 250)) break;
+  for (const Group& group : left) {
+    const LabelItem& first = items[group[0]];
+    if (first.only_inside || (first.named_beside && any_form(group, true, around(4, 12)))) continue;
+    if (!placer.Place(group, kBadgeForm, false, inside(0.1, 8))) {
+      placer.Place(group, kBadgeForm, true, around(14, kNoLimit));
     }
+  }
+  for (const Group& group : left) {
+    if (items[group[0]].only_inside) any_form(group, false, inside(0.5, 250));
   }
   return std::move(placer).placed();
 }

@@ -18,6 +18,8 @@ struct LabelItem {
   Size badge_mm;                 // the number alone
   std::vector<Size> forms_mm;    // richer forms, best first (name on one line, name on two lines, ...)
   bool only_inside = false;      // a zone's name: no badge, no leader
+  bool named_beside = false;     // forms that do not fit inside may stand beside it
+  int group = -1;                // things that look alike: one label is enough for all of a group
   double shyness = 1;            // factor on the cost of covering obstacles
   std::vector<Point> region_mm;  // when not empty, the label's middle lies in this polygon
 };
@@ -39,9 +41,9 @@ struct LabelObstacle {
   int owner = -1;  // the item that may cover it
 };
 
-// Places at most one label per item, greedily: names inside their pieces first where they fit, then numbers, smallest
-// pieces first, nearest free place with a leader when the piece is too small. No two labels overlap, none covers a box
-// that is `taken`; each lies in `floor_mm`. An item that finds no place gets none.
+// Places at most one label per item or group, greedily: names inside their pieces first where they fit, then beside
+// them, then numbers, smallest pieces first, nearest free place with a leader when the piece is too small. No two
+// labels overlap, none covers a box that is `taken`; each lies in `floor_mm`. An item that finds no place gets none.
 std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
                                      const std::vector<Point>& floor_mm, const std::vector<Box>& taken = {});
 

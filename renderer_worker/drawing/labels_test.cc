@@ -53,6 +53,27 @@ TEST(Labels, NobodyHasTwo) {
   EXPECT_THAT(count, testing::Each(testing::Le(1)));
 }
 
+TEST(Labels, AGroupHasOneWhereItFitsBest) {
+  std::vector<LabelItem> items = {Piece({40, 40}, 6, 6), Piece({100, 75}, 6, 6), Piece({150, 75}, 30, 20)};
+  for (LabelItem& item : items) item.group = 4;
+  const std::vector<PlacedLabel> placed = PlaceLabels(items, {}, kFloor);
+  ASSERT_EQ(placed.size(), 1u);
+  EXPECT_EQ(placed[0].item, 2);
+  EXPECT_EQ(placed[0].form, 0);
+}
+
+TEST(Labels, ANameStandsBesideItsPieceButNotOverOthers) {
+  LabelItem lamp = Piece({100, 75}, 2, 2);
+  lamp.named_beside = true;
+  const std::vector<PlacedLabel> free = PlaceLabels({lamp}, {}, kFloor);
+  ASSERT_EQ(free.size(), 1u);
+  EXPECT_EQ(free[0].form, 0);
+  EXPECT_TRUE(free[0].leader);
+  const std::vector<PlacedLabel> crowded = PlaceLabels({lamp}, {{{0, 0, 200, 150}, 1, -1}}, kFloor);
+  ASSERT_EQ(crowded.size(), 1u);
+  EXPECT_EQ(crowded[0].form, kBadgeForm);
+}
+
 TEST(Labels, SixtyPiecesInOneRoomAllGetOne) { EXPECT_EQ(PlaceLabels(RandomPieces(60, 3), {}, kFloor).size(), 60u); }
 
 TEST(Labels, ANameThatFitsStandsInsideItsPiece) {

@@ -20,7 +20,7 @@ struct DoorLeafGeometry {
 };
 DoorLeafGeometry LeafOf(const Plan& plan, const PlanOpening& door);
 
-// furniture.cc
+// floor.cc
 void DrawFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawZones(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // walls.cc
@@ -44,8 +44,11 @@ std::string ViolationLetters(int index);
 void DrawViolationBadge(Canvas& canvas, int index, Point centre_mm);
 // dimensions.cc
 void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet);
-// label_layer.cc
+// label_layer.cc; what a piece asks of its label, and of others that would cover it
 std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+LabelItem LabelItemOf(const PlanObject& object, const Sheet& sheet);
+LabelObstacle LabelObstacleOf(const PlanObject& object, const Sheet& sheet, int owner);
+void DrawLeader(Canvas& canvas, const PlacedLabel& label, const LabelItem& item);
 // side_panel.cc: title, key, legends, style, title block; see panel.h
 void DrawSidePanel(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // `factor` shrinks it.

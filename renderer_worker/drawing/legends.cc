@@ -20,7 +20,7 @@ struct Sign {
 
 void Frame(Canvas& canvas, const Box& box) {
   canvas.Rectangle(box);
-  canvas.Fill(Hex(0xFFFFFF), 1, true);
+  canvas.Fill(kWhite, 1, true);
   canvas.Draw({kPanelInk, 0.25});
 }
 

@@ -77,8 +77,6 @@ void DrawRouteSign(Canvas& canvas, const Box& box, bool blocked) {
 
 namespace {
 
-const Rgb kWhite = Hex(0xFFFFFF);
-
 // A line of the overlay, bent aside when others join the same two places.
 struct Bow {
   Point from, to, bend;

@@ -9,37 +9,25 @@
 #include <numbers>
 
 #include "renderer_worker/furniture/classes.h"
+#include "renderer_worker/furniture/materials.h"
+#include "renderer_worker/furniture/surfaces.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 
 absl::StatusOr<PlanLayers> LayersOf(const v1::RenderOptions& options) {
   if (options.layers().empty()) return PlanLayers{};
+  constexpr bool PlanLayers::*kLayers[] = {&PlanLayers::floor_pieces, &PlanLayers::tertiary,
+                                           &PlanLayers::zones,        &PlanLayers::dimensions,
+                                           &PlanLayers::constraints,  &PlanLayers::circulation};
   PlanLayers layers{false, false, false, false, false, false};
   for (int i = 0; i < options.layers_size(); ++i) {
-    switch (options.layers(i)) {
-      case v1::PLAN_LAYER_FLOOR_PIECES:
-        layers.floor_pieces = true;
-        break;
-      case v1::PLAN_LAYER_TERTIARY:
-        layers.tertiary = true;
-        break;
-      case v1::PLAN_LAYER_ZONES:
-        layers.zones = true;
-        break;
-      case v1::PLAN_LAYER_DIMENSIONS:
-        layers.dimensions = true;
-        break;
-      case v1::PLAN_LAYER_CONSTRAINTS:
-        layers.constraints = true;
-        break;
-      case v1::PLAN_LAYER_CIRCULATION:
-        layers.circulation = true;
-        break;
-      default:
-        return absl::InvalidArgumentError(
-            fmt::format("options.layers[{}]: {} is no layer", i, static_cast<int>(options.layers(i))));
+    const int layer = options.layers(i) - v1::PLAN_LAYER_FLOOR_PIECES;
+    if (layer < 0 || layer >= static_cast<int>(std::size(kLayers))) {
+      return absl::InvalidArgumentError(
+          fmt::format("options.layers[{}]: {} is no layer", i, static_cast<int>(options.layers(i))));
     }
+    layers.*kLayers[layer] = true;
   }
   return layers;
 }
@@ -118,19 +106,19 @@ absl::Status ReadOpenings(const v1::Room& room, Plan& plan) {
   return absl::OkStatus();
 }
 
-void ReadStyle(const v1::StyleSheet& style, Plan& plan) {
+void ReadStyle(const v1::LayoutGraph& graph, Plan& plan) {
+  const v1::StyleSheet& style = graph.style_sheet();
   plan.style_name = style.name();
   plan.style_summary = style.summary();
   for (const v1::Colour& colour : style.palette()) plan.palette.emplace_back(colour.name(), FromProto(colour));
-  plan.floor_tint = Hex(0xF6F1E9);
-  plan.wall_tint = Hex(0xE9E4DA);
   for (const v1::SurfaceStyle& surface : style.surfaces()) {
-    const bool floor = surface.surface() == "floor", walls = surface.surface() == "walls";
-    if (floor) plan.floor_material = surface.material();
-    if (walls) plan.wall_material = surface.material();
-    if (floor && surface.has_colour()) plan.floor_tint = TintForPrint(FromProto(surface.colour()));
-    if (walls && surface.has_colour()) plan.wall_tint = SoftenForPrint(FromProto(surface.colour()));
+    if (surface.surface() == "floor") plan.floor_material = surface.material();
+    if (surface.surface() == "walls") plan.wall_material = surface.material();
   }
+  const ShellMaterials shell = ShellMaterialsOf(graph);
+  plan.floor_look = shell.floor;
+  plan.floor_tint = TintForPrint(FromLinear(shell.floor.colour));
+  plan.wall_tint = SoftenForPrint(FromLinear(shell.wall.colour));
 }
 
 absl::Status ReadZones(const v1::SolvedLayout& layout, Plan& plan) {
@@ -233,15 +221,19 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     read.name = object.name();
     read.shown_as = &ClassNamed(ClassOf(object));
     const auto style = styles.find(object.id());
-    const bool coloured = style != styles.end() && style->second->has_colour();
-    read.ink.fill = SoftenForPrint(coloured ? FromProto(style->second->colour()) : Hex(read.shown_as->plan_colour()));
+    const Palette palette =
+        PaletteOf(read.shown_as->materials(), object, style != styles.end() ? style->second : nullptr);
+    read.ink.fill = SoftenForPrint(FromLinear(palette.colour));
     read.ink.line = LineColourFor(read.ink.fill);
+    read.ink.hard = SoftenForPrint(FromLinear(palette.hard.colour));
+    read.ink.soft = SoftenForPrint(FromLinear(palette.soft.colour));
     read.kind = object.kind();
     read.walk_over = object.walk_over();
     read.centre_m = {pose.x_m(), pose.y_m()};
     read.theta_rad = pose.theta_rad();
     read.width_m = object.width_m();
     read.depth_m = object.depth_m();
+    read.low_m = pose.z_m();
     read.top_m = pose.z_m() + object.height_m();
     const double level_m = read.shown_as->plan_level_m();
     read.level_m = level_m > 0 && object.kind() == v1::OBJECT_KIND_FLOOR ? level_m : read.top_m;
@@ -276,7 +268,7 @@ absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& 
   plan.room_type = room.room_type();
   plan.title = room.title().empty() ? (room.room_type().empty() ? "Room" : room.room_type()) : room.title();
   plan.height_m = std::isfinite(room.height_m()) ? room.height_m() : 0;
-  ReadStyle(layout.graph().style_sheet(), plan);
+  ReadStyle(layout.graph(), plan);
   RETURN_IF_ERROR(ReadFloor(room, plan));
   RETURN_IF_ERROR(ReadOpenings(room, plan));
   RETURN_IF_ERROR(ReadZones(layout, plan));

@@ -10,6 +10,7 @@
 #include "renderer_worker/drawing/box.h"
 #include "renderer_worker/drawing/symbol.h"
 #include "renderer_worker/furniture/furniture.pb.h"
+#include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer {
 
@@ -68,7 +69,8 @@ struct PlanObject {
   double width_m = 0;
   double depth_m = 0;
   double level_m = 0;    // drawing order within a layer
-  double top_m = 0;      // height of its top above the floor, for the shadow
+  double low_m = 0;      // height of its underside above the floor
+  double top_m = 0;      // of its top, for the shadow
   int key = 0;           // index in Plan::keys
   bool blocked = false;  // nobody can stand at its front; known with the layer of circulation only
 
@@ -118,6 +120,7 @@ struct Plan {
   std::vector<std::pair<std::string, Rgb>> palette;
   std::string floor_material;
   std::string wall_material;
+  Material floor_look;  // as views show it
   Rgb floor_tint;
   Rgb wall_tint;
 };

@@ -135,7 +135,7 @@ absl::Status ReadRoutes(const v1::SolvedLayout& layout, Plan& plan) {
   const evaluation::Routes routes = evaluation::FindRoutes({scene, partial.layout, partial.placed});
   for (const evaluation::Route& route : routes.routes) {
     std::vector<Point>& points = plan.routes_m.emplace_back();
-    for (const Vec2<double>& point : route.points) points.push_back({point.x, point.y});
+    for (const flair::Vec2<double>& point : route.points) points.push_back({point.x, point.y});
   }
   const std::set<std::string> blocked(routes.blocked.begin(), routes.blocked.end());
   for (PlanObject& object : plan.objects) object.blocked = blocked.contains(object.id);

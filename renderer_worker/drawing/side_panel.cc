@@ -23,7 +23,7 @@ void DrawNorthArrow(Canvas& canvas, Point centre) {
   canvas.Fill(kPanelInk, 1, true);
   canvas.Draw({kPanelInk, 0.2});
   canvas.Polygon(west);
-  canvas.Fill(Hex(0xFFFFFF), 1, true);
+  canvas.Fill(kWhite, 1, true);
   canvas.Draw({kPanelInk, 0.2});
   DrawTextAt(canvas, {"N", {.size_mm = 3.4, .colour = kPanelInk, .bold = true}}, {centre.x, centre.y - r - 2.4});
 }
@@ -37,7 +37,7 @@ void DrawScaleBar(Canvas& canvas, const Sheet& sheet, Point left) {
   const double field = field_m * sheet.mm_per_m();
   for (int i = 0; i < 4; ++i) {
     canvas.Rectangle({left.x + i * field, left.y, left.x + (i + 1) * field, left.y + 1.6});
-    canvas.Fill(i % 2 == 0 ? kPanelInk : Hex(0xFFFFFF), 1, true);
+    canvas.Fill(i % 2 == 0 ? kPanelInk : kWhite, 1, true);
     canvas.Draw({kPanelInk, 0.2});
   }
   for (int i = 0; i <= 4; i += 2) {
@@ -69,7 +69,7 @@ double DrawTitle(Canvas& canvas, const Plan& plan, const Box& box) {
       Capital(plan.title), {.size_mm = 7.4, .colour = kPanelInk, .serif = true, .condense = 0.94}, box.width(), 3};
   // Rather smaller than on two lines, rather smaller still than on three.
   const double line = Measure(canvas, {"A", title.style}).height;
-  for (const auto& [size_mm, lines] : {std::pair{7.4, 1}, {6.2, 1}, {6.6, 2}, {5.2, 3}}) {
+  for (const auto& [size_mm, lines] : {std::pair{7.4, 1}, {6.2, 1}, {5.6, 1}, {6.6, 2}, {5.2, 3}}) {
     title.style.size_mm = size_mm;
     if (Measure(canvas, title).height < (lines + 0.5) * line * size_mm / 7.4) break;
   }

@@ -9,9 +9,24 @@
 namespace flair::renderer {
 namespace {
 
-enum class Tone { kNone, kBody, kLight, kPale, kDark, kDeep, kWater, kGlass, kLeaf, kWood, kMetal, kFire };
-constexpr const char* kTones[] = {"none",  "body",  "light", "pale", "dark",  "deep",
-                                  "water", "glass", "leaf",  "wood", "metal", "fire"};
+enum class Tone {
+  kNone,
+  kBody,
+  kLight,
+  kPale,
+  kDark,
+  kDeep,
+  kHard,
+  kSoft,
+  kWater,
+  kGlass,
+  kLeaf,
+  kWood,
+  kMetal,
+  kFire
+};
+constexpr const char* kTones[] = {"none", "body",  "light", "pale", "dark", "deep",  "hard",
+                                  "soft", "water", "glass", "leaf", "wood", "metal", "fire"};
 enum class Line { kNone, kOutline, kDetail, kFaint, kDashed };
 constexpr const char* kLines[] = {"none", "outline", "detail", "faint", "dashed"};
 
@@ -28,25 +43,28 @@ Point PointAt(lua_State* state, int argument) {
 }
 
 Rgb ColourOf(Tone tone, const Ink& ink) {
-  const Rgb white = Hex(0xFFFFFF);
   switch (tone) {
     case Tone::kNone:
     case Tone::kBody:
       return ink.fill;
     case Tone::kLight:
-      return Mix(ink.fill, white, 0.42);
+      return Mix(ink.fill, kWhite, 0.28);
     case Tone::kPale:
-      return Mix(ink.fill, white, 0.78);
+      return Mix(ink.fill, kWhite, 0.78);
     case Tone::kDark:
       return Mix(ink.fill, ink.line, 0.16);
     case Tone::kDeep:
       return Mix(ink.fill, ink.line, 0.62);
+    case Tone::kHard:
+      return ink.hard;
+    case Tone::kSoft:
+      return ink.soft;
     case Tone::kWater:
       return Hex(0xDCEBF0);
     case Tone::kGlass:
       return Hex(0xE8EFF1);
     case Tone::kLeaf:
-      return Mix(Hex(0xA9C29A), ink.fill, 0.25);
+      return Mix(Hex(0xA9C29A), ink.fill, 0.15);
     case Tone::kWood:
       return Hex(0xD9C3A3);
     case Tone::kMetal:

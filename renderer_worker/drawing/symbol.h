@@ -8,10 +8,12 @@
 
 namespace flair::renderer {
 
-// The colours one object is drawn in.
+// The colours one object is drawn in: what says most of it, its lines, its frame, its upholstery.
 struct Ink {
   Rgb fill;
   Rgb line;
+  Rgb hard = fill;
+  Rgb soft = fill;
 };
 
 // Draws the plan symbol `plan.NAME` of furniture/pieces/ in object frame O: origin in the middle, x to the right of
@@ -25,8 +27,8 @@ struct Ink {
 //   shape(points, tone, line = "outline")
 //   segment(from, to, line = "detail")
 //   curve(from, control, control, to, line = "detail")
-// Tones: none, body, light, pale, dark, deep (of the object's colour), water, glass, leaf, wood, metal, fire. Lines:
-// none, outline, detail, faint, dashed.
+// Tones: none, body, light, pale, dark, deep (of the object's colour), hard, soft (of its parts), water, glass, leaf,
+// wood, metal, fire. Lines: none, outline, detail, faint, dashed.
 absl::Status DrawSymbol(Canvas& canvas, const Ink& ink, double width_m, double depth_m, std::string_view name);
 
 // Whether there is a symbol of that name.

@@ -10,7 +10,6 @@ namespace {
 
 const Rgb kCut = Hex(0x37332F);  // what the section cuts
 const Rgb kInk = Hex(0x3A3632);
-const Rgb kPaper = Hex(0xFFFFFF);
 
 // The outer face: every edge moved out by the thickness, neighbours met (long spikes cut short).
 std::vector<Point> OuterFace(const Plan& plan, double thickness_m) {
@@ -51,7 +50,7 @@ void DrawWindow(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Plan
   const OpeningFrame frame = FrameOf(plan, sheet, window);
   const double t = frame.thickness_m, w = window.width_m;
   Quad(canvas, sheet, frame, 0, w, 0, t);
-  canvas.Fill(kPaper, 1, true);
+  canvas.Fill(kWhite, 1, true);
   canvas.Draw({kInk, 0.30});
   Quad(canvas, sheet, frame, 0, w, 0.36 * t, 0.64 * t);
   canvas.Fill(Hex(0xDDE9ED), 1, true);
@@ -63,7 +62,7 @@ void DrawWindow(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Plan
   // The sill, outside.
   const double lip = 0.35 * t;
   Quad(canvas, sheet, frame, -0.04, w + 0.04, t, t + lip);
-  canvas.Fill(kPaper, 1, true);
+  canvas.Fill(kWhite, 1, true);
   canvas.Draw({kInk, 0.16});
 }
 
@@ -82,7 +81,7 @@ void DrawLeaf(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOp
   const Point side = Point{-along.y, along.x} * (turn > 0 ? thick : -thick);
   const Point corners[] = {hinge, open, open + side, hinge + side};
   canvas.Polygon(corners);
-  canvas.Fill(kPaper, 1, true);
+  canvas.Fill(kWhite, 1, true);
   canvas.Draw({kInk, 0.3});
 }
 
@@ -102,7 +101,7 @@ void DrawDoor(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOp
     // The leaf slides inside the wall past its hinge end; half open.
     const double from = door.hinge_at_start ? -0.5 * w : 0.5 * w;
     Quad(canvas, sheet, frame, from, from + w, 0.36 * t, 0.64 * t);
-    canvas.Fill(kPaper, 1, true);
+    canvas.Fill(kWhite, 1, true);
     canvas.Draw({kInk, 0.25});
   }
 }
@@ -147,7 +146,7 @@ void DrawSocketSign(Canvas& canvas, Point at_mm, Point inward) {
   canvas.Draw({kInk, 0.22});
   canvas.Arc(centre, kRadiusMm, angle + std::numbers::pi / 2, angle + 1.5 * std::numbers::pi);
   canvas.Close();
-  canvas.Fill(kPaper, 0.9, true);
+  canvas.Fill(kWhite, 0.9, true);
   canvas.Draw({kInk, 0.22});
   canvas.Line(centre - along * kRadiusMm, centre + along * kRadiusMm);
   canvas.Draw({kInk, 0.35});

@@ -96,49 +96,10 @@ int Added(lua_State* state) {
   return 0;
 }
 
-int Box(lua_State* s) {
-  PieceOf(s).make.Box(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), FloatAt(s, 4, 0.004F));
-  return Added(s);
-}
-
-int Cushion(lua_State* s) {
-  PieceOf(s).make.Cushion(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0));
-  return Added(s);
-}
-
-int Pillow(lua_State* s) {
-  PieceOf(s).make.Pillow(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3));
-  return Added(s);
-}
-
-int Taper(lua_State* s) {
-  PieceOf(s).make.Taper(MaterialAt(s, 1), Vec3At(s, 2), Vec2At(s, 3), Vec3At(s, 4), Vec2At(s, 5));
-  return Added(s);
-}
-
-int Slab(lua_State* s) {
-  PieceOf(s).make.Slab(MaterialAt(s, 1), PointsAt(s, 2), FloatAt(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0.003F));
-  return Added(s);
-}
-
-int Lathe(lua_State* s) {
-  PieceOf(s).make.Lathe(MaterialAt(s, 1), Vec3At(s, 2), PointsAt(s, 3), SidesAt(s, 4, 20), StretchAt(s, 5));
-  return Added(s);
-}
-
-int Ring(lua_State* s) {
-  PieceOf(s).make.Ring(MaterialAt(s, 1), Vec3At(s, 2), PointsAt(s, 3), SidesAt(s, 4, 24), StretchAt(s, 5));
-  return Added(s);
-}
-
-int Cylinder(lua_State* s) {
-  PieceOf(s).make.Cylinder(MaterialAt(s, 1), Vec3At(s, 2), FloatAt(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0.003F),
-                           SidesAt(s, 6, 20));
-  return Added(s);
-}
-
-int Ellipsoid(lua_State* s) {
-  PieceOf(s).make.Ellipsoid(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), SidesAt(s, 4, 16), SidesAt(s, 5, 8));
+// A function for scripts that adds one shape.
+template <auto kAdd>
+int Shape(lua_State* s) {
+  kAdd(PieceOf(s).make, s);
   return Added(s);
 }
 
@@ -161,11 +122,6 @@ int Bar(lua_State* s) {
   const bool tapered = lua_gettop(s) >= 6;
   PieceOf(s).make.Bar(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), FloatAt(s, 4), FloatAt(s, tapered ? 5 : 4),
                       SidesAt(s, tapered ? 6 : 5, 8));
-  return Added(s);
-}
-
-int Hoop(lua_State* s) {
-  PieceOf(s).make.Hoop(MaterialAt(s, 1), Vec3At(s, 2), FloatAt(s, 3), FloatAt(s, 4), SidesAt(s, 5, 24));
   return Added(s);
 }
 
@@ -297,30 +253,50 @@ int FromHex(lua_State* s) {
   return 1;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"box", Box},
-                                   {"cushion", Cushion},
-                                   {"pillow", Pillow},
-                                   {"taper", Taper},
-                                   {"slab", Slab},
-                                   {"lathe", Lathe},
-                                   {"ring", Ring},
-                                   {"cylinder", Cylinder},
-                                   {"ellipsoid", Ellipsoid},
-                                   {"tube", Tube},
-                                   {"bar", Bar},
-                                   {"hoop", Hoop},
-                                   {"sheet", Sheet},
-                                   {"inside", Inside},
-                                   {"shine", Shine},
-                                   {"says", Says},
-                                   {"chance", Chance},
-                                   {"look", Look},
-                                   {"made_of", MadeOf},
-                                   {"material", MakeMaterial},
-                                   {"style_colour", StyleColour},
-                                   {"is_styled", IsStyled},
-                                   {"rgb", FromHex},
-                                   {nullptr, nullptr}};
+constexpr luaL_Reg kFunctions[] = {
+    {"box", Shape<[](Modeller& make, lua_State* s) {
+       make.Box(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), FloatAt(s, 4, 0.004F));
+     }>},
+    {"cushion", Shape<[](Modeller& make, lua_State* s) {
+       make.Cushion(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0));
+     }>},
+    {"pillow", Shape<[](Modeller& make, lua_State* s) { make.Pillow(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3)); }>},
+    {"taper", Shape<[](Modeller& make, lua_State* s) {
+       make.Taper(MaterialAt(s, 1), Vec3At(s, 2), Vec2At(s, 3), Vec3At(s, 4), Vec2At(s, 5));
+     }>},
+    {"slab", Shape<[](Modeller& make, lua_State* s) {
+       make.Slab(MaterialAt(s, 1), PointsAt(s, 2), FloatAt(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0.003F));
+     }>},
+    {"lathe", Shape<[](Modeller& make, lua_State* s) {
+       make.Lathe(MaterialAt(s, 1), Vec3At(s, 2), PointsAt(s, 3), SidesAt(s, 4, 20), StretchAt(s, 5));
+     }>},
+    {"ring", Shape<[](Modeller& make, lua_State* s) {
+       make.Ring(MaterialAt(s, 1), Vec3At(s, 2), PointsAt(s, 3), SidesAt(s, 4, 24), StretchAt(s, 5));
+     }>},
+    {"cylinder", Shape<[](Modeller& make, lua_State* s) {
+       make.Cylinder(MaterialAt(s, 1), Vec3At(s, 2), FloatAt(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0.003F),
+                     SidesAt(s, 6, 20));
+     }>},
+    {"ellipsoid", Shape<[](Modeller& make, lua_State* s) {
+       make.Ellipsoid(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), SidesAt(s, 4, 16), SidesAt(s, 5, 8));
+     }>},
+    {"tube", Tube},
+    {"bar", Bar},
+    {"hoop", Shape<[](Modeller& make, lua_State* s) {
+       make.Hoop(MaterialAt(s, 1), Vec3At(s, 2), FloatAt(s, 3), FloatAt(s, 4), SidesAt(s, 5, 24));
+     }>},
+    {"sheet", Sheet},
+    {"inside", Inside},
+    {"shine", Shine},
+    {"says", Says},
+    {"chance", Chance},
+    {"look", Look},
+    {"made_of", MadeOf},
+    {"material", MakeMaterial},
+    {"style_colour", StyleColour},
+    {"is_styled", IsStyled},
+    {"rgb", FromHex},
+    {nullptr, nullptr}};
 
 Script& Meshes() {
   static Script& meshes = *new Script(kFunctions);
@@ -360,7 +336,7 @@ absl::StatusOr<MadePiece> MakePiece(std::string_view class_name, const v1::Objec
   size.rest_height = rest == height ? size.height : rest;
   Piece piece{.is = PaletteOf(record.materials(), object, style),
               .words = WordsOf(object, style),
-              .seed = SeedOf(record.name(), object.name()),
+              .seed = SeedOf(record.name(), record.each_differs() ? object.id() : object.name()),
               .make = {},
               .lights = {},
               .own_materials = {}};

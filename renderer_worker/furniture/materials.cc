@@ -9,7 +9,7 @@
 #include <string>
 
 #include "renderer_worker/furniture/classes.h"
-#include "renderer_worker/scene/shell.h"
+#include "renderer_worker/furniture/surfaces.h"
 
 namespace flair::renderer {
 namespace {
@@ -149,14 +149,14 @@ bool IsHard(const BaseMaterial& m) { return m.kind != FurnitureMaterial::CLOTH; 
 bool IsCloth(const BaseMaterial& m) { return m.kind == FurnitureMaterial::CLOTH; }
 bool IsMetal(const BaseMaterial& m) { return m.kind == FurnitureMaterial::METAL; }
 
-using Words = std::vector<const BaseMaterial*>;
+using Materials = std::vector<const BaseMaterial*>;
 
 const BaseMaterial& MaterialOf(const std::string& name, std::string_view usual) {
   return BaseMaterialOf(name.empty() ? usual : name);
 }
 
 template <typename Predicate>
-const BaseMaterial* First(const Words& named, Predicate predicate) {
+const BaseMaterial* First(const Materials& named, Predicate predicate) {
   const auto at = std::find_if(named.begin(), named.end(), [&](const BaseMaterial* m) { return predicate(*m); });
   return at != named.end() ? *at : nullptr;
 }
@@ -168,7 +168,7 @@ struct Choice {
   const BaseMaterial* metal = nullptr;
 };
 
-Choice Choose(const Words& named, const ClassMaterials& look) {
+Choice Choose(const Materials& named, const ClassMaterials& look) {
   Choice choice{First(named, IsHard), First(named, IsCloth), First(named, IsMetal)};
   // "walnut and brass": the metal is for the fittings when there is something else for the body, and where the body
   // is not of metal by nature.
@@ -182,8 +182,8 @@ Choice Choose(const Words& named, const ClassMaterials& look) {
 // Colours say which part they are of: "dark walnut" is a wood's, "antique brass" a metal's.
 enum class Part { kHard, kSoft, kMetal };
 
-Part PartColoured(const ClassMaterials& look, const Choice& choice, const Words& named, const v1::Colour& colour) {
-  const Words said = MaterialsInWords(colour.name());
+Part PartColoured(const ClassMaterials& look, const Choice& choice, const Materials& named, const v1::Colour& colour) {
+  const Materials said = MaterialsInWords(colour.name());
   if (!said.empty() && IsCloth(*said.front())) return Part::kSoft;
   const bool hard_is_metal = IsMetal(choice.hard != nullptr ? *choice.hard : MaterialOf(look.hard(), "oak"));
   if (!said.empty() && IsMetal(*said.front())) return hard_is_metal ? Part::kHard : Part::kMetal;
@@ -203,8 +203,8 @@ Part PartColoured(const ClassMaterials& look, const Choice& choice, const Words&
 }  // namespace
 
 Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1::ObjectStyle* style) {
-  Words named = style != nullptr ? MaterialsInWords(style->material()) : Words();
-  const Words by_name = MaterialsInWords(object.name());
+  Materials named = style != nullptr ? MaterialsInWords(style->material()) : Materials();
+  const Materials by_name = MaterialsInWords(object.name());
   named.insert(named.end(), by_name.begin(), by_name.end());
   const Choice choice = Choose(named, look);
   const BaseMaterial& hard = choice.hard != nullptr ? *choice.hard : MaterialOf(look.hard(), "oak");

@@ -25,6 +25,7 @@ std::string KeyOf(std::string_view class_name, const v1::Object& object, const v
     key.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   Append(key, object.name()), Append(key, object.description());
+  if (ClassNamed(class_name).each_differs()) Append(key, object.id());
   if (style == nullptr) return key;
   Append(key, style->material()), Append(key, style->description());
   if (!style->has_colour()) return key;

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "fmt/format.h"
 #include "renderer_worker/gltf/frame.h"
 #include "renderer_worker/gltf/mesh_book.h"
@@ -31,45 +32,9 @@ class Fields {
   Value::Object fields_;
 };
 
-std::string_view NameOf(v1::ObjectRole role) {
-  switch (role) {
-    case v1::OBJECT_ROLE_PRIMARY:
-      return "primary";
-    case v1::OBJECT_ROLE_SECONDARY:
-      return "secondary";
-    case v1::OBJECT_ROLE_TERTIARY:
-      return "tertiary";
-    default:
-      return "";
-  }
-}
-
-std::string_view NameOf(v1::ObjectKind kind) {
-  switch (kind) {
-    case v1::OBJECT_KIND_FLOOR:
-      return "floor";
-    case v1::OBJECT_KIND_WALL:
-      return "wall";
-    case v1::OBJECT_KIND_CEILING:
-      return "ceiling";
-    case v1::OBJECT_KIND_SURFACE:
-      return "surface";
-    default:
-      return "";
-  }
-}
-
-std::string_view NameOf(v1::OutcomeStatus status) {
-  switch (status) {
-    case v1::OUTCOME_STATUS_SATISFIED:
-      return "satisfied";
-    case v1::OUTCOME_STATUS_VIOLATED:
-      return "violated";
-    case v1::OUTCOME_STATUS_DROPPED:
-      return "dropped";
-    default:
-      return "unknown";
-  }
+// "primary" of OBJECT_ROLE_PRIMARY, after so long a prefix.
+std::string WordOf(const std::string& name, size_t prefix) {
+  return name.ends_with("_UNSPECIFIED") || name.size() < prefix ? "" : absl::AsciiStrToLower(name.substr(prefix));
 }
 
 Value StyleOf(const v1::ObjectStyle& style) {
@@ -117,7 +82,8 @@ Value Extras::ConstraintOf(int edge) const {
   if (sentence != sentences_.end()) fields.Text("sentence", sentence->second);
   if (edge < layout_.edge_outcomes_size()) {
     const v1::EdgeOutcome& outcome = layout_.edge_outcomes(edge);
-    fields.Text("verdict", NameOf(outcome.status())).Text("reason", outcome.reason());
+    const std::string verdict = WordOf(v1::OutcomeStatus_Name(outcome.status()), 15);
+    fields.Text("verdict", verdict.empty() ? "unknown" : verdict).Text("reason", outcome.reason());
   }
   return fields.Take();
 }
@@ -126,8 +92,12 @@ Value Extras::OfObject(const SceneObject& shown) const {
   const v1::Object& object = *shown.object;
   Fields fields;
   fields.Text("id", object.id()).Text("name", object.name()).Text("class", shown.furnishing.class_name);
-  fields.Text("category", object.category()).Text("zone", object.zone_id()).Text("role", NameOf(object.role()));
-  fields.Text("kind", NameOf(object.kind())).Text("host", object.host_id()).Text("description", object.description());
+  fields.Text("category", object.category())
+      .Text("zone", object.zone_id())
+      .Text("role", WordOf(v1::ObjectRole_Name(object.role()), 12));
+  fields.Text("kind", WordOf(v1::ObjectKind_Name(object.kind()), 12))
+      .Text("host", object.host_id())
+      .Text("description", object.description());
   fields.Flag("requested", object.requested()).Flag("walk_over", object.walk_over());
   fields.Text("asset", shown.furnishing.asset_id).Text("asset_licence", shown.furnishing.asset_licence);
   Fields size;

@@ -59,6 +59,8 @@ float Grain(float u, float v, int length, int breadth, int salt) {
   return 0.45F * figure + 0.55F * streak;
 }
 
+Tone Wood(float u, float v) { return {0.6F * Grain(u, v, 8, 4, 61), 0.95F + 0.08F * Noise(u * 0.5F, v, 4, 4, 62)}; }
+
 Tone Board(float along, float across, float length, float width, float joint, int id) {
   const float gap = std::max(Joint(across, width, joint), Joint(along, length, joint));
   const float tint = Random(id, 3, 17);
@@ -173,58 +175,31 @@ Figure FigureOf(const Material& material) {
   return static_cast<Figure>(material.pattern);
 }
 
-Vec2 PeriodOf(Figure figure) {
-  switch (figure) {
-    case Figure::kPlain:
-      return {0, 0};
-    case Figure::kWood:
-      return {8, 4};
-    case Figure::kPlanks:
-      return {16, 8};
-    case Figure::kHerringbone:
-    case Figure::kStones:
-      return {8, 8};
-    case Figure::kTiles:
-    case Figure::kStone:
-      return {4, 4};
-    case Figure::kBricks:
-      return {4, 8 / 3.0F};
-    case Figure::kCarpet:
-    case Figure::kFabric:
-      return {64, 64};
-    case Figure::kWallpaper:
-      return {1, 1};
-  }
-  return {0, 0};
-}
+namespace {
 
-Tone ToneAt(Figure figure, float u, float v) {
-  switch (figure) {
-    case Figure::kPlain:
-      return {};
-    case Figure::kWood:
-      return {0.6F * Grain(u, v, 8, 4, 61), 0.95F + 0.08F * Noise(u * 0.5F, v, 4, 4, 62)};
-    case Figure::kPlanks:
-      return Planks(u, v);
-    case Figure::kHerringbone:
-      return Herringbone(u, v);
-    case Figure::kTiles:
-      return Tiles(u, v);
-    case Figure::kBricks:
-      return Bricks(u, v);
-    case Figure::kStone:
-      return Stone(u, v);
-    case Figure::kStones:
-      return Stones(u, v);
-    case Figure::kCarpet:
-      return Carpet(u, v);
-    case Figure::kFabric:
-      return Fabric(u, v);
-    case Figure::kWallpaper:
-      return Wallpaper(u, v);
-  }
-  return {};
-}
+struct FigureFacts {
+  Vec2 period;
+  Tone (*tone)(float u, float v);
+};
+
+// In the order of the enum.
+constexpr FigureFacts kFigures[kFigureCount] = {{{0, 0}, [](float, float) { return Tone{}; }},
+                                                {{8, 4}, Wood},
+                                                {{16, 8}, Planks},
+                                                {{8, 8}, Herringbone},
+                                                {{4, 4}, Tiles},
+                                                {{4, 8 / 3.0F}, Bricks},
+                                                {{4, 4}, Stone},
+                                                {{64, 64}, Carpet},
+                                                {{64, 64}, Fabric},
+                                                {{1, 1}, Wallpaper},
+                                                {{8, 8}, Stones}};
+
+}  // namespace
+
+Vec2 PeriodOf(Figure figure) { return kFigures[static_cast<int>(figure)].period; }
+
+Tone ToneAt(Figure figure, float u, float v) { return kFigures[static_cast<int>(figure)].tone(u, v); }
 
 namespace {
 

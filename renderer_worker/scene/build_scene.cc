@@ -117,7 +117,7 @@ absl::StatusOr<Scene> BuildScene(const v1::SolvedLayout& layout, const Furnishin
   ASSIGN_OR_RETURN(RoomShape shape, ShapeOf(layout.graph().room()));
   Scene scene;
   scene.layout = &layout;
-  scene.shell = BuildShell(shape, layout.graph().style_sheet());
+  scene.shell = BuildShell(shape, layout.graph());
   scene.windows = WindowsOf(shape);
   RETURN_IF_ERROR(PlaceObjects(layout, source, scene));
   SettleOnHosts(scene);

@@ -27,21 +27,8 @@ inline constexpr float kStubHeight_m = 0.1F;
 
 // "floor", "wall" and so on: how exports and annotations name it.
 constexpr std::string_view NameOf(ShellPart::Kind kind) {
-  switch (kind) {
-    case ShellPart::Kind::kFloor:
-      return "floor";
-    case ShellPart::Kind::kCeiling:
-      return "ceiling";
-    case ShellPart::Kind::kWall:
-      return "wall";
-    case ShellPart::Kind::kDoor:
-      return "door";
-    case ShellPart::Kind::kWindow:
-      return "window";
-    case ShellPart::Kind::kSkirting:
-      return "skirting";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"floor", "ceiling", "wall", "door", "window", "skirting"};
+  return kNames[static_cast<int>(kind)];
 }
 
 // An object where it stands.

@@ -310,8 +310,8 @@ Mesh WallBody(const RoomShape& shape, const ShapedWall& wall, float top_m, const
   return builder.Take();
 }
 
-std::vector<ShellPart> BuildShell(const RoomShape& shape, const v1::StyleSheet& style) {
-  const ShellMaterials materials = ShellMaterialsOf(style);
+std::vector<ShellPart> BuildShell(const RoomShape& shape, const v1::LayoutGraph& graph) {
+  const ShellMaterials materials = ShellMaterialsOf(graph);
   std::vector<ShellPart> shell;
   MeshBuilder floor, ceiling;
   AddFloor(shape, 0, true, materials.floor, floor);
@@ -326,7 +326,7 @@ std::vector<ShellPart> BuildShell(const RoomShape& shape, const v1::StyleSheet& 
     if (!skirting.parts.empty()) {
       shell.push_back({ShellPart::Kind::kSkirting, wall.name + "_skirting", i, std::move(skirting), {}});
     }
-    AddOpenings(shape, i, style, materials, shell);
+    AddOpenings(shape, i, graph.style_sheet(), materials, shell);
   }
   return shell;
 }

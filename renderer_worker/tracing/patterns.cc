@@ -272,36 +272,17 @@ Vec3 Clamped(Vec3 c) { return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F
 // Coordinates that a room has; meshes of others may hold anything.
 float InRoom(float value) { return value > -1e4F && value < 1e4F ? value : 0.0F; }
 
-Vec3 Colour(const Material& material, Vec2 uv, float filter) {
-  switch (material.pattern) {
-    case Pattern::kPlain:
-      return material.colour;
-    case Pattern::kWood:
-      return WoodColour(material, uv, filter);
-    case Pattern::kPlanks:
-      return PlanksColour(material, uv, filter);
-    case Pattern::kHerringbone:
-      return HerringboneColour(material, uv, filter);
-    case Pattern::kTiles:
-      return TilesColour(material, uv, filter);
-    case Pattern::kBricks:
-      return BricksColour(material, uv, filter);
-    case Pattern::kStone:
-      return StoneColour(material, uv, filter);
-    case Pattern::kCarpet:
-      return CarpetColour(material, uv, filter);
-    case Pattern::kFabric:
-      return FabricColour(material, uv, filter);
-    case Pattern::kWallpaper:
-      return WallpaperColour(material, uv, filter);
-  }
-  return material.colour;
-}
+Vec3 PlainColour(const Material& material, Vec2, float) { return material.colour; }
+
+// In the order of the enum.
+constexpr Vec3 (*kColours[])(const Material&, Vec2, float) = {
+    PlainColour,  WoodColour,  PlanksColour, HerringboneColour, TilesColour,
+    BricksColour, StoneColour, CarpetColour, FabricColour,      WallpaperColour};
 
 }  // namespace
 
 Vec3 PatternColour(const Material& material, Vec2 uv_m, float filter_m) {
-  return Clamped(Colour(material, {InRoom(uv_m.x), InRoom(uv_m.y)}, filter_m));
+  return Clamped(kColours[static_cast<int>(material.pattern)](material, {InRoom(uv_m.x), InRoom(uv_m.y)}, filter_m));
 }
 
 Vec3 MeanPatternColour(const Material& material) {

@@ -19,22 +19,21 @@
 namespace flair::renderer {
 namespace {
 
-int ClassOfPart(ShellPart::Kind kind) {
-  switch (kind) {
-    case ShellPart::Kind::kFloor:
-      return kFloorClass;
-    case ShellPart::Kind::kCeiling:
-      return kCeilingClass;
-    case ShellPart::Kind::kWall:
-      return kWallClass;
-    case ShellPart::Kind::kDoor:
-      return kDoorClass;
-    case ShellPart::Kind::kWindow:
-      return kWindowClass;
-    case ShellPart::Kind::kSkirting:
-      return kSkirtingClass;
-  }
-  return 0;
+constexpr double kHangs_m = 0.2;  // below the ceiling
+
+RTCRay RayFrom(Vec3 from, Vec3 direction, float least, float most) {
+  return {.org_x = from.x,
+          .org_y = from.y,
+          .org_z = from.z,
+          .tnear = least,
+          .dir_x = direction.x,
+          .dir_y = direction.y,
+          .dir_z = direction.z,
+          .time = 0,
+          .tfar = most,
+          .mask = ~0U,
+          .id = 0,
+          .flags = 0};
 }
 
 WorldInstance InstanceOf(const SceneObject& object, const CutAway& cut) {
@@ -44,9 +43,9 @@ WorldInstance InstanceOf(const SceneObject& object, const CutAway& cut) {
   const double theta = object.placement.theta_rad();
   instance.cosine = static_cast<float>(std::cos(theta));
   instance.sine = static_cast<float>(std::sin(theta));
-  // What hangs from a ceiling or on a wall goes with it: it would float, and hide what it hangs over.
-  const bool hangs = object.object->kind() == v1::OBJECT_KIND_CEILING;
-  if ((cut.ceiling && hangs) || cut.Takes(object.wall)) instance.seen = instance.shades = false;
+  // What is on a wall or flat below a ceiling goes with it: it would float. Lamps hang lower.
+  const bool flat = object.object->kind() == v1::OBJECT_KIND_CEILING && object.object->height_m() < kHangs_m;
+  if ((cut.ceiling && flat) || cut.Takes(object.wall)) instance.seen = instance.shades = false;
   instance.origin = {static_cast<float>(object.placement.x_m()), static_cast<float>(object.placement.y_m()),
                      static_cast<float>(object.placement.z_m())};
   return instance;
@@ -54,7 +53,7 @@ WorldInstance InstanceOf(const SceneObject& object, const CutAway& cut) {
 
 WorldInstance InstanceOf(const ShellPart& part, const CutAway& cut) {
   WorldInstance instance;
-  instance.class_id = ClassOfPart(part.kind);
+  instance.class_id = kFloorClass + static_cast<int>(part.kind);
   instance.mesh = &part.mesh;
   if (part.kind == ShellPart::Kind::kCeiling && cut.ceiling) instance.seen = instance.shades = false;
   const WallCut wall = part.wall >= 0 ? cut.walls[part.wall] : WallCut::kWhole;
@@ -187,14 +186,7 @@ Hit RayTrees::Trees::Nearest(RTCScene scene, std::span<const WorldInstance> inst
   rtcInitIntersectContext(&context);
   context.flags = flags;
   RTCRayHit query;
-  query.ray.org_x = from.x, query.ray.org_y = from.y, query.ray.org_z = from.z;
-  query.ray.dir_x = direction.x, query.ray.dir_y = direction.y, query.ray.dir_z = direction.z;
-  query.ray.tnear = least;
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.time = 0;
-  query.ray.mask = ~0U;
-  query.ray.id = 0;
-  query.ray.flags = 0;
+  query.ray = RayFrom(from, direction, least, std::numeric_limits<float>::infinity());
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, &context, &query);
@@ -301,15 +293,7 @@ void RayTrees::NearestSeen(Vec3 from, std::span<const Vec3> directions, std::spa
 bool RayTrees::Shaded(Vec3 from, Vec3 direction, float distance) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay ray;
-  ray.org_x = from.x, ray.org_y = from.y, ray.org_z = from.z;
-  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
-  ray.tnear = 0;
-  ray.tfar = distance;
-  ray.time = 0;
-  ray.mask = ~0U;
-  ray.id = 0;
-  ray.flags = 0;
+  RTCRay ray = RayFrom(from, direction, 0, distance);
   rtcOccluded1(trees_->shading, &context, &ray);
   return ray.tfar < 0;
 }

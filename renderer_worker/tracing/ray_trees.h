@@ -34,7 +34,7 @@ inline bool HoldsUpLight(const Material& material) {
   return material.opacity >= 1 && Luminance(material.emission) <= 0;
 }
 
-// Ids of the parts of a room, beside those of furniture classes.
+// Ids of the parts of a room, beside those of furniture classes; in the order of ShellPart::Kind.
 inline constexpr int kFloorClass = 1001, kCeilingClass = 1002, kWallClass = 1003, kDoorClass = 1004,
                      kWindowClass = 1005, kSkirtingClass = 1006;
 

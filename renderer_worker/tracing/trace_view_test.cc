@@ -182,17 +182,22 @@ TEST(TraceView, ALampLightsWhatIsNearIt) {
   EXPECT_GT(near, 1.3 * far);
 }
 
-TEST(TraceView, WhatHangsFromACeilingIsSeenFromWithinOnly) {
+TEST(TraceView, ALampThatHangsIsSeenFromAboveToo) {
   v1::SolvedLayout layout = EmptyRoom(4, 4);
   AddObject(layout, "pendant", 2, 2, 0);
   layout.mutable_graph()->mutable_object_list()->mutable_objects(0)->set_kind(v1::OBJECT_KIND_CEILING);
   layout.mutable_placements(0)->set_z_m(2);
-  const Scene scene = *BuildScene(layout, BoxFurniture());
-  const auto seen = [&](const SceneCamera& camera) {
-    return Traced(scene, camera, Small()).annotations.instances(0).visible_pixel_count();
+  const auto seen = [&](bool from_above) {
+    const Scene scene = *BuildScene(layout, BoxFurniture());
+    const SceneCamera within{"test", {0.3F, 0.3F, 1.5F}, {2, 2, 2}, 1.2F};
+    return Traced(scene, from_above ? scene.birdseye : within, Small()).annotations.instances(0).visible_pixel_count();
   };
-  EXPECT_EQ(seen(scene.birdseye), 0);
-  EXPECT_GT(seen({"test", {0.3F, 0.3F, 1.5F}, {2, 2, 2}, 1.2F}), 100);
+  EXPECT_GT(seen(true), 100);
+  EXPECT_GT(seen(false), 100);
+  // What is flat below the ceiling goes with it.
+  layout.mutable_graph()->mutable_object_list()->mutable_objects(0)->set_height_m(0.1);
+  EXPECT_EQ(seen(true), 0);
+  EXPECT_GT(seen(false), 20);
 }
 
 TEST(TraceView, WhatHangsOnAWallGoesWithIt) {

@@ -124,7 +124,7 @@ function plan.shower()
 end
 
 function mesh.toilet()
-  local seat, tank, middle = min(0.42, 0.52 * h), min(0.2, 0.3 * d), 0.12 * d
+  local seat, tank, middle = says("bidet") and 0.8 * h or min(0.42, 0.52 * h), min(0.2, 0.3 * d), 0.12 * d
   local rx, ry = min(0.5 * w, 0.2 + 0.15 * w), d / 2 - middle
   local bowl = {{0.5, 0}, {0.52, 0.1 * seat}, {0.55, 0.35 * seat}, {0.82, 0.75 * seat}, {0.96, 0.9 * seat},
       {0.97, 0.96 * seat}}
@@ -135,6 +135,10 @@ function mesh.toilet()
   slab("white glaze", lid, 0.955 * seat, seat, 0.006)
   local lining = ellipse({0, middle}, 0.96 * rx, 0.97 * ry, 32)
   slab("white glaze", lining, seat + 0.002, 1.05 * seat, 0.01)
+  if says("bidet") then
+    cylinder("brushed steel", {0, -0.3 * d, seat}, 0.02, h - seat, 0.004, 12)
+    return
+  end
   cushion("hard", {-w / 2, -d / 2, 0.95 * seat}, {w / 2, -d / 2 + tank, h - 0.03 * h}, 0.03)
   box("hard", {-w / 2, -d / 2, h - 0.06 * h}, {w / 2, -d / 2 + 1.06 * tank, h - 0.012 * h}, 0.008)
   cylinder("brushed steel", {0, -d / 2 + tank / 2, h - 0.014 * h}, 0.06 * w, 0.014 * h, 0.002, 16)

@@ -109,17 +109,18 @@ end
 
 function plan.bed()
   local board = min(0.07, 0.06 * d)
-  area(whole, "light", "outline", 0.03)
-  area({left, back, right, back + board}, "dark", "detail", 0.02)
   local head = back + board
   local margin = min(0.05, 0.04 * w)
+  area(whole, "hard", "outline", 0.03)
+  area({left + 0.4 * margin, head, right - 0.4 * margin, front - 0.02}, "pale", "faint", 0.03)
+  area({left, back, right, head}, "hard", "detail", 0.02)
   local pillow_front = head + min(0.45, 0.22 * d)
   plan_pillows(left + margin, right - margin, head + 0.04, pillow_front)
   -- The duvet, its upper edge turned back, one corner folded open.
   local fold = pillow_front + 0.06
   local turned = fold + min(0.24, 0.12 * d)
   local duvet = rect(left + 0.4 * margin, fold, right - 0.4 * margin, front - 0.02)
-  area(duvet, "body", "detail", 0.05)
+  area(duvet, "soft", "detail", 0.05)
   area({duvet.x0, fold, duvet.x1, turned}, "light", "detail", 0.03)
   local corner = min(0.42, 0.3 * w)
   local flap = {{duvet.x1, turned}, {duvet.x1, turned + corner}, {duvet.x1 - corner, turned}}
@@ -276,4 +277,24 @@ function plan.coffin()
       {strip, y + strip}, {strip, foot}, {-strip, foot}, {-strip, y + strip}, {-arm, y + strip}, {-arm, y - strip},
       {-strip, y - strip}}
   shape(cross, "deep", "detail")
+end
+
+-- Cloth between two posts.
+function mesh.hammock()
+  lengthwise(function()
+    for side in each{-1, 1} do
+      bar("hard", {0, side * 0.47 * d, 0}, {0, side * 0.49 * d, h}, 0.03 * min(1, w), 12)
+      box("hard", {-w / 2, side * 0.47 * d - 0.03, 0}, {w / 2, side * 0.47 * d + 0.03, 0.05 * h}, 0.006)
+    end
+    sheet("soft", 10, 20, function(u, v)
+      local a, b = 2 * u - 1, 2 * v - 1
+      return vec(0.5 * w * a * (1 - 0.9 * b ^ 4), 0.46 * d * b, h * (0.4 + 0.5 * b * b + 0.14 * a * a * (1 - b * b)))
+    end, 0.01)
+  end)
+end
+
+function plan.hammock()
+  shape({{0, back}, {right, 0.4 * back}, {right, 0.4 * front}, {0, front}, {left, 0.4 * front}, {left, 0.4 * back}},
+      "soft")
+  for x in each{-0.25, 0, 0.25} do segment({x * w, 0.8 * back}, {x * w, 0.8 * front}, "faint") end
 end

@@ -35,6 +35,9 @@ function mesh.chair()
   seat_on_legs(seat, leg, padded or says("dining"))
   posts(seat, leg, h)
   local back, x = -d / 2 + 1.2 * leg, w / 2 - 1.2 * leg
+  if says("high chair") then
+    slab("pale", rounded({-w / 2, 0.05 * d}, {w / 2, d / 2}, 0.06), seat + 0.4 * above, seat + 0.46 * above, 0.004)
+  end
   box("hard", {-x, back - 0.8 * leg, h - 0.2 * above}, {x, back + 0.7 * leg, h - 0.01 * above}, 0.008)
   if says("upholstered", "velvet", "leather") then
     cushion("soft", {-0.92 * x, back, seat + 0.18 * above}, {0.92 * x, back + 3 * leg, h - 0.03 * above}, 0.02, 0.01)
@@ -54,10 +57,10 @@ function plan.chair()
   local taper = 0.06 * w
   local seat = {{left + taper, back + 0.4 * backrest}, {right - taper, back + 0.4 * backrest},
       {right - 0.2 * taper, front}, {left + 0.2 * taper, front}}
-  shape(seat, "light")
-  local inset = 0.1 * smaller
-  area({left + 1.4 * inset, back + backrest + inset, right - 1.4 * inset, front - inset}, "body", "faint", 0.05)
-  area({left, back, right, back + backrest}, "dark", "outline", 0.5 * backrest)
+  shape(seat, "hard")
+  local inset = 0.07 * smaller
+  area({left + 1.4 * inset, back + backrest + inset, right - 1.4 * inset, front - inset}, "soft", "faint", 0.05)
+  area({left, back, right, back + backrest}, "hard", "outline", 0.5 * backrest)
 end
 
 function mesh.office_chair()
@@ -141,7 +144,7 @@ function plan.rocking_chair()
   area({left, back, left + runner, front}, "dark", "detail", 0.5 * runner)
   area({right - runner, back, right, front}, "dark", "detail", 0.5 * runner)
   local y0, y1 = back + 0.12 * d, front - 0.14 * d
-  area({left + 0.5 * runner, y0, right - 0.5 * runner, y1}, "light", "outline", 0.08)
+  area({left + 0.5 * runner, y0, right - 0.5 * runner, y1}, "soft", "outline", 0.08)
   local backrest = 0.13 * d
   area({left + 0.5 * runner, y0, right - 0.5 * runner, y0 + backrest}, "body", "outline", 0.04)
   for i = 1, 5 do
@@ -170,8 +173,8 @@ function mesh.stool()
 end
 
 function plan.stool()
-  oval({0, 0}, w / 2, d / 2, "body", "outline")
-  oval({0, 0}, 0.36 * w, 0.36 * d, "light", "detail")
+  oval({0, 0}, w / 2, d / 2, "hard", "outline")
+  oval({0, 0}, 0.4 * w, 0.4 * d, "soft", "faint")
 end
 
 function mesh.bench()
@@ -209,8 +212,8 @@ function mesh.bench()
 end
 
 function plan.bench()
-  area(whole, "body", "outline", 0.03)
-  area(grown(whole, -0.1 * smaller), "light", "detail", 0.04)
+  area(whole, "hard", "outline", 0.03)
+  area(grown(whole, -0.06 * smaller), "soft", "faint", 0.04)
   local slots = max(2, floor(w / 0.4))
   for i = 1, slots - 1 do
     local x = left + w * i / slots
@@ -247,13 +250,13 @@ end
 
 function plan.throne()
   local backrest, arm = 0.2 * d, 0.17 * w
-  area({left, back + 0.5 * backrest, right, front}, "dark", "outline", 0.03)
+  area({left, back + 0.5 * backrest, right, front}, "hard", "outline", 0.03)
   -- A back with three points, seen from above as a crown.
   local y0, y1 = back, back + backrest
   local crown = {{left, y1}, {left, y0}, {0.6 * left, y0 + 0.5 * backrest}, {0.28 * left, y0},
       {0, y0 + 0.45 * backrest}, {0.28 * right, y0}, {0.6 * right, y0 + 0.5 * backrest}, {right, y0}, {right, y1}}
   shape(crown, "body")
-  area({left + arm, y1, right - arm, front - 0.02}, "light", "detail", 0.05)
+  area({left + arm, y1, right - arm, front - 0.02}, "soft", "detail", 0.05)
   for side in each{left + arm / 2, right - arm / 2} do
     circle({side, front - 0.55 * arm}, 0.36 * arm, "body")
     circle({side, y1 + 0.5 * arm}, 0.2 * arm, "body")

@@ -77,6 +77,16 @@ function facing_right(origin) return {origin, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}} e
 -- A quarter turn, x to the front.
 function quarter_turn() return {{}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}} end
 
+-- Builds what is longer than wide, whichever way its box lies.
+function lengthwise(build)
+  if d >= w then return build() end
+  inside(quarter_turn(), function()
+    w, d = d, w
+    build()
+    w, d = d, w
+  end)
+end
+
 -- Outlines and profiles: lists of points, counter-clockwise.
 
 function arc(centre, radius_x, radius_y, from, to, steps)
@@ -186,6 +196,15 @@ function panel(material, low, high, y, thickness, framed)
   box(material, {high[1] - rail, front, low[2]}, {high[1], proud, high[2]}, 0.003)
   box(material, {low[1] + rail, front, low[2]}, {high[1] - rail, proud, low[2] + rail}, 0.003)
   box(material, {low[1] + rail, front, high[2] - rail}, {high[1] - rail, proud, high[2]}, 0.003)
+end
+
+-- Four rails about an area; the area's half sizes and how broad they are.
+function frame_rails(material, rail)
+  local x, y = w / 2, d / 2
+  for side in each{-1, 1} do
+    box(material, {side * x, -y, 0}, {side * (x - rail), y, h}, 0.005)
+    box(material, {-x + rail, -y, side < 0 and 0 or h - rail}, {x - rail, y, side < 0 and rail or h}, 0.005)
+  end
 end
 
 -- A flame above `at` and its light.

@@ -158,20 +158,29 @@ end
 
 -- hooks or rails on a wall
 function mesh.rack()
+  -- bars with towels over them; a bar to hold on to
+  if says("rail", "ring") then
+    local bars = says("grab") and 1 or clamp(floor(h / 0.25), 1, 4)
+    for side in each{-1, 1} do
+      box("metal", {side * w / 2, -d / 2, 0}, {side * (w / 2 - 0.03 * w), 0.2 * d, h}, 0.004)
+    end
+    for i = 0, bars - 1 do
+      local z, y = h * (i + 0.8) / bars, 0.2 * d
+      bar("metal", {-w / 2, y, z}, {w / 2, y, z}, min(0.016, 0.2 * d), 10)
+      if not says("grab") and i % 2 == (bars - 1) % 2 then
+        cushion(i > 1 and "accent" or "soft", {-0.36 * w, -0.1 * d, z - 0.62 * h / bars}, {0.3 * w, d / 2, z + 0.02},
+            0.02)
+      end
+    end
+    return
+  end
   local board = min(0.02, 0.3 * d)
-  box("hard", {-w / 2, -d / 2, 0.55 * h}, {w / 2, -d / 2 + board, h}, 0.005)
+  box("hard", {-w / 2, -d / 2, 0.3 * h}, {w / 2, -d / 2 + board, h}, 0.005)
   local count = clamp(floor(w / 0.16), 2, 10)
   for i = 0, count - 1 do
     local x, r = w * ((i + 0.5) / count - 0.5), min(0.008, 0.08 * d)
-    tube("metal", {{x, -d / 2 + board, 0.75 * h}, {x, 0.2 * d, 0.72 * h}, {x, 0.45 * d, 0.8 * h},
-        {x, 0.5 * d - r, 0.92 * h}}, r, 8)
-    if i % 2 ~= 0 then goto continue end
-    local wide = min(0.06, 0.4 * w / count)
-    sheet(i % 4 == 0 and "soft" or "accent", 8, 4, function(u, v)
-      local a = 2 * u - 1
-      return vec(x + wide * a * (0.3 + 0.7 * v), 0.22 * d * (1 - a * a) + 0.02 * d * sin(9 * a), h * 0.74 * (1 - v))
-    end, 0.006)
-    ::continue::
+    tube("metal", {{x, -d / 2 + board, 0.55 * h}, {x, 0.1 * d, 0.3 * h}, {x, 0.4 * d, r}, {x, 0.5 * d - r, 0.5 * h}},
+        r, 8)
   end
 end
 

@@ -17,10 +17,16 @@ function mesh.vase()
   end
   local tall, wide = flowers and 0.55 * h or h, flowers and 0.62 or 1
   local size = vec(wide * w, wide * d)
+  -- Several side by side where there is room for them.
   if tub then
-    lathe("hard", {}, {{0.4, 0}, {0.48, 0.08 * tall}, {0.5, 0.4 * tall}, {0.44, 0.62 * tall}, {0.22, 0.74 * tall},
-        {0.2, 0.84 * tall}, {0.24, 0.86 * tall}, {0.24, 0.9 * tall}}, 24, size)
-    lathe("cork", {0, 0, 0.89 * tall}, {{0.2, 0}, {0.22, 0.11 * tall}}, 16, size)
+    local count = clamp(floor(1.4 * w / d), 1, 6)
+    for i = 0, count - 1 do
+      local at, size, high = {w * ((i + 0.5) / count - 0.5), 0, 0}, {w / count, d},
+          tall * (1 - 0.3 * chance(i) * min(1, i))
+      lathe("hard", at, {{0.4, 0}, {0.48, 0.08 * high}, {0.5, 0.4 * high}, {0.44, 0.62 * high}, {0.22, 0.74 * high},
+          {0.2, 0.84 * high}, {0.24, 0.86 * high}, {0.24, 0.9 * high}}, 24, size)
+      lathe("cork", {at[1], 0, 0.89 * high}, {{0.2, 0}, {0.22, 0.11 * high}}, 16, size)
+    end
     return
   end
   lathe("hard", {}, {{0.24, 0}, {0.27, 0.02 * tall}, {0.4, 0.2 * tall}, {0.5, 0.42 * tall}, {0.44, 0.62 * tall},
@@ -218,19 +224,19 @@ end
 
 function plan.plant()
   local rx, ry = w / 2, d / 2
-  oval({0, 0}, 0.5 * rx, 0.5 * ry, "wood", "outline")
-  local leaves = 9
-  for circlet = 0, 1 do
-    for i = 0, leaves - 1 do
-      local angle, reach = 2 * pi * (i + 0.5 * circlet) / leaves, circlet == 0 and 1 or 0.66
-      local half = circlet == 0 and 0.22 or 0.26
-      local tip = vec(reach * rx * cos(angle), reach * ry * sin(angle))
-      local side_1 = vec(0.55 * reach * rx * cos(angle + half), 0.55 * reach * ry * sin(angle + half))
-      local side_2 = vec(0.55 * reach * rx * cos(angle - half), 0.55 * reach * ry * sin(angle - half))
-      local frond = {{0, 0}, side_1, tip, side_2}
-      shape(frond, "leaf", "faint")
-      segment({0, 0}, {0.85 * tip[1], 0.85 * tip[2]}, "faint")
+  oval({0, 0}, 0.5 * rx, 0.5 * ry, "hard", "outline")
+  -- Two whorls of leaves, the upper ones smaller and between the lower.
+  for whorl = 0, 1 do
+    local reach, half = 1 - 0.36 * whorl, 0.36 - 0.04 * whorl
+    for i = 0, 6 do
+      local angle, blade = 2 * pi * (i + 0.5 * whorl) / 7, {}
+      for step = 0, 10 do
+        local t = step <= 5 and step / 5 or 2 - step / 5
+        local turn = angle + (step <= 5 and 1 or -1) * half * sin(pi * t ^ 0.8)
+        push(blade, {reach * rx * t * cos(turn), reach * ry * t * sin(turn)})
+      end
+      shape(blade, "leaf", "faint")
+      segment({0, 0}, {0.85 * reach * rx * cos(angle), 0.85 * reach * ry * sin(angle)}, "faint")
     end
   end
-  oval({0, 0}, 0.1 * rx, 0.1 * ry, "leaf", "faint")
 end

@@ -61,10 +61,31 @@ end
 
 -- a rocking horse when there is room, else a bear
 function mesh.toy()
-  if says("horse") or d > 0.6 or w > 0.6 then
-    local lengthwise = d >= w
-    local length, width = lengthwise and d or w, lengthwise and w or d
-    inside(lengthwise and {} or quarter_turn(), function()
+  -- walls open to the front, two floors, a gable roof
+  if says("house", "dollhouse") then
+    local wall, eaves = min(0.02, 0.04 * w), 0.64 * h
+    box("pale", {-0.46 * w, -0.46 * d, 0}, {0.46 * w, -0.46 * d + wall, eaves}, 0)
+    for x in each{-0.46, 0, 0.46} do box("pale", {x * w - wall / 2, -0.46 * d, 0}, {x * w + wall / 2, 0.44 * d,
+        eaves}, 0) end
+    for z in each{0, 0.5, 1} do box("hard", {-0.47 * w, -0.46 * d, z * eaves}, {0.47 * w, 0.46 * d, z * eaves + wall},
+        0) end
+    inside(facing_front({0, -d / 2, eaves}), function()
+      slab("accent", {{-w / 2, 0}, {w / 2, 0}, {0, h - eaves}}, 0, d, 0.004)
+    end)
+    return
+  elseif says("toys", "block", "blocks") then
+    for i = 0, 6 do
+      local x, y, s = w * (0.32 * (i % 3) - 0.32), d * (0.5 * (i % 2) - 0.25), min(0.14 * w, 0.2 * d)
+      if i % 3 == 1 then
+        ellipsoid(cover(i), {x, y, s}, {s, s, s}, 14, 8)
+      else
+        box(cover(i), {x - s, y - s, 0}, {x + s, y + s, i == 0 and h or 2 * s}, 0.004)
+      end
+    end
+    return
+  elseif says("horse") then
+    lengthwise(function()
+      local length, width = d, w
       for side in each{-1, 1} do
         local runner = {}
         for i = 0, 10 do
@@ -142,4 +163,43 @@ function plan.tent()
   end
   local door = {{0, 0.1 * d}, {0.16 * w, front}, {-0.16 * w, front}}
   shape(door, "deep", "detail")
+end
+
+-- Plates on legs, body, arms and head, the visor a dark slit.
+function mesh.armour()
+  local r = 0.5 * smaller
+  box("walnut", {-w / 2, -d / 2, 0}, {w / 2, d / 2, 0.06 * h}, 0.01)
+  for side in each{-1, 1} do
+    bar("hard", {side * 0.16 * w, 0, 0.08 * h}, {side * 0.13 * w, 0, 0.5 * h}, 0.16 * r, 0.24 * r, 14)
+    ellipsoid("hard", {side * 0.16 * w, 0.1 * d, 0.08 * h}, {0.16 * r, 0.36 * r, 0.025 * h}, 12, 6)
+    ellipsoid("hard", {side * 0.34 * w, 0, 0.78 * h}, {0.26 * r, 0.28 * r, 0.05 * h}, 16, 8)
+    tube("hard", {{side * 0.36 * w, 0, 0.77 * h}, {side * 0.42 * w, 0.06 * d, 0.62 * h}, {side * 0.36 * w, 0.2 * d,
+        0.5 * h}},
+        {0.18 * r, 0.15 * r, 0.13 * r}, 12)
+  end
+  lathe("hard", {0, 0, 0.46 * h}, {{0.3, 0}, {0.34, 0.05 * h}, {0.24, 0.13 * h}, {0.34, 0.26 * h}, {0.28, 0.34 * h},
+      {0.12, 0.37 * h}}, 24, {w, 0.8 * d})
+  lathe("hard", {0, 0, 0.83 * h}, {{0.26 * r, 0}, {0.32 * r, 0.05 * h}, {0.3 * r, 0.12 * h}, {0.1 * r, 0.17 * h}}, 20)
+  box("black plastic", {-0.2 * r, 0.2 * r, 0.915 * h}, {0.2 * r, 0.34 * r, 0.925 * h}, 0)
+end
+
+-- Coins and bars in a mound.
+function mesh.heap()
+  lathe("hard", {}, {{0.5, 0}, {0.46, 0.22 * h}, {0.36, 0.52 * h}, {0.2, 0.82 * h}, {0.08, 0.96 * h}, {0, h}}, 28, {w,
+      d})
+  for i = 0, 60 do
+    local turn, v = 2.39996 * i, sqrt((i + 0.5) / 61)
+    local at = vec(0.48 * w * v * cos(turn), 0.48 * d * v * sin(turn), h * (1 - v ^ 2.2))
+    inside(turned_x(at, chance(i) - 0.5), function()
+      cylinder("hard", {0, 0, 0}, 0.03 * smaller, 0.012 * smaller, 0, 12)
+    end)
+  end
+end
+
+function plan.heap()
+  oval({0, 0}, w / 2, d / 2, "body", "outline")
+  for i = 0, 40 do
+    local turn, v = 2.39996 * i, sqrt((i + 0.5) / 41)
+    circle({0.45 * w * v * cos(turn), 0.45 * d * v * sin(turn)}, 0.03 * smaller, "light", "faint")
+  end
 end

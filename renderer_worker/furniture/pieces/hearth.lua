@@ -178,6 +178,14 @@ end
 
 -- pots of pens, trays of small things, what stands on desks
 function mesh.organizer()
+  if says("knife") then
+    taper("hard", {0, 0.06 * d, 0}, {w / 2, 0.44 * d}, {0, -0.06 * d, 0.7 * h}, {w / 2, 0.36 * d})
+    for i = 0, 4 do
+      local x, y = w * (i % 3 - 1) * 0.3, d * (i < 3 and -0.2 or 0.1)
+      box("black plastic", {x - 0.07 * w, y, 0.68 * h}, {x + 0.07 * w, y + 0.08 * d, h * (i < 3 and 1 or 0.88)}, 0.004)
+    end
+    return
+  end
   -- a pot with what is put upright into it
   if h > 1.1 * max(w, d) then
     local tub = 0.55 * h

@@ -256,13 +256,31 @@ end
 
 function mesh.small_appliance()
   local body = "hard"
-  if says("kettle", "coffee") then
+  if says("kettle") then
     lathe(body, {0, 0, 0}, {{0.44, 0}, {0.46, 0.06 * h}, {0.44, 0.12 * h}, {0.4, 0.5 * h}, {0.3, 0.78 * h},
         {0.12, 0.88 * h}, {0, 0.88 * h}}, 20, {w * 0.86, d})
     ellipsoid("black plastic", {0, 0, 0.93 * h}, {0.06 * w, 0.06 * w, 0.07 * h}, 10, 6)
     tube("black plastic", {{-0.3 * w, 0, 0.75 * h}, {-0.5 * w, 0, 0.72 * h}, {-0.5 * w, 0, 0.3 * h},
         {-0.34 * w, 0, 0.2 * h}}, 0.03 * w, 8)
     bar(body, {0.3 * w, 0, 0.45 * h}, {0.48 * w, 0, 0.74 * h}, 0.08 * w, 0.04 * w, 10)
+    return
+  end
+  if says("toaster") then
+    cushion(body, {-w / 2, -d / 2, 0}, {w / 2, d / 2, 0.97 * h}, 0.2 * smaller)
+    for y in each{-0.2, 0.1} do box("black plastic", {-0.36 * w, y * d, 0.94 * h}, {0.36 * w, (y + 0.12) * d, h}, 0) end
+    return
+  elseif says("coffee", "espresso") then
+    box(body, {-w / 2, -d / 2, 0}, {w / 2, -0.1 * d, h}, 0.015)
+    box(body, {-w / 2, -d / 2, 0.72 * h}, {w / 2, d / 2, h}, 0.015)
+    box(body, {-w / 2, -d / 2, 0}, {w / 2, d / 2, 0.1 * h}, 0.01)
+    lathe("dark screen", {0, 0.2 * d, 0.1 * h}, {{0.3 * smaller, 0}, {0.34 * smaller, 0.2 * h}, {0.2 * smaller,
+        0.42 * h}}, 20)
+    return
+  elseif says("printer") then
+    cushion(body, {-w / 2, -0.4 * d, 0}, {w / 2, 0.34 * d, 0.8 * h}, 0.03)
+    box("paper", {-0.34 * w, -d / 2, 0.7 * h}, {0.34 * w, -0.44 * d, h}, 0)
+    box("black plastic", {-0.36 * w, 0.3 * d, 0.2 * h}, {0.36 * w, d / 2, 0.26 * h}, 0.004)
+    box("paper", {-0.32 * w, 0.3 * d, 0.26 * h}, {0.32 * w, 0.46 * d, 0.28 * h}, 0)
     return
   end
   box(body, {-w / 2, -d / 2, 0.04 * h}, {w / 2, 0.47 * d, h}, 0.012)

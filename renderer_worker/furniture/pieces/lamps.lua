@@ -185,13 +185,11 @@ end
 
 function plan.chandelier()
   local rx, ry = w / 2, d / 2
-  oval({0, 0}, 0.84 * rx, 0.84 * ry, "none", "dashed")
-  oval({0, 0}, 0.2 * rx, 0.2 * ry, "none", "detail")
-  for i = 0, 7 do
-    local angle = 2 * pi * i / 8
-    local at = vec(0.84 * rx * cos(angle), 0.84 * ry * sin(angle))
-    segment({0.24 * at[1], 0.24 * at[2]}, {0.8 * at[1], 0.8 * at[2]}, "faint")
-    oval(at, 0.16 * rx, 0.16 * ry, "none", "detail")
+  oval({0, 0}, rx, ry, "none", "dashed")
+  oval({0, 0}, 0.14 * rx, 0.14 * ry, "none", "faint")
+  for i = 0, 3 do
+    local x, y = rx * cos(pi / 2 * i), ry * sin(pi / 2 * i)
+    segment({0.14 * x, 0.14 * y}, {x, y}, "faint")
   end
 end
 

@@ -1,80 +1,6 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 -- What hangs, and screens.
 
--- x to the left of someone who looks at it, y up, z to the front: shapes drawn on a wall.
-local function on_wall(origin)
-  return facing_front(origin)
-end
-
--- Four rails about an area; the area's half sizes and how broad they are.
-local function frame_rails(material, rail)
-  local x, y = w / 2, d / 2
-  for side in each{-1, 1} do
-    box(material, {side * x, -y, 0}, {side * (x - rail), y, h}, 0.005)
-    box(material, {-x + rail, -y, side < 0 and 0 or h - rail}, {x - rail, y, side < 0 and rail or h}, 0.005)
-  end
-end
-
--- Hills below a sky with a sun, or overlapping shapes; flush slabs, one over the other.
-local function motif(x, z, y, abstract)
-  local base = style_colour()
-  local pale, deep = blend(base, {0.8, 0.78, 0.72}, 0.7), base * 0.45
-  local wide, high = x, z
-  inside(on_wall(vec(0, y, h / 2)), function()
-    if abstract then
-      local hues = {deep, rgb(0xC98B4B), pale * 0.8, rgb(0x3E5A6B)}
-      for i = 0, 3 do
-        local cx, cz = wide * (1 * chance(i) - 0.5), high * (1 * chance(10 + i) - 0.5)
-        local r = min(wide, high) * (0.28 + 0.2 * chance(20 + i))
-        slab(paint("figure " .. i + 1, hues[i + 1]), i % 2 == 0 and ellipse({cx, cz}, r, r, 24)
-            or rounded({cx - r, cz - 0.6 * r}, {cx + r, cz + 0.6 * r}, 0.01, 1), 0, 0.0008 * (i + 1), 0)
-      end
-      return
-    end
-    slab(paint("sun", rgb(0xE3B061)), ellipse({-0.4 * wide, 0.42 * high}, 0.18 * min(wide, high),
-        0.18 * min(wide, high), 20), 0, 0.0008, 0)
-    for layer = 0, 2 do
-      local hills = {{-wide, -high}, {wide, -high}}
-      for i = 0, 10 do
-        local t = 1 - 0.2 * i
-        push(hills, {wide * t, high * (0.16 - 0.34 * layer + 0.16 * sin(2.2 * t * (1 + layer) + 6 * chance(layer)))})
-      end
-      slab(paint(layer == 0 and "hills far" or layer == 1 and "hills" or "hills near",
-          blend(pale, deep, 0.33 * (layer + 1))), hills, 0, 0.0012 * (layer + 1), 0)
-    end
-  end)
-end
-
-function mesh.picture()
-  local rail = min(0.045, 0.08 * min(w, h))
-  if says("tapestry") then
-    bar("hard", {-w / 2, 0, 0.97 * h}, {w / 2, 0, 0.97 * h}, min(0.02, 0.4 * d), 10)
-    box("soft", {-0.46 * w, -0.2 * d, 0.06 * h}, {0.46 * w, 0.1 * d, 0.98 * h}, 0.002)
-    for z in each{0.16, 0.44, 0.72} do
-      box(z == 0.44 and "pale" or "accent", {-0.44 * w, 0.05 * d, z * h}, {0.44 * w, 0.2 * d, (z + 0.12) * h}, 0)
-    end
-    for i = 0, 15 do
-      local x = w * (-0.45 + 0.06 * i)
-      box("pale", {x - 0.01 * w, -0.1 * d, 0}, {x + 0.01 * w, 0.05 * d, 0.07 * h}, 0)
-    end
-    return
-  end
-  local standing = says("photo") or d > 0.4 * h
-  frame_rails(says("gold", "ornate") and "metal" or "hard", rail)
-  box(says("canvas") and "pale" or "paper", {-w / 2 + 0.8 * rail, -d / 2, 0.8 * rail},
-      {w / 2 - 0.8 * rail, 0.1 * d, h - 0.8 * rail}, 0)
-  local mount = says("canvas") and 1 or 1.9
-  local x, z = w / 2 - mount * rail, h / 2 - mount * rail
-  if min(x, z) < 0.004 then return end
-  box(paint("sky", blend(style_colour(), {0.72, 0.76, 0.78}, 0.75)), {-x, 0, h / 2 - z}, {x, 0.12 * d, h / 2 + z}, 0)
-  motif(x, z, 0.12 * d, says("abstract", "modern") or not standing and chance(1) < 0.4)
-end
-
-function plan.picture()
-  area(whole, "body", "outline")
-  segment({0.94 * left, 0.4 * front}, {0.94 * right, 0.4 * front}, "faint")
-end
-
 function mesh.mirror()
   local rounding = says("round", "oval", "circular")
   -- stands by itself, tilted in a frame
@@ -85,7 +11,7 @@ function mesh.mirror()
       box("hard", {side * w / 2, -leg, leg}, {side * (w / 2 - 2 * leg), leg, 0.62 * h}, 0.004)
     end
     inside(turned_x({0, 0, 0.55 * h}, 0.08), function()
-      inside(on_wall(vec(0, 0, 0)), function()
+      inside(facing_front(vec(0, 0, 0)), function()
         slab("hard", ellipse({}, w / 2 - 2.6 * leg, 0.45 * h, 36), -leg, leg, 0.005)
         slab("mirror", ellipse({}, w / 2 - 4.6 * leg, 0.45 * h - 2 * leg, 36), 0, leg + 0.002, 0)
       end)
@@ -94,7 +20,7 @@ function mesh.mirror()
   end
   local rail = min(0.04, 0.08 * min(w, h))
   if rounding then
-    inside(on_wall(vec(0, 0, h / 2)), function()
+    inside(facing_front(vec(0, 0, h / 2)), function()
       slab("hard", ellipse({}, w / 2, h / 2, 44), -d / 2, d / 2, 0.006)
       slab("mirror", ellipse({}, w / 2 - rail, h / 2 - rail, 44), 0, d / 2 + 0.001, 0)
     end)
@@ -116,7 +42,7 @@ end
 
 function mesh.clock()
   local function face(centre, r, thick)
-    inside(on_wall(centre), function()
+    inside(facing_front(centre), function()
       lathe("hard", {0, 0, -thick}, {{r, 0}, {r, 0.8 * thick}, {0.94 * r, thick}, {0.88 * r, 0.75 * thick}}, 36)
       cylinder("paper", {0, 0, -thick}, 0.9 * r, 0.8 * thick, 0, 32)
       for i = 0, 11 do
@@ -140,12 +66,12 @@ function mesh.clock()
     box("hard", {-x, -d / 2, 0}, {x, d / 2, 0.22 * h}, 0.008)
     box("hard", {-0.74 * x, -d / 2, 0.21 * h}, {0.74 * x, 0.4 * d, hood}, 0.006)
     box("hard", {-x, -d / 2, hood}, {x, 0.44 * d, 0.94 * h}, 0.008)
-    inside(on_wall(vec(0, -d / 2, 0.93 * h)), function()
+    inside(facing_front(vec(0, -d / 2, 0.93 * h)), function()
       slab("hard", arc({}, x, 0.07 * h, 0, pi, 12), 0, 0.94 * d, 0.006)
     end)
     box("dark screen", {-0.5 * x, 0.39 * d, 0.27 * h}, {0.5 * x, 0.41 * d, hood - 0.04 * h}, 0)
     bar("metal", {0, 0.42 * d, 0.38 * h}, {0, 0.42 * d, hood - 0.05 * h}, 0.006, 6)
-    inside(on_wall(vec(0, 0.41 * d, 0.37 * h)), function()
+    inside(facing_front(vec(0, 0.41 * d, 0.37 * h)), function()
       cylinder("metal", {}, 0.34 * x, 0.03 * d, 0.003, 24)
     end)
     face(vec(0, 0.5 * d, 0.84 * h), min(0.8 * x, 0.09 * h), 0.06 * d)
@@ -163,15 +89,25 @@ end
 
 function mesh.board()
   local rail = min(0.03, 0.06 * min(w, h))
-  local white, dark = says("white", "whiteboard", "calendar"), says("blackboard", "chalkboard")
+  local white, dark = says("white", "whiteboard", "calendar", "projector", "projection"), says("blackboard",
+      "chalkboard")
   frame_rails("hard", rail)
   box(white and "white glaze" or dark and "slate board" or "cork", {-w / 2 + 0.8 * rail, -d / 2, 0.8 * rail},
       {w / 2 - 0.8 * rail, 0.1 * d, h - 0.8 * rail}, 0)
+  if white or dark then
+    -- a few lines, written at the left
+    for i = 0, says("projector", "projection") and -1 or 3 do
+      local z = h * (0.82 - 0.1 * i)
+      box(dark and "paper" or cover(1), {w * (0.42 - 0.1 * chance(i) - 0.2), 0.1 * d, z}, {0.42 * w, 0.11 * d,
+          z + 0.012}, 0)
+    end
+    return
+  end
   -- notes
   for i = 0, 5 do
     local x, z = w * (0.72 * chance(i) - 0.36), h * (0.2 + 0.55 * chance(10 + i))
     local s = 0.09 * min(w, h) * (1 + chance(20 + i))
-    inside(on_wall(vec(x, 0.1 * d, z)), function()
+    inside(facing_front(vec(x, 0.1 * d, z)), function()
       inside(turned_z({}, 0.3 * (chance(30 + i) - 0.5)), function()
         box(i % 3 == 0 and cover(i) or "paper", {-s, -s, 0}, {s, 1.2 * s, 0.0012 * (i + 1)}, 0)
       end)

@@ -126,10 +126,10 @@ function mesh.daybed()
 end
 
 function plan.daybed()
-  area(whole, "body", "outline", 0.05)
+  area(whole, "hard", "outline", 0.05)
   local frame = min(0.08, 0.1 * d)
   local mattress = rect(left + frame, back + frame, right - frame, front)
-  area(mattress, "light", "detail", 0.05)
+  area(mattress, "soft", "detail", 0.05)
   local cushion = min(0.42, 0.25 * w)
   for x in each{mattress.x0 + 0.03, mattress.x1 - 0.03 - cushion} do
     area({x, mattress.y0 + 0.03, x + cushion, mattress.y0 + 0.03 + 0.45 * cushion}, "pale", "detail", 0.07)
@@ -183,4 +183,32 @@ function mesh.bean_bag()
     return vec(r * wrinkle * w * cos(turn), (r * wrinkle * sin(turn) - 0.16 * v * v) * d, (v - sat) * 0.94 * h)
   end, 0.02 * smaller)
   ellipsoid("accent", {0, -0.16 * d, 0.95 * h}, {0.05 * w, 0.05 * d, 0.05 * h}, 12, 6)
+end
+
+-- A sofa along the back, a long seat down the left side of its box.
+function mesh.corner_sofa()
+  local all, deep, wide = d, min(0.95, 0.6 * d), min(0.9, 0.4 * w)
+  d = deep
+  inside({{0, (deep - all) / 2, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, mesh.sofa)
+  d = all
+  local s = shape_of()
+  box("soft", {-w / 2, -d / 2, s.base}, {wide - w / 2, d / 2, 0.65 * s.seat}, 0.03)
+  cushion("soft", {s.arm - w / 2, deep - d / 2 - 0.05, 0.6 * s.seat}, {wide - w / 2, d / 2, s.seat}, 0.045, 0.012)
+  cushion("soft", {-w / 2, -d / 2, s.base}, {s.arm - w / 2, d / 2, s.arm_height}, 0.05)
+end
+
+function plan.corner_sofa()
+  local deep, wide, arm, backrest = min(0.95, 0.6 * d), min(0.9, 0.4 * w), min(0.2, 0.1 * w), min(0.24, 0.2 * d)
+  shape({{left, back}, {right, back}, {right, back + deep}, {left + wide, back + deep}, {left + wide, front}, {left,
+      front}},
+      "dark")
+  area({left + arm, back + backrest, left + wide, front - 0.02}, "light", "detail", 0.06)
+  local cushions = max(1, round((w - wide - arm) / 0.7))
+  for i = 0, cushions - 1 do
+    local x0, pitch = left + wide + (w - wide - arm) * i / cushions, (w - wide - arm) / cushions
+    area({x0, back + backrest, x0 + pitch, back + deep - 0.02}, "light", "detail", 0.06)
+  end
+  area({left, back, right, back + backrest}, "body", "detail", 0.07)
+  area({left, back, left + arm, front}, "body", "detail", 0.07)
+  area({right - arm, back, right, back + deep}, "body", "detail", 0.07)
 end

@@ -60,7 +60,7 @@ function plan.treadmill()
   end
 end
 
-function mesh.exercise_bike()
+local function bike()
   local r, pipe, strip = min(0.24 * d, 0.26 * h), min(0.03, 0.08 * w), 0.9 * h
   local cycle = says("bicycle") or says("bike") and not says("exercise") and not says("stationary")
       and not says("spin")
@@ -115,6 +115,8 @@ function mesh.exercise_bike()
   end
 end
 
+function mesh.exercise_bike() lengthwise(bike) end
+
 function plan.exercise_bike()
   for y in each{back + 0.05 * d, front - 0.05 * d} do
     area({0.85 * left, y - 0.035 * d, 0.85 * right, y + 0.035 * d}, "dark", "detail", 0.02)
@@ -128,10 +130,9 @@ function plan.exercise_bike()
 end
 
 function mesh.rowing_machine()
-  local lengthwise = d >= w
-  local length, width = lengthwise and d or w, lengthwise and w or d
-  local r, pipe = min(0.42 * h, 0.14 * length), min(0.035, 0.08 * width)
-  inside(lengthwise and {} or quarter_turn(), function()
+  lengthwise(function()
+    local length, width = d, w
+    local r, pipe = min(0.42 * h, 0.14 * length), min(0.035, 0.08 * width)
     local y = -0.5 * length + r
     inside(facing_right({0, y, h - r}), function()
       cylinder("hard", {0, 0, -0.24 * width}, r, 0.48 * width, 0.02, 28)

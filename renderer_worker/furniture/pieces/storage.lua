@@ -280,7 +280,7 @@ function mesh.shelf()
     return
   end
   local rows = clamp(round(h / 0.38), 2, 7)
-  local shoes, wine = says("shoe"), says("wine")
+  local shoes, wine = says("shoe", "boot"), says("wine")
   for x in each{-1, 1} do
     for y in each{-1, 1} do
       box("hard", {x * (w / 2 - post) - post, y * (d / 2 - post) - post, 0},

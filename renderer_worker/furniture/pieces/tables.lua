@@ -287,3 +287,47 @@ function plan.pool_table()
     circle({0, y}, 0.42 * rail, "deep")
   end
 end
+
+function mesh.table_tennis()
+  local all, net = h, w >= d and vec(0.004, d / 2) or vec(w / 2, 0.004)
+  h = 0.84 * h
+  four_legs(leg_half(0.03), true)
+  slab("white glaze", rounded({-w / 2, -d / 2}, {w / 2, d / 2}, 0.01), h, h + 0.002, 0)
+  slab("soft", rounded({0.02 - w / 2, 0.02 - d / 2}, {w / 2 - 0.02, d / 2 - 0.02}, 0.01), h, h + 0.004, 0)
+  box("white glaze", {-(w >= d and w / 2 or 0.002), -(w >= d and 0.002 or d / 2), h}, {w >= d and w / 2 or 0.002,
+      w >= d and 0.002 or d / 2, h + 0.005}, 0)
+  box("black plastic", -net, {net[1], net[2], all}, 0)
+  h = all
+end
+
+function plan.table_tennis()
+  area(whole, "soft")
+  area(grown(whole, -0.03), "none", "detail")
+  if w >= d then
+    segment({left, 0}, {right, 0}, "faint")
+    segment({0, back}, {0, front}, "outline")
+  else
+    segment({0, back}, {0, front}, "faint")
+    segment({left, 0}, {right, 0}, "outline")
+  end
+end
+
+-- A top in the corner of a room: along the back and down the left side of its box.
+function mesh.corner_desk()
+  local thick, leg, deep = top_thickness(), leg_half(0.024), min(0.7, 0.55 * d)
+  slab("hard", {{-w / 2, -d / 2}, {w / 2, -d / 2}, {w / 2, deep - d / 2}, {deep - w / 2, deep - d / 2}, {deep - w / 2,
+      d / 2},
+      {-w / 2, d / 2}}, h - thick, h, 0.005)
+  for at in each{vec(-0.48 * w, -0.48 * d), vec(0.48 * w, -0.48 * d), vec(0.48 * w, deep - 0.53 * d), vec(-0.48 * w,
+      0.48 * d),
+      vec(deep - 0.53 * w, 0.48 * d)} do
+    box("metal", {at[1] - leg, at[2] - leg, 0}, {at[1] + leg, at[2] + leg, h - thick}, 0.003)
+  end
+end
+
+function plan.corner_desk()
+  local deep = min(0.7, 0.55 * d)
+  shape({{left, back}, {right, back}, {right, back + deep}, {left + deep, back + deep}, {left + deep, front}, {left,
+      front}},
+      "light")
+end

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "renderer_worker/furniture/surfaces.h"
+
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
-#include <string>
 #include <string_view>
 #include <utility>
 
 #include "renderer_worker/furniture/classes.h"
-#include "renderer_worker/scene/shell.h"
 
 namespace flair::renderer {
 namespace {
@@ -18,8 +19,10 @@ std::string Lower(std::string_view text) {
   return lower;
 }
 
-bool HasAny(const std::string& text, std::initializer_list<std::string_view> words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return text.find(w) != std::string::npos; });
+template <typename List>
+bool HasAny(const std::string& text, const List& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const auto& word) { return text.find(word) != std::string::npos; });
 }
 
 float Channel(int value) {
@@ -35,10 +38,8 @@ void ApplyFinish(const Finishes& finishes, const v1::SurfaceStyle& surface, Mate
   material.pattern = Pattern::kPlain;
   material.second_colour = material.colour;
   if (!surface.material().empty()) material.name = surface.material();
-  const auto finish = std::find_if(finishes.begin(), finishes.end(), [&](const SurfaceFinish& each) {
-    return std::any_of(each.words().begin(), each.words().end(),
-                       [&](const std::string& word) { return words.find(word) != std::string::npos; });
-  });
+  const auto finish = std::find_if(finishes.begin(), finishes.end(),
+                                   [&](const SurfaceFinish& each) { return HasAny(words, each.words()); });
   if (finish == finishes.end()) return;
   material.pattern = static_cast<Pattern>(finish->pattern());
   material.roughness = finish->roughness();
@@ -68,12 +69,14 @@ Vec3 LinearOf(const v1::Colour& colour) {
   return Reflectable({Channel(colour.red()), Channel(colour.green()), Channel(colour.blue())});
 }
 
-ShellMaterials ShellMaterialsOf(const v1::StyleSheet& style) {
+ShellMaterials ShellMaterialsOf(const v1::LayoutGraph& graph) {
+  const v1::StyleSheet& style = graph.style_sheet();
   ShellMaterials m;
-  m.floor = Plain("oak boards", {0.48F, 0.31F, 0.17F}, 0.42F);
-  m.floor.pattern = Pattern::kPlanks;
-  m.floor.second_colour = m.floor.colour * 0.5F;
-  m.floor.pattern_size_m = 0.14F;
+  const bool wet = HasAny(Lower(graph.room().room_type()), Furniture().wet_room());
+  m.floor = Plain("floor", wet ? Vec3{0.60F, 0.58F, 0.55F} : Vec3{0.48F, 0.31F, 0.17F}, 0.42F);
+  v1::SurfaceStyle usual;
+  usual.set_material(wet ? "ceramic tiles" : "oak boards");
+  ApplyFinish(Furniture().floor(), usual, m.floor);
   m.wall = Plain("white paint", {0.82F, 0.80F, 0.76F}, 0.9F);
   m.ceiling = Plain("ceiling paint", {0.85F, 0.85F, 0.84F}, 0.95F);
   bool own_ceiling = false;
@@ -85,7 +88,7 @@ ShellMaterials ShellMaterialsOf(const v1::StyleSheet& style) {
     own_ceiling = true;
   }
   m.outside = Plain("outer plaster", {0.78F, 0.77F, 0.75F}, 0.95F);
-  m.section = Plain("section", {0.80F, 0.79F, 0.77F}, 0.95F);
+  m.section = Plain("section", {0.085F, 0.078F, 0.072F}, 0.95F);  // as in plans
   // A ceiling without a style is white, and takes some of the colour of dark walls: white above them would glare.
   const float light = std::max({m.wall.colour.x, m.wall.colour.y, m.wall.colour.z});
   const float dark = 0.8F * std::clamp(1 - light / kDarkWall, 0.0F, 1.0F);
@@ -107,12 +110,13 @@ Material OpeningMaterialOf(const v1::StyleSheet& style, const std::string& id, c
     material.name = object.material().empty() ? id : object.material();
     if (object.has_colour()) material.colour = LinearOf(object.colour());
     const std::string words = Lower(object.material());
-    if (HasAny(words, {"wood", "oak", "walnut", "pine", "mahogany", "timber", "teak"})) {
+    if (HasAny(words, std::array{"wood", "oak", "walnut", "pine", "mahogany", "timber", "teak"})) {
       material.pattern = Pattern::kWood;
       material.second_colour = material.colour * 0.65F;
       material.pattern_size_m = 0.1F;
     }
-    if (HasAny(words, {"metal", "steel", "iron", "aluminium"})) material.metallic = 0.6F, material.roughness = 0.45F;
+    if (HasAny(words, std::array{"metal", "steel", "iron", "aluminium"}))
+      material.metallic = 0.6F, material.roughness = 0.45F;
     return material;
   }
   return fallback;
