@@ -159,8 +159,7 @@ class Measurer {
       if (At(prism.object).kind != ObjectKind::kWall || covered_m <= kTouch_m) continue;
       const double depth_m = AddOverlap(covered_m * At(prism.object).footprint.depth_m, covered_m, up_m);
       Tell(v1::FINDING_KIND_COVERS_OPENING, prism.object, opening.id, depth_m,
-           fmt::format("{} hangs {:.2f} m before {}", Name(prism.object), covered_m,
-                       NameForPeople(scene_.room, opening)));
+           fmt::format("{} covers {:.2f} m of {}", Name(prism.object), covered_m, NameForPeople(scene_.room, opening)));
     }
   }
 
@@ -182,27 +181,29 @@ class Measurer {
     const double amount_m = beside ? out_m : above_m;
     result_.deepest_m = std::max(result_.deepest_m, amount_m);
     Tell(v1::FINDING_KIND_OUTSIDE, prism.object, "", amount_m,
-         fmt::format("{} reaches {:.2f} m {}", Name(prism.object), amount_m,
-                     beside ? "out of the room" : "above the ceiling"));
+         fmt::format("{:.2f} m of {} is {}", amount_m, Name(prism.object),
+                     beside ? "outside the room" : "above the ceiling"));
   }
 
-  void Unsupported(const Prism& prism, int partner, double amount_m, const std::string& what) {
+  void Unsupported(const Prism& prism, int partner, double amount_m, std::string message) {
     ++result_.unsupported_count;
-    Tell(v1::FINDING_KIND_UNSUPPORTED, prism.object, partner < 0 ? "" : At(partner).id, amount_m,
-         fmt::format("{} {}", Name(prism.object), what));
+    Tell(v1::FINDING_KIND_UNSUPPORTED, prism.object, partner < 0 ? "" : At(partner).id, amount_m, std::move(message));
   }
 
   void CheckSupport(const Prism& prism) {
     const Object& object = At(prism.object);
     if (object.kind == ObjectKind::kWall) {
       const double off_m = OffWalls(prism);
-      if (off_m > kOffWall_m) Unsupported(prism, -1, off_m, fmt::format("hangs {:.2f} m off the walls", off_m));
+      const std::string gap =
+          fmt::format("between {} and the walls there is a gap of {:.2f} m", Name(prism.object), off_m);
+      if (off_m > kOffWall_m) Unsupported(prism, -1, off_m, gap);
     } else if (object.kind == ObjectKind::kSurface && prism.carrier >= 0) {
       CheckOnTop(prism);
     } else if (object.kind != ObjectKind::kCeiling && prism.low_m > kTouchUp_m) {
-      Unsupported(prism, -1, prism.low_m, fmt::format("stands on nothing, {:.2f} m above the floor", prism.low_m));
+      Unsupported(prism, -1, prism.low_m,
+                  fmt::format("nothing carries {}, {:.2f} m above the floor", Name(prism.object), prism.low_m));
     } else if (object.kind == ObjectKind::kSurface) {
-      Unsupported(prism, -1, 0, "stands on the floor, not on a piece");
+      Unsupported(prism, -1, 0, fmt::format("no piece carries {}, on the floor", Name(prism.object)));
     }
   }
 
@@ -234,11 +235,13 @@ class Measurer {
       for (const Vec2<double>& corner : prism.corners) consider(corner);
     }
     if (over_m > kOverEdge_m) {
-      Unsupported(prism, prism.carrier, over_m,
-                  fmt::format("reaches {:.2f} m over the edge of {}", over_m, Name(prism.carrier)));
+      Unsupported(
+          prism, prism.carrier, over_m,
+          fmt::format("{:.2f} m of {} is over the edge of {}", over_m, Name(prism.object), Name(prism.carrier)));
     } else if (const double sunk_m = SunkIn(prism, top, frame); sunk_m > kOverEdge_m) {
-      Unsupported(prism, prism.carrier, sunk_m,
-                  fmt::format("stands {:.2f} m over the opening of {}", sunk_m, Name(prism.carrier)));
+      Unsupported(
+          prism, prism.carrier, sunk_m,
+          fmt::format("{:.2f} m of {} is over the opening of {}", sunk_m, Name(prism.object), Name(prism.carrier)));
     }
   }
 
@@ -266,7 +269,7 @@ class Measurer {
     }
     if (free_m2 <= least_m2) return;
     Tell(v1::FINDING_KIND_HEADROOM, prism.object, "", kHeadroom_m - prism.low_m,
-         fmt::format("{} hangs {:.2f} m above free floor, where a person needs {:.2f} m", Name(prism.object),
+         fmt::format("under {} there is {:.2f} m above free floor; a person needs {:.2f} m", Name(prism.object),
                      prism.low_m, kHeadroom_m));
   }
 

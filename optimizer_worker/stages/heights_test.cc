@@ -164,6 +164,37 @@ TEST(Heights, TheOnlyFreeStretchOfWallIsFound) {
   EXPECT_NEAR(PlacementOf(layout, "picture").y_m(), 3 - 0.025, 1e-6);
 }
 
+// What belongs to a shelf and is asked to lie like something on a table that is turned the other way.
+TEST(Heights, ThingsTurnSoThatTheyDoNotHangOver) {
+  const v1::LayoutGraph graph =
+      Parse(Rooms()[0] + "object_list {" + PieceText({"shelf", "FLOOR", 0.8, 0.3, 0.9}) +
+            PieceText({"table", "FLOOR", 1.2, 0.6, 0.75}) +
+            R"(objects { id: "books" name: "books" role: OBJECT_ROLE_TERTIARY kind: OBJECT_KIND_SURFACE zone_id: "all"
+                   host_id: "shelf" width_m: 0.5 depth_m: 0.25 height_m: 0.2 } }
+         pinned_placements { object_id: "shelf" x_m: 2 y_m: 0.15 theta_rad: 0 }
+         pinned_placements { object_id: "table" x_m: 0.3 y_m: 1.8 theta_rad: 4.71238898 })" +
+            EdgeText("e1", "on_top_center", Text("object", "books") + Text("host", "table")));
+  absl::StatusOr<SolveResult> result = SolveLayout(graph, {}, NloptSolver());
+  ASSERT_TRUE(result.ok()) << result.status();
+  const v1::LayoutMetrics& metrics = result->layout.metrics();
+  EXPECT_EQ(metrics.unsupported_count(), 0) << metrics.ShortDebugString();
+  EXPECT_EQ(metrics.oor_3d_percent(), 0);
+}
+
+// The door's leaf comes to stand 0.1 m before the wall at x = 0, up to y = 0.8: the middle above the board is no place.
+TEST(Heights, NothingHangsWhereADoorsLeafComesTo) {
+  for (const std::string& room : Rooms()) {
+    const v1::LayoutGraph graph =
+        Parse(room + "object_list {" + PieceText({"board", "FLOOR", 0.5, 0.1, 0.5}) +
+              PieceText({"shelf", "WALL", 0.6, 0.2, 0.3, 1.5}) + "}" +
+              "pinned_placements { object_id: \"board\" x_m: 0.05 y_m: 0.9 theta_rad: 4.71238898 }" +
+              EdgeText("e1", "on_wall_above", Text("object", "shelf") + Text("target", "board")));
+    absl::StatusOr<SolveResult> result = SolveLayout(graph, {}, NloptSolver());
+    ASSERT_TRUE(result.ok()) << result.status();
+    EXPECT_EQ(result->layout.metrics().findings_size(), 0) << result->layout.metrics().ShortDebugString();
+  }
+}
+
 TEST(Heights, APictureWithoutAnyFreeStretchIsNamed) {
   const v1::SolvedLayout layout = AmongWardrobes(0.9, 1.0);
   ASSERT_EQ(layout.diagnostics_size(), 1) << PlacementOf(layout, "picture").ShortDebugString();

@@ -93,7 +93,27 @@ void PutInRoom(const KeepOut& keep_out, const Footprint& footprint, Pose<double>
   }
 }
 
+// Turned along the top's sides where it hangs over as it is and would not so.
+void TurnToFit(const Footprint& top, const Pose<double>& host, const Footprint& footprint, Pose<double>& pose) {
+  const auto hangs_over = [&](const Pose<double>& at) {
+    const Vec2<double> front = FrameOf(host).ToObject(Center(host) + FrameOf(at).front);
+    const double along = std::abs(front.x), across = std::abs(front.y);
+    return std::max(across * footprint.width_m + along * footprint.depth_m - top.width_m,
+                    along * footprint.width_m + across * footprint.depth_m - top.depth_m) > kMargin_m;
+  };
+  if (!hangs_over(pose)) return;
+  const double quarter = kPi / 2;
+  const double nearest = std::round((pose.theta_rad - host.theta_rad) / quarter);
+  for (const double turns : {nearest, nearest + 1}) {
+    const Pose<double> turned{pose.x_m, pose.y_m, WrapHeading(host.theta_rad + turns * quarter)};
+    if (hangs_over(turned)) continue;
+    pose = turned;
+    return;
+  }
+}
+
 void PutOnTop(const Footprint& top, const Pose<double>& host, const Footprint& footprint, Pose<double>& pose) {
+  TurnToFit(top, host, footprint, pose);
   const Frame<double> frame = FrameOf(host);
   Vec2<double> local = frame.ToObject(Center(pose));
   double reach_u = 0, reach_v = 0;
