@@ -106,6 +106,7 @@ class Changer {
   v1::Sentence Make(const Change& change, const std::string& text) {
     v1::Sentence made = *sentences_.at(change.from.front());
     made.set_text(words_.InWords(text));
+    made.clear_meaning();
     made.set_id(NewId(change.from.front()));
     made.clear_made_from_ids();
     for (const std::string& id : change.from) {

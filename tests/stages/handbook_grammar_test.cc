@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <set>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -49,18 +49,33 @@ v1::TranslateRequest Describe(const std::string& text) {
   return request;
 }
 
-// Every sentence becomes a constraint, without a remark: a remark says that a part was not understood, or that what it
-// names is not there.
+// The calls that the sentences of a request become. A remark says that a part was not understood, or that what it names
+// is not there.
+std::map<std::string, std::string> CallsOf(const v1::TranslateRequest& request) {
+  const v1::LayoutGraph graph = translator::Translate(request);
+  for (const v1::Diagnostic& remark : graph.diagnostics()) ADD_FAILURE() << remark.code() << ": " << remark.message();
+  std::map<std::string, std::string> calls;
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    std::string& call = calls[edge.sentence_id()];
+    call += edge.type();
+    for (const v1::Argument& argument : edge.arguments()) call += " " + argument.ShortDebugString();
+  }
+  return calls;
+}
+
+// Every sentence becomes constraints, without a remark: by its typed meaning, and by its text when somebody edits it.
 void ExpectUnderstood(const std::string& text) {
   SCOPED_TRACE(text);
-  const v1::TranslateRequest request = Describe(text);
-  const v1::LayoutGraph graph = translator::Translate(request);
-  EXPECT_GT(graph.edges_size(), 0);
-  for (const v1::Diagnostic& remark : graph.diagnostics()) ADD_FAILURE() << remark.code() << ": " << remark.message();
-  std::set<std::string> understood;
-  for (const v1::ConstraintEdge& edge : graph.edges()) understood.insert(edge.sentence_id());
+  v1::TranslateRequest request = Describe(text);
+  const std::map<std::string, std::string> typed = CallsOf(request);
+  for (v1::Sentence& sentence : *request.mutable_constraint_list()->mutable_sentences()) {
+    EXPECT_GT(sentence.meaning().facts_size(), 0) << sentence.text();
+    sentence.mutable_meaning()->set_text_digest(std::string(64, '0'));
+  }
+  const std::map<std::string, std::string> read = CallsOf(request);
   for (const v1::Sentence& sentence : request.constraint_list().sentences()) {
-    EXPECT_TRUE(understood.contains(sentence.id())) << sentence.text();
+    ASSERT_TRUE(typed.contains(sentence.id())) << sentence.text();
+    EXPECT_EQ(read.contains(sentence.id()) ? read.at(sentence.id()) : "", typed.at(sentence.id())) << sentence.text();
   }
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "english/frames/noun_phrases.h"
 #include "english/language.h"
 #include "english/words.h"
-#include "translator_worker/grammar/noun_phrases.h"
 #include "translator_worker/grammar/translate.h"
 
 namespace flair::translator {
@@ -53,7 +53,7 @@ bool Composer::PlacedIs(std::string_view kind, const Placed& placed) const {
     return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && subjects_.front().object != placed.object &&
            IsChair(placed) && !IsChair(subjects_.front());
   }
-  const std::string_view name = WithoutNumber(it.name());
+  const std::string_view name = english::WithoutNumber(it.name());
   const std::string last = english::Singular(name.substr(name.find_last_of(" _") + 1));
   const english::Language& language = english::Language::Get();
   // "Armchair", but not "workbench".
@@ -75,6 +75,15 @@ void Composer::SetPair(std::vector<Placed> movers, std::vector<Placed> targets) 
 void Composer::SetTopic(std::vector<Placed> topic) {
   if (topic.empty() || topic_.empty() || topic.front().object != topic_.front().object) earlier_topic_ = topic_;
   topic_ = std::move(topic);
+}
+
+void Composer::SpeakOf(const Mention& mention) {
+  if (mention.references.front().kind != RefKind::kObjects) return;
+  // What a thing on a table or wall is about is its heading: "Desk organizer: on the shelf".
+  if (scope() == v1::SENTENCE_SCOPE_TERTIARY && !subjects_.empty()) return;
+  std::vector<Placed> movers = Movers(&mention);
+  for (Placed& placed : movers) placed.side.clear();
+  if (!movers.empty()) SetTopic(std::move(movers));
 }
 
 void Composer::Refuse(std::string_view code, const std::string& message) {

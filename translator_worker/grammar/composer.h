@@ -7,15 +7,25 @@
 #include <string_view>
 #include <vector>
 
+#include "english/frames/frames.h"
 #include "flair/v1/constraint_list.pb.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/translator_service.pb.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/call.h"
 #include "translator_worker/grammar/scene_names.h"
-#include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
+
+using english::Length;
+using english::Match;
+using english::Mention;
+using english::Reference;
+using english::RefKind;
+
+class Composer;
+// Makes the calls of one fact. `detail` is the frame's own, for meanings that serve several.
+using Builder = void (*)(const Match& match, std::string_view detail, Composer& composer);
 
 // An object with the side of it that was named (a side word of the lexicon, empty when none).
 struct Placed {
@@ -87,6 +97,8 @@ class Composer {
 
   // What was spoken of last: the default mover, and the partner that "them" and a bare distance refer to.
   void SetTopic(std::vector<Placed> topic);
+  // Objects that are named as movers are spoken of from then on.
+  void SpeakOf(const Mention& mention);
   void SetPair(std::vector<Placed> movers, std::vector<Placed> targets);
   const std::vector<Placed>& topic() const { return topic_; }
   const std::vector<Placed>& pair_movers() const { return pair_movers_; }

@@ -22,16 +22,18 @@ void KeepWhere(std::vector<int>& objects, Wanted&& wanted, size_t least = 1) {
 
 std::vector<int> Composer::Choose(const Reference& reference, const std::vector<Placed>& movers) {
   std::vector<int> candidates = reference.candidates;
+  if (reference.chosen) return candidates;
   const bool any = reference.any && !movers.empty();
   // "One lamp on the nightstand" under a heading of one. "The second lamp" counts all lamps, also under its own
   // heading.
   if (scope() == v1::SENTENCE_SCOPE_TERTIARY && movers.empty()) {
     std::vector<int> named = candidates;
     KeepSubjects(named);
-    const bool counts_further = reference.ordinal != kLast && reference.ordinal > static_cast<int>(named.size());
+    const bool counts_further =
+        reference.ordinal != english::kLast && reference.ordinal > static_cast<int>(named.size());
     if (named.size() < candidates.size() && !counts_further) candidates = named;
   }
-  if (reference.ordinal == kLast && !any && !candidates.empty()) return {candidates.back()};
+  if (reference.ordinal == english::kLast && !any && !candidates.empty()) return {candidates.back()};
   if (reference.ordinal > 0 && !any) {
     if (reference.ordinal <= static_cast<int>(candidates.size())) return {candidates[reference.ordinal - 1]};
     Refuse("names_absent_object",

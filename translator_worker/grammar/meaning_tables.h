@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "flair/english/v1/language.pb.h"
-#include "translator_worker/grammar/frames.h"
+#include "translator_worker/grammar/composer.h"
 
 namespace flair::translator {
 

@@ -370,7 +370,7 @@ void MakeCalls(std::string_view meaning, const Match& match, std::string_view de
 }
 
 void MakeCallsOf(std::string_view meaning, const std::vector<Placed>& movers, const Target& target,
-                 const Distance* distance, Composer& composer) {
+                 const Length* distance, Composer& composer) {
   Match match;
   match.distance = distance;
   const auto table = Tables().find(meaning);

@@ -29,8 +29,8 @@
 #include <string_view>
 #include <vector>
 
+#include "english/frames/frames.h"
 #include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/frames.h"
 
 namespace flair::translator {
 
@@ -39,7 +39,7 @@ void MakeCalls(std::string_view meaning, const Match& match, std::string_view de
 
 // Makes the calls of the meaning's pairs, of these movers and that target, at that distance unless it is null.
 void MakeCallsOf(std::string_view meaning, const std::vector<Placed>& movers, const Target& target,
-                 const Distance* distance, Composer& composer);
+                 const Length* distance, Composer& composer);
 
 // Meanings that frames or other meanings name and that are neither in the data nor procedures.
 std::vector<std::string> UnknownMeanings();

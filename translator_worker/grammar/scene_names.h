@@ -5,13 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "english/frames/term.h"
 #include "english/text.h"
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "flair/v1/zone_plan.pb.h"
-#include "translator_worker/grammar/term.h"
 
 namespace flair::translator {
+
+using english::IsOneOf;
+using english::Lexicon;
+using english::Phrase;
+using english::RefKind;
+using english::Token;
 
 // Which objects a name means first. Small things on tables, walls and ceilings are chosen after the sentences about
 // floor objects are written: "the TV" there is the TV stand.
@@ -20,21 +26,12 @@ enum class NamedObjects { kAll, kFloorFirst };
 // Finds the room's own objects, zones and walls in a sentence, by full name, by id, by the end of the name ("cauldron"
 // for "large cauldron"), by number ("chair 2"), by zone ("the reading chair") or by a synonym. Furniture that the room
 // lacks is found as absent. Borrows its arguments.
-class SceneNames {
+class SceneNames : public english::Names {
  public:
   SceneNames(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
              NamedObjects named = NamedObjects::kAll);
 
-  struct Found {
-    Reference reference;
-    // Tokens covered; 0 when nothing was found.
-    size_t length = 0;
-    // The whole name of an object, not a part or a synonym.
-    bool full = false;
-  };
-
-  // The longest name that begins at tokens[at].
-  Found Find(const std::vector<Token>& tokens, size_t at) const;
+  Found Find(const std::vector<Token>& tokens, size_t at) const override;
 
   // Index of the zone's main object: its first primary, else its first object; -1 when it has none.
   int MainObject(const std::string& zone_id) const;

@@ -8,15 +8,20 @@
 #include <utility>
 
 #include "absl/strings/str_join.h"
+#include "english/frames/frames.h"
+#include "english/frames/term.h"
 #include "fmt/format.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/frames.h"
 #include "translator_worker/grammar/meanings.h"
 #include "translator_worker/grammar/scene_names.h"
-#include "translator_worker/grammar/term.h"
+#include "translator_worker/grammar/typed_facts.h"
 
 namespace flair::translator {
+
+using english::Analysis;
+using english::FrameBook;
+using english::Term;
 
 namespace {
 
@@ -96,7 +101,7 @@ class Walk {
     if (denied_) {
       composer_.Refuse("unknown_sentence", "this relation cannot be denied; say what shall hold instead");
     } else if (!alternative) {
-      if (hit.match.a != nullptr) TakeTopic(*hit.match.a);
+      if (hit.match.a != nullptr) composer_.SpeakOf(*hit.match.a);
       composer_.BeginFact();
       MakeCalls(hit.meaning, hit.match, hit.detail, composer_);
     }
@@ -158,16 +163,6 @@ class Walk {
     return terms_[at_ + 1].IsOwnSide() && terms_[at_ + 2].IsAnyWord({"against", "next_to"});
   }
 
-  // Objects that are named as movers are spoken of from then on.
-  void TakeTopic(const Mention& mention) {
-    if (mention.references.front().kind != RefKind::kObjects) return;
-    // What a thing on a table or wall is about is its heading: "Desk organizer: on the shelf".
-    if (composer_.scope() == v1::SENTENCE_SCOPE_TERTIARY && !composer_.subjects().empty()) return;
-    std::vector<Placed> movers = composer_.Movers(&mention);
-    for (Placed& placed : movers) placed.side.clear();
-    if (!movers.empty()) composer_.SetTopic(std::move(movers));
-  }
-
   void LeaveOver(const Term& term) {
     switch (term.kind) {
       case Term::Kind::kPurpose:
@@ -190,9 +185,9 @@ class Walk {
         if (in_reason_) break;
         if (at_ > 0 && terms_[at_ - 1].IsSoft("(") && term.IsOwnSide())
           composer_.CompleteSide(term.mention.references.front().side);
-        if (clause_begins_) TakeTopic(term.mention);
+        if (clause_begins_) composer_.SpeakOf(term.mention);
         if (term.mention.references.front().kind == RefKind::kObjects && composer_.topic().empty())
-          TakeTopic(term.mention);
+          composer_.SpeakOf(term.mention);
         unused_.push_back(&term.mention);
         clause_begins_ = false;
         break;
@@ -242,16 +237,15 @@ Analysis WithoutUnknown(const Analysis& analysis) {
 
 }  // namespace
 
-Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
-                              const v1::Sentence& sentence) {
-  Composer composer(request, names, catalog, sentence);
-  Analysis analysis = Analyse(sentence.text(), names);
+namespace {
+
+// Reads the text; says whether it is a wish.
+bool ReadText(const v1::Sentence& sentence, const SceneNames& names, Composer& composer) {
+  Analysis analysis = english::Analyse(sentence.text(), names);
   // "Installed to the right of the sink": only small things hang.
   if (sentence.scope() != v1::SENTENCE_SCOPE_TERTIARY) {
     std::erase_if(analysis.terms, [](const Term& term) { return term.IsWord("hanging"); });
   }
-  Translation result;
-  result.weight_factor = analysis.wish ? 0.5 : 1;
   if (!analysis.conditional) {
     Walk walk(analysis, composer, sentence.text(), false);
     walk.Run();
@@ -284,6 +278,29 @@ Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNa
   }
   if (analysis.conditional || analysis.partly_conditional)
     composer.Refuse("conditional", "what holds only under a condition cannot be asked for; say what shall hold");
+  return analysis.wish;
+}
+
+}  // namespace
+
+Translation TranslateSentence(const v1::TranslateRequest& request, const SceneNames& names, const CatalogIndex& catalog,
+                              const v1::Sentence& sentence) {
+  Composer composer(request, names, catalog, sentence);
+  bool is_wish = false;
+  const absl::StatusOr<std::vector<english::Fact>> facts = TypedFacts(request, sentence);
+  if (!facts.ok()) {
+    composer.Note("meaning_not_used", fmt::format("its typed meaning is left aside and the text read: {}",
+                                                  std::string(facts.status().message())));
+  }
+  for (const english::Fact& fact : facts.value_or(std::vector<english::Fact>{})) {
+    if (fact.a) composer.SpeakOf(*fact.a);
+    composer.BeginFact();
+    MakeCalls(fact.meaning, fact.AsMatch(), fact.detail, composer);
+    is_wish = sentence.meaning().facts(0).strength() == v1::FACT_STRENGTH_WISH;
+  }
+  if (composer.calls().empty() && composer.refusals().empty()) is_wish = ReadText(sentence, names, composer);
+  Translation result;
+  result.weight_factor = is_wish ? 0.5 : 1;
   result.calls = composer.calls();
   for (v1::Diagnostic refusal : composer.refusals()) {
     if (!result.calls.empty()) refusal.set_code("partial");

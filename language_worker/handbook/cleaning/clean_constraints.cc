@@ -91,6 +91,7 @@ class Cleaner {
     v1::Sentence to = from;
     to.set_id(NewId(from.id()));
     to.set_text(text);
+    to.clear_meaning();
     to.clear_made_from_ids();
     to.add_made_from_ids(from.id());
     return to;

@@ -25,26 +25,21 @@ namespace flair::language {
 
 namespace {
 
-using Fillings = std::map<std::string, std::string, std::less<>>;
-
 bool PlaceNames(const Place& place, std::string_view slot) {
   return place.asked->relation().text().find(slot) != std::string::npos;
 }
 
-std::string TheWall(const v1::Room& room, int wall) {
+// A wall as what "{wall}" stands for.
+Slot TheWall(const v1::Room& room, int wall) {
   const std::string& name = room.walls(wall).name();
-  return name.starts_with("wall") ? name : fmt::format("the {} wall", name);
+  v1::Participant participant;
+  participant.set_wall(name);
+  return {name.starts_with("wall") ? name : fmt::format("the {} wall", name), {participant}};
 }
 
 bool HasOpenings(const v1::Room& room, int wall) {
   return std::ranges::any_of(room.openings(),
                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
-}
-
-hb::Relation Filled(const Place& place, const Fillings& words) {
-  hb::Relation relation = place.asked->relation();
-  relation.set_text(Fill(relation.text(), words));
-  return relation;
 }
 
 // Writes what a brief says of the places of its pieces, for the walls and pieces that the room has. The arguments must
@@ -65,15 +60,15 @@ class PlaceWriter {
     }
     if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
     if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorner(place, subjects);
-    Fillings words;
+    Slots further;
     if (PlaceNames(place, "{wall}")) {
       const std::optional<int> wall = WallOf(room_, place.side);
       if (!wall && !place.side.empty()) return {};
-      words["wall"] = wall ? TheWall(room_, *wall) : "a wall";
+      further["wall"] = wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
     }
-    hb::Relation relation = Filled(place, words);
+    hb::Relation relation = place.asked->relation();
     if (place.target != nullptr) relation.add_targets(place.target->name());
-    return writer_.Write(relation, subjects);
+    return writer_.Write(relation, subjects, further);
   }
 
  private:
@@ -110,9 +105,9 @@ class PlaceWriter {
       const v1::Object* first = Neighbour(*place.target, *object, nullptr);
       const v1::Object* second = first == nullptr ? nullptr : Neighbour(*place.other, *object, first);
       if (second == nullptr) continue;
-      const hb::Relation relation =
-          Filled(place, {{"first", writer_.NameOf(*first)}, {"second", writer_.NameOf(*second)}});
-      v1::Sentence sentence = writer_.WriteOne(relation, {object}, {}, 0);
+      v1::Sentence sentence =
+          writer_.WriteOne(place.asked->relation(), {object}, {}, 0,
+                           {{"first", writer_.SlotOf({first})}, {"second", writer_.SlotOf({second})}});
       sentence.add_subject_ids(first->id());
       sentence.add_subject_ids(second->id());
       sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
@@ -130,11 +125,14 @@ class PlaceWriter {
     // the other one, along a wall that ends there the right side.
     const bool on_after = HasOpenings(room_, before) || !HasOpenings(room_, after);
     hb::Relation back = place.asked->relation(), side = back;
-    back.set_text(fmt::format("The {{object}}'s back is against {}.", TheWall(room_, on_after ? after : before)));
-    side.set_text(fmt::format("The {{object}}'s {} side is against {}.", on_after ? "left" : "right",
-                              TheWall(room_, on_after ? before : after)));
-    std::vector<v1::Sentence> sentences = writer_.Write(back, {group.front()});
-    for (v1::Sentence& sentence : writer_.Write(side, {group.front()})) sentences.push_back(std::move(sentence));
+    back.set_text("The {object}'s back is against {wall}.");
+    side.set_text(fmt::format("The {{object}}'s {} side is against {{wall}}.", on_after ? "left" : "right"));
+    std::vector<v1::Sentence> sentences =
+        writer_.Write(back, {group.front()}, {{"wall", TheWall(room_, on_after ? after : before)}});
+    for (v1::Sentence& sentence :
+         writer_.Write(side, {group.front()}, {{"wall", TheWall(room_, on_after ? before : after)}})) {
+      sentences.push_back(std::move(sentence));
+    }
     return sentences;
   }
 

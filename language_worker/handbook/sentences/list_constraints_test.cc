@@ -9,6 +9,7 @@
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/testing/test_handbook.h"
+#include "worker_runtime/files/files.h"
 
 namespace flair::language {
 namespace {
@@ -80,6 +81,31 @@ TEST(ListConstraints, TheThingsOnATopHaveTheirOwnSpots) {
       EXPECT_TRUE(free) << there->second << " and " << host->first << " both: " << sentence.text();
     }
   });
+}
+
+// tests/stages compares what is meant with what is read.
+TEST(ListConstraints, EverySentenceCarriesItsMeaning) {
+  ForEachDesign([](const Design& design) {
+    for (const v1::Sentence& sentence : design.constraints.sentences()) {
+      EXPECT_GT(sentence.meaning().facts_size(), 0) << sentence.text();
+      EXPECT_EQ(sentence.meaning().text_digest(), runtime::Sha256Hex(sentence.text())) << sentence.text();
+    }
+  });
+}
+
+TEST(ListConstraints, PlacesThatBriefsAskForCarryTheirMeaning) {
+  for (const char* text : {"A bedroom 4 x 5 m with the bed against the north wall.",
+                           "A study 4 x 4 m with the desk in the north east corner.",
+                           "A living room 5 x 6 m with a floor lamp between the sofa and the armchair.",
+                           "A study 4 x 5 m with a desk facing the door."}) {
+    int asked = 0;
+    const Design design = Ask(text, 0);
+    for (const v1::Sentence& sentence : design.constraints.sentences()) {
+      asked += sentence.origin() == v1::SENTENCE_ORIGIN_BRIEF;
+      EXPECT_GT(sentence.meaning().facts_size(), 0) << sentence.text();
+    }
+    EXPECT_GT(asked, 0) << text;
+  }
 }
 
 TEST(ListConstraints, VerbsFollowPluralNames) {

@@ -134,10 +134,11 @@ bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object&
   return false;
 }
 
-std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, const Group& group) const {
+std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, const Group& group,
+                                                const Slots& further) const {
   std::vector<v1::Sentence> sentences;
   if (!Applies(relation, group)) return sentences;
-  if (relation.pairing() == hb::PAIRING_TOGETHER) return WriteTogether(relation, group);
+  if (relation.pairing() == hb::PAIRING_TOGETHER) return WriteTogether(relation, group, further);
   if (relation.pairing() == hb::PAIRING_NEIGHBOUR) return WriteNeighbours(relation, group);
   if (relation.pairing() == hb::PAIRING_ROW_BEFORE || relation.pairing() == hb::PAIRING_FRONT_ROW) {
     Group targets = RowBefore(*group.front());
@@ -154,18 +155,19 @@ std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, co
     if (most > 0 && i >= most * targets.size()) break;
     if (!targets.empty())
       std::rotate(targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(i % targets.size()), targets.end());
-    sentences.push_back(WriteOne(relation, {group[i]}, targets, i));
+    sentences.push_back(WriteOne(relation, {group[i]}, targets, i, further));
   }
   return sentences;
 }
 
 // One sentence about all; where each of several partners has its share of them, one about each share.
-std::vector<v1::Sentence> SentenceWriter::WriteTogether(const hb::Relation& relation, const Group& group) const {
+std::vector<v1::Sentence> SentenceWriter::WriteTogether(const hb::Relation& relation, const Group& group,
+                                                        const Slots& further) const {
   Group targets;
   if (!FindTargets(relation, *group.front(), targets)) return {};
   const bool one_partner = relation.text().find("{target}") != std::string::npos;
   if (!one_partner || targets.size() < 2 || group.size() < 2 * targets.size()) {
-    return {WriteOne(relation, group, targets, 0)};
+    return {WriteOne(relation, group, targets, 0, further)};
   }
   std::vector<v1::Sentence> sentences;
   std::size_t from = 0;
@@ -174,7 +176,7 @@ std::vector<v1::Sentence> SentenceWriter::WriteTogether(const hb::Relation& rela
     sentences.push_back(WriteOne(
         relation,
         Group(group.begin() + static_cast<std::ptrdiff_t>(from), group.begin() + static_cast<std::ptrdiff_t>(to)),
-        {targets[i]}, i));
+        {targets[i]}, i, further));
     from = to;
   }
   return sentences;
@@ -209,34 +211,34 @@ Group SentenceWriter::RowBefore(const v1::Object& object) const {
 }
 
 v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
-                                      std::size_t number) const {
+                                      std::size_t number, const Slots& further) const {
   const v1::Object& object = *subjects.front();
   const hb::Furniture* furniture = handbook_.FindFurniture(object.name());
-  std::map<std::string, std::string, std::less<>> words = {
-      {"object", NameOf(object)},
-      {"objects", NameOf(subjects)},
-      {"zone", ZoneName(object)},
-      {"corner", CornerOf(object)},
-      {"count", kNumbers[std::min(subjects.size(), kNumbers.size() - 1)]},
-  };
+  Slots slots = further;
+  slots["object"] = SlotOf({&object});
+  slots["objects"] = SlotOf(subjects);
+  slots["zone"].words = ZoneName(object);
+  if (const v1::Zone* zone = ZoneOf(object)) slots["zone"].means = {ZoneWithId(zone->id())};
+  slots["corner"].words = CornerOf(object);
+  slots["count"].words = kNumbers[std::min(subjects.size(), kNumbers.size() - 1)];
   const bool left = (choice_.Index("side." + object.name(), 2) + number) % 2 == 0;
-  words["side"] = left ? "left" : "right";
-  words["other_side"] = left ? "right" : "left";
+  slots["side"].words = left ? "left" : "right";
+  slots["other_side"].words = left ? "right" : "left";
   const bool run_left = choice_.Index("side of the room", 2) == 0;
-  words["room_side"] = run_left ? "left" : "right";
-  words["other_room_side"] = run_left ? "right" : "left";
+  slots["room_side"].words = run_left ? "left" : "right";
+  slots["other_room_side"].words = run_left ? "right" : "left";
   if (furniture != nullptr) {
-    words["front_m"] = Metres(furniture->clear_front_m());
-    words["sides_m"] = Metres(furniture->clear_sides_m());
-    words["back_m"] = Metres(furniture->clear_back_m());
+    slots["front_m"].words = Metres(furniture->clear_front_m());
+    slots["sides_m"].words = Metres(furniture->clear_sides_m());
+    slots["back_m"].words = Metres(furniture->clear_back_m());
   }
   if (!targets.empty()) {
-    words["target"] = NameOf(*targets.front());
-    words["targets"] = NameOf(targets);
+    slots["target"] = SlotOf({targets.front()});
+    slots["targets"] = SlotOf(targets);
   }
   v1::Sentence sentence;
-  sentence.set_text(WithVerb(Fill(relation.text(), words), words.at("object"), IsPlural(object.name())));
-  sentence.set_reason(Fill(relation.reason(), words));
+  sentence.set_text(WithVerb(FillSlots(relation.text(), slots), slots.at("object").words, IsPlural(object.name())));
+  sentence.set_reason(FillSlots(relation.reason(), slots));
   sentence.set_weight(relation.weight() > 0 ? relation.weight() : 1);
   for (const v1::Object* subject : subjects) sentence.add_subject_ids(subject->id());
   const bool all = relation.text().find("{targets}") != std::string::npos;
@@ -247,7 +249,17 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
                      : sentence.subject_ids_size() > static_cast<int>(subjects.size()) || subjects.size() > 1
                          ? v1::SENTENCE_SCOPE_INTER
                          : v1::SENTENCE_SCOPE_INTRA);
+  if (v1::Meaning meaning = MeaningOf(relation.text(), slots, sentence.text()); meaning.facts_size() > 0) {
+    *sentence.mutable_meaning() = std::move(meaning);
+  }
   return sentence;
+}
+
+Slot SentenceWriter::SlotOf(const Group& group) const {
+  Slot slot;
+  slot.words = NameOf(group);
+  for (const v1::Object* one : group) slot.means.push_back(ObjectWithId(one->id()));
+  return slot;
 }
 
 namespace {
@@ -311,11 +323,16 @@ bool SentenceWriter::IsPlural(const std::string& name) const {
   return furniture != nullptr && furniture->plural() == name && name.back() == 's';
 }
 
-std::string SentenceWriter::ZoneName(const v1::Object& object) const {
+const v1::Zone* SentenceWriter::ZoneOf(const v1::Object& object) const {
   for (const v1::Zone& zone : zones_.zones()) {
-    if (zone.id() == object.zone_id()) return zone.name();
+    if (zone.id() == object.zone_id()) return &zone;
   }
-  return zones_.zones_size() > 0 ? zones_.zones(0).name() : "main";
+  return zones_.zones().empty() ? nullptr : &zones_.zones(0);
+}
+
+std::string SentenceWriter::ZoneName(const v1::Object& object) const {
+  const v1::Zone* const zone = ZoneOf(object);
+  return zone == nullptr ? "main" : zone->name();
 }
 
 // Corners of a host's top are taken in turn by what stands on it.

@@ -12,6 +12,7 @@
 #include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/sentences/sentence_slots.h"
 
 namespace flair::language {
 
@@ -37,15 +38,17 @@ class SentenceWriter {
   const std::map<std::string, Group>& groups() const { return groups_; }
 
   // The sentences of one relation about one group, without ids; empty when its condition or its partner is missing. For
-  // a tertiary without `targets` the partner is its host.
-  std::vector<v1::Sentence> Write(const hb::Relation& relation, const Group& group) const;
+  // a tertiary without `targets` the partner is its host. `further` are placeholders that only the caller knows.
+  std::vector<v1::Sentence> Write(const hb::Relation& relation, const Group& group, const Slots& further = {}) const;
 
   // One sentence about all of `subjects`, whatever the relation's condition; `number` counts those of a relation.
-  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets,
-                        std::size_t number) const;
+  v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets, std::size_t number,
+                        const Slots& further = {}) const;
 
   // "nightstand", or "second nightstand" when there are several.
   std::string NameOf(const v1::Object& object) const;
+  // Objects as what a placeholder stands for.
+  Slot SlotOf(const Group& group) const;
 
  private:
   bool Applies(const hb::Relation& relation, const Group& group) const;
@@ -55,11 +58,13 @@ class SentenceWriter {
   bool HasPartnerInZone(const hb::Relation& relation, const v1::Object& object) const;
   // The partners of the relation: false when it asks for some and there are none.
   bool FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const;
-  std::vector<v1::Sentence> WriteTogether(const hb::Relation& relation, const Group& group) const;
+  std::vector<v1::Sentence> WriteTogether(const hb::Relation& relation, const Group& group, const Slots& further) const;
   std::vector<v1::Sentence> WriteNeighbours(const hb::Relation& relation, const Group& group) const;
   Group RowBefore(const v1::Object& object) const;
   std::string NameOf(const Group& group) const;
   bool IsPlural(const std::string& name) const;
+  // The object's zone, else the first; null in a room without any.
+  const v1::Zone* ZoneOf(const v1::Object& object) const;
   std::string ZoneName(const v1::Object& object) const;
   std::string CornerOf(const v1::Object& object) const;
 

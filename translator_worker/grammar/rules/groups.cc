@@ -188,7 +188,7 @@ void Row(const Match& match, std::string_view, Composer& composer) {
 
 // Every two of the list, but none of one group among themselves: "between the table and each chair", and "between the
 // shelf and both the desk and the table" from the shelf to each of the others.
-void KeepApart(const std::vector<Placed>& all, const std::vector<Reference>& groups, const Distance* distance,
+void KeepApart(const std::vector<Placed>& all, const std::vector<Reference>& groups, const Length* distance,
                Composer& composer) {
   constexpr size_t kMost = 12;
   if (all.size() > kMost || all.size() < 2) {

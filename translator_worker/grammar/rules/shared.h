@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "english/frames/frames.h"
 #include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/frames.h"
 
 namespace flair::translator {
 

@@ -56,7 +56,7 @@ void BareDistance(const Match& match, std::string_view detail, Composer& compose
 // "Not within 0.5 m of" is at least so far away.
 void NotAwayFrom(const Match& match, std::string_view detail, Composer& composer) {
   Match turned = match;
-  Distance distance;
+  Length distance;
   if (match.distance != nullptr && match.distance->max_m) {
     distance.min_m = match.distance->max_m;
     turned.distance = &distance;

@@ -11,15 +11,7 @@
 #include "english/lexicon.h"
 #include "english/text.h"
 
-namespace flair::translator {
-
-class SceneNames;
-
-using Distance = english::Length;
-using english::IsOneOf;
-using english::Lexicon;
-using english::Phrase;
-using english::Token;
+namespace flair::english {
 
 // What a noun phrase refers to.
 enum class RefKind {
@@ -46,6 +38,8 @@ struct Reference {
   std::vector<int> candidates;
   // Those that fit less well ("chair": the armchair beside the desk chair); they count when the sentence is about them.
   std::vector<int> weak_candidates;
+  // The candidates are those that are meant, whatever else bears the name.
+  bool chosen = false;
   // The candidates bear just this name; the weaker ones then count only under a heading of theirs.
   bool full = false;
   // Feature kind, wall name, zone id, group, topic or the absent thing's name.
@@ -93,7 +87,7 @@ struct Term {
   Kind kind = Kind::kUnknown;
   std::string lemma;
   Mention mention;
-  Distance distance;
+  Length distance;
   // Bytes of the sentence.
   size_t begin = 0;
   size_t end = 0;
@@ -109,7 +103,23 @@ struct Term {
   }
 };
 
-// A sentence made ready for the rules.
+// Who knows the names of the things that sentences speak of: a room's objects, or the placeholders of a template.
+class Names {
+ public:
+  struct Found {
+    Reference reference;
+    // Tokens covered; 0 when nothing was found.
+    size_t length = 0;
+    // The whole name of an object, not a part or a synonym.
+    bool full = false;
+  };
+
+  virtual ~Names() = default;
+  // The longest name that begins at tokens[at].
+  virtual Found Find(const std::vector<Token>& tokens, size_t at) const = 0;
+};
+
+// A sentence made ready for the frames.
 struct Analysis {
   std::vector<Term> terms;
   // "Ideally", "preferably", "if possible".
@@ -121,6 +131,6 @@ struct Analysis {
 };
 
 // Reads a sentence: tokens, lengths, words, names, noun phrases. Linear in the length of the text.
-Analysis Analyse(std::string_view text, const SceneNames& names);
+Analysis Analyse(std::string_view text, const Names& names);
 
-}  // namespace flair::translator
+}  // namespace flair::english

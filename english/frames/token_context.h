@@ -6,18 +6,17 @@
 #include <optional>
 #include <vector>
 
+#include "english/frames/noun_phrases.h"
 #include "english/lexicon.h"
 #include "english/text.h"
-#include "translator_worker/grammar/noun_phrases.h"
-#include "translator_worker/grammar/scene_names.h"
 
-namespace flair::translator {
+namespace flair::english {
 
 // A place in a sentence that is read from left to right: what has been made of it so far, and what follows.
 struct TokenContext {
   const std::vector<Token>& tokens;
   size_t at = 0;
-  const SceneNames& names;
+  const Names& names;
   const std::vector<RawTerm>& terms;
 };
 
@@ -48,7 +47,7 @@ bool TellsWhichOne(const TokenContext& context, const Phrase& phrase);
 
 // "Prosecution and defence tables" at the first word: the object that the last word of the list makes a name of; none
 // when there is no such object. Of length 1.
-SceneNames::Found FindNameWithSharedHead(const TokenContext& context);
+Names::Found FindNameWithSharedHead(const TokenContext& context);
 
 // Leaves out what the condition of `length` tokens at tokens[at] ("if") holds for, and the condition: an aside that
 // follows what holds anyhow, or one clause of several, whose terms are taken off `terms`. Where reading goes on;
@@ -71,7 +70,7 @@ struct Bracket {
 // Reads the bracket at tokens[at], if there is one. "(e.g., to place items)" explains; it says nothing of its own,
 // unless it names the side that a word left open ("one side (typically the front)"), the members of a zone or class
 // ("the seating area (sofa and armchair)") or how wide a space is ("(preferably 0.5 m)"), which go into `terms`.
-Bracket ReadBracket(const std::vector<Token>& tokens, size_t at, const SceneNames& names, std::vector<RawTerm>& terms);
+Bracket ReadBracket(const std::vector<Token>& tokens, size_t at, const Names& names, std::vector<RawTerm>& terms);
 
 // Makes some ways of saying a thing one, before phrases are looked up: adverbs that place nothing are dropped, "neither
 // X nor Y" becomes "neither X and Y", "one accessible side" becomes "one side accessible", "there is room to sit" is
@@ -82,4 +81,4 @@ std::vector<Token> PrepareTokens(std::vector<Token> tokens);
 // to the chairs".
 bool BeginsReason(const std::vector<Token>& tokens, size_t at);
 
-}  // namespace flair::translator
+}  // namespace flair::english

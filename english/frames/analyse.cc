@@ -4,19 +4,19 @@
 #include <string_view>
 #include <utility>
 
+#include "english/frames/noun_phrases.h"
+#include "english/frames/term.h"
+#include "english/frames/token_context.h"
 #include "english/lexicon.h"
 #include "english/quantities.h"
-#include "translator_worker/grammar/noun_phrases.h"
-#include "translator_worker/grammar/term.h"
-#include "translator_worker/grammar/token_context.h"
 
-namespace flair::translator {
+namespace flair::english {
 namespace {
 
 // Turns tokens into raw terms: words by the lexicon, names by the scene, nothing grouped yet.
 class Reader {
  public:
-  Reader(std::vector<Token> tokens, const SceneNames& names, Analysis& analysis)
+  Reader(std::vector<Token> tokens, const Names& names, Analysis& analysis)
       : tokens_(std::move(tokens)), names_(names), analysis_(analysis) {}
 
   std::vector<RawTerm> Run() {
@@ -31,20 +31,20 @@ class Reader {
         at_ = bracket.next;
         continue;
       }
-      const SceneNames::Found name = names_.Find(tokens_, at_);
+      const Names::Found name = names_.Find(tokens_, at_);
       const Phrase phrase = FindPhrase(Context());
       const bool relation_wins =
-          phrase.length == name.length && phrase.word_class == english::v1::WORD_CLASS_RELATION && !name.full;
+          phrase.length == name.length && phrase.word_class == v1::WORD_CLASS_RELATION && !name.full;
       // "The lamp stands": a verb, though there is a TV stand.
-      const bool verb = phrase.length == name.length && phrase.word_class == english::v1::WORD_CLASS_FILLER &&
-                        !name.full && VerbFollows(Context());
+      const bool verb = phrase.length == name.length && phrase.word_class == v1::WORD_CLASS_FILLER && !name.full &&
+                        VerbFollows(Context());
       if (name.length > 0 && name.length >= phrase.length && !relation_wins && !verb) {
         PushName(name);
       } else if (phrase.length > 0) {
         PushPhrase(phrase);
       } else if (const Phrase form = Lexicon::Get().FindForm(tokens_[at_]); form.length > 0) {
         PushPhrase(form);
-      } else if (const SceneNames::Found shared = FindNameWithSharedHead(Context()); shared.length > 0) {
+      } else if (const Names::Found shared = FindNameWithSharedHead(Context()); shared.length > 0) {
         PushName(shared);
       } else {
         PushOther();
@@ -63,12 +63,12 @@ class Reader {
     terms_.push_back(std::move(term));
   }
 
-  void PushName(const SceneNames::Found& found) {
+  void PushName(const Names::Found& found) {
     RawTerm raw;
     raw.term.kind = Term::Kind::kMention;
     raw.term.mention.references = {found.reference};
     const Phrase area = Lexicon::Get().Find(tokens_, at_ + found.length);
-    raw.term.mention.references.front().area = area.length > 0 && area.word_class == english::v1::WORD_CLASS_AREA;
+    raw.term.mention.references.front().area = area.length > 0 && area.word_class == v1::WORD_CLASS_AREA;
     raw.term.mention.references.front().any = AnyIsMeant(Context());
     Push(std::move(raw), found.length);
   }
@@ -110,32 +110,32 @@ class Reader {
     if (Leaves(phrase)) return;
     RawTerm raw;
     switch (phrase.word_class) {
-      case english::v1::WORD_CLASS_RELATION: {
+      case v1::WORD_CLASS_RELATION: {
         const bool of_side = phrase.lemma == "near" && ReachedFromSide(Context(), phrase);
         BecomeWord(of_side ? "accessible_from" : phrase.lemma, raw);
         break;
       }
-      case english::v1::WORD_CLASS_FILLER:
+      case v1::WORD_CLASS_FILLER:
         if (IsBothOfSeveral()) {
           raw.role = RawTerm::Role::kEach;
         } else {
           BecomeWord("keep_clear", raw);
         }
         break;
-      case english::v1::WORD_CLASS_NOT:
+      case v1::WORD_CLASS_NOT:
         BecomeWord("not", raw);
         break;
-      case english::v1::WORD_CLASS_PURPOSE:
+      case v1::WORD_CLASS_PURPOSE:
         raw.term.kind = Term::Kind::kPurpose;
         raw.term.lemma = BeginsReason(tokens_, at_) ? "so" : tokens_[at_].text;
         break;
-      case english::v1::WORD_CLASS_FEATURE:
-      case english::v1::WORD_CLASS_PLACE:
-      case english::v1::WORD_CLASS_GROUP:
-      case english::v1::WORD_CLASS_VAGUE:
+      case v1::WORD_CLASS_FEATURE:
+      case v1::WORD_CLASS_PLACE:
+      case v1::WORD_CLASS_GROUP:
+      case v1::WORD_CLASS_VAGUE:
         PushMention(phrase);
         return;
-      case english::v1::WORD_CLASS_PRONOUN:
+      case v1::WORD_CLASS_PRONOUN:
         // "The two beds": how many, not whatever was spoken of.
         if (phrase.length > 1 &&
             (NounFollows(Context(), at_ + phrase.length) || SideFollows(Context(), at_ + phrase.length))) {
@@ -155,18 +155,18 @@ class Reader {
   // Whether the phrase leaves no term behind; then it has been passed.
   bool Leaves(const Phrase& phrase) {
     switch (phrase.word_class) {
-      case english::v1::WORD_CLASS_RELATION:
+      case v1::WORD_CLASS_RELATION:
         if (!TellsWhichOne(Context(), phrase)) return false;
         ++at_;
         return true;
-      case english::v1::WORD_CLASS_FILLER:
+      case v1::WORD_CLASS_FILLER:
         if (EndsSideClear(Context(), phrase) || IsBothOfSeveral()) return false;
         if (phrase.length > 1 && IsOneOf(tokens_[at_], {"so", "such"})) EndFact();
         break;
-      case english::v1::WORD_CLASS_WISH:
+      case v1::WORD_CLASS_WISH:
         analysis_.wish = true;
         break;
-      case english::v1::WORD_CLASS_CONDITION:
+      case v1::WORD_CLASS_CONDITION:
         if (const std::optional<size_t> next = LeaveOutCondition(tokens_, at_, phrase.length, terms_)) {
           analysis_.partly_conditional = true;
           at_ = *next;
@@ -174,7 +174,7 @@ class Reader {
         }
         analysis_.conditional = true;
         break;
-      case english::v1::WORD_CLASS_AREA:
+      case v1::WORD_CLASS_AREA:
         break;
       default:
         return false;
@@ -199,27 +199,27 @@ class Reader {
   // "Both armchairs".
   bool IsBothOfSeveral() const {
     if (!tokens_[at_].IsWord("both") || at_ + 1 >= tokens_.size()) return false;
-    const SceneNames::Found things = names_.Find(tokens_, at_ + 1);
+    const Names::Found things = names_.Find(tokens_, at_ + 1);
     return things.length > 0 && things.reference.kind == RefKind::kObjects && things.reference.plural;
   }
 
   void PushMention(const Phrase& phrase) {
     RawTerm raw;
     switch (phrase.word_class) {
-      case english::v1::WORD_CLASS_FEATURE:
+      case v1::WORD_CLASS_FEATURE:
         BecomeReference(RefKind::kFeature, phrase.lemma, raw);
         raw.term.mention.references.front().plural = true;
         raw.part_of_furniture = IsOneOf(tokens_[at_ + phrase.length - 1], {"doors", "door", "entrance"}) &&
                                 (phrase.length == 1 || (phrase.length == 2 && tokens_[at_].IsWord("the")));
         break;
-      case english::v1::WORD_CLASS_PLACE:
+      case v1::WORD_CLASS_PLACE:
         BecomeReference(phrase.lemma == "wall"      ? RefKind::kWall
                         : phrase.lemma == "ceiling" ? RefKind::kCeiling
                         : phrase.lemma == "floor"   ? RefKind::kFloor
                                                     : RefKind::kRoom,
                         "", raw);
         break;
-      case english::v1::WORD_CLASS_GROUP:
+      case v1::WORD_CLASS_GROUP:
         BecomeReference(RefKind::kGroup, phrase.lemma, raw);
         raw.negative = IsOneOf(tokens_[at_], {"no", "nothing"});
         break;
@@ -233,21 +233,21 @@ class Reader {
   void BecomePart(const Phrase& phrase, RawTerm& raw) const {
     using Role = RawTerm::Role;
     switch (phrase.word_class) {
-      case english::v1::WORD_CLASS_MODAL:
+      case v1::WORD_CLASS_MODAL:
         raw.role = Role::kModal;
         break;
-      case english::v1::WORD_CLASS_QUANTITY:
+      case v1::WORD_CLASS_QUANTITY:
         raw.role = Role::kEach;
         raw.negative = IsOneOf(tokens_[at_], {"none", "neither_one"});
         break;
-      case english::v1::WORD_CLASS_ORDINAL:
+      case v1::WORD_CLASS_ORDINAL:
         raw.role = Role::kOrdinal;
         raw.ordinal = std::stoi(phrase.lemma);
         break;
-      case english::v1::WORD_CLASS_AND:
+      case v1::WORD_CLASS_AND:
         raw.role = Role::kAnd;
         break;
-      case english::v1::WORD_CLASS_OR:
+      case v1::WORD_CLASS_OR:
         raw.role = Role::kOr;
         break;
       default:
@@ -261,7 +261,7 @@ class Reader {
   std::vector<Token> tokens_;
   // The closing bracket of one that was opened up.
   size_t inlined_end_ = std::string::npos;
-  const SceneNames& names_;
+  const Names& names_;
   Analysis& analysis_;
   size_t at_ = 0;
   std::vector<RawTerm> terms_;
@@ -269,13 +269,12 @@ class Reader {
 
 }  // namespace
 
-Analysis Analyse(std::string_view text, const SceneNames& names) {
+Analysis Analyse(std::string_view text, const Names& names) {
   Analysis analysis;
-  Reader reader(PrepareTokens(english::JoinLengths(english::KeepClauseMarks(english::Tokenize(text)))), names,
-                analysis);
+  Reader reader(PrepareTokens(JoinLengths(KeepClauseMarks(Tokenize(text)))), names, analysis);
   analysis.terms = GroupNounPhrases(reader.Run());
   RewriteTerms(analysis.terms);
   return analysis;
 }
 
-}  // namespace flair::translator
+}  // namespace flair::english

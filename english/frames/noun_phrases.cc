@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/noun_phrases.h"
+#include "english/frames/noun_phrases.h"
 
 #include <utility>
 
-namespace flair::translator {
+namespace flair::english {
 namespace {
 
 using Role = RawTerm::Role;
@@ -184,4 +184,4 @@ bool IsFeature(const RawTerm& raw) {
 
 std::vector<Term> GroupNounPhrases(std::vector<RawTerm> raw) { return Grouper(std::move(raw)).Run(); }
 
-}  // namespace flair::translator
+}  // namespace flair::english

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/frames.h"
+#include "english/frames/frames.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include "absl/strings/str_split.h"
 #include "english/language.h"
 
-namespace flair::translator {
+namespace flair::english {
 
 bool IsOfKind(RefKind kind, std::string_view name) {
   static const std::map<std::string_view, RefKind> kKinds = {
@@ -53,6 +53,20 @@ Match Form::At(std::span<const Term> terms) const {
   return best;
 }
 
+bool Form::Takes(const Match& match) const {
+  const auto element_of = [&](char slot) {
+    return std::find_if(elements_.begin(), elements_.end(),
+                        [&](const Element& one) { return one.slot == slot || (slot == 'D' && one.slot == '~'); });
+  };
+  const auto fits = [&](char slot, const Mention* mention, bool bound) {
+    const auto element = element_of(slot);
+    if (element == elements_.end()) return !bound;
+    return bound ? mention == nullptr || OfSort(*mention, element->sort) : element->optional || element->slot == '~';
+  };
+  return fits('A', match.a, match.a != nullptr) && fits('B', match.b, match.b != nullptr) &&
+         fits('C', match.c, match.c != nullptr) && fits('D', nullptr, match.distance != nullptr);
+}
+
 bool Form::Fits(const Element& element, const Term& term, const Match& match) const {
   switch (element.slot) {
     case 0:
@@ -96,7 +110,7 @@ const FrameBook& FrameBook::Get() {
 }
 
 FrameBook::FrameBook() {
-  for (const english::v1::Frame& frame : english::Language::Get().data().frames()) {
+  for (const v1::Frame& frame : Language::Get().data().frames()) {
     for (const std::string& text : frame.forms()) forms_.push_back({Form(text), &frame});
   }
 }
@@ -110,4 +124,10 @@ FrameBook::Hit FrameBook::Find(std::span<const Term> terms) const {
   return best;
 }
 
-}  // namespace flair::translator
+bool FrameBook::Knows(std::string_view meaning, std::string_view detail, const Match& match) const {
+  return std::any_of(forms_.begin(), forms_.end(), [&](const Entry& entry) {
+    return entry.frame->meaning() == meaning && entry.frame->detail() == detail && entry.form.Takes(match);
+  });
+}
+
+}  // namespace flair::english

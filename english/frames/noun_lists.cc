@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "translator_worker/grammar/noun_phrases.h"
+#include "english/frames/noun_phrases.h"
 
-namespace flair::translator {
+namespace flair::english {
 
 namespace {
 
@@ -284,4 +284,4 @@ class ListJoiner {
 
 std::vector<Term> JoinLists(std::vector<RawTerm> raw) { return ListJoiner(std::move(raw)).Run(); }
 
-}  // namespace flair::translator
+}  // namespace flair::english

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <utility>
 
+#include "english/frames/token_context.h"
 #include "english/lexicon.h"
-#include "translator_worker/grammar/token_context.h"
 
-namespace flair::translator {
+namespace flair::english {
 namespace {
 
 // What stands in brackets beyond this many tokens is read like the rest.
@@ -17,7 +17,7 @@ constexpr size_t kLongestFigure = 10;
 
 class BracketReader {
  public:
-  BracketReader(const std::vector<Token>& tokens, size_t at, const SceneNames& names, std::vector<RawTerm>& terms)
+  BracketReader(const std::vector<Token>& tokens, size_t at, const Names& names, std::vector<RawTerm>& terms)
       : tokens_(tokens), at_(at), end_(at + 1), names_(names), terms_(terms) {
     const size_t limit = std::min(tokens.size(), at + kLongestBracket);
     while (end_ < limit && !tokens[end_].IsMark(')') && !tokens[end_].IsMark('.')) ++end_;
@@ -80,8 +80,8 @@ class BracketReader {
     const auto is_length = [](const Token& token) { return token.kind == Token::Kind::kLength; };
     for (size_t i = at_ + 1; i < end_; ++i) {
       const Phrase phrase = Lexicon::Get().Find(tokens_, i);
-      const bool says_where = phrase.word_class == english::v1::WORD_CLASS_SIDE ||
-                              (phrase.word_class == english::v1::WORD_CLASS_RELATION && phrase.lemma != "space");
+      const bool says_where = phrase.word_class == v1::WORD_CLASS_SIDE ||
+                              (phrase.word_class == v1::WORD_CLASS_RELATION && phrase.lemma != "space");
       if (phrase.length > 0 && says_where) return false;
     }
     const auto begin = tokens_.begin() + static_cast<long>(at_) + 1;
@@ -119,7 +119,7 @@ class BracketReader {
     std::vector<std::string> named;
     for (size_t i = at_ + 1; i < end_; ++i) {
       const Phrase phrase = Lexicon::Get().Find(tokens_, i);
-      if (phrase.word_class == english::v1::WORD_CLASS_SIDE && phrase.length > 0) named.push_back(phrase.lemma);
+      if (phrase.word_class == v1::WORD_CLASS_SIDE && phrase.length > 0) named.push_back(phrase.lemma);
       if (phrase.length > 1) i += phrase.length - 1;
     }
     if (named.size() == 1) *open = named[0];
@@ -132,7 +132,7 @@ class BracketReader {
       return false;
     std::vector<Reference> named;
     for (size_t i = at_ + 1; i < end_;) {
-      const SceneNames::Found name = names_.Find(tokens_, i);
+      const Names::Found name = names_.Find(tokens_, i);
       const bool joins = tokens_[i].IsMark(',') || tokens_[i].IsMark('/') ||
                          IsOneOf(tokens_[i], {"and", "the", "or", "eg", "like", "such", "as"});
       if (name.length == 0 && !joins) return false;
@@ -154,15 +154,15 @@ class BracketReader {
   const size_t at_;
   // The closing mark, or where reading ends without one.
   size_t end_;
-  const SceneNames& names_;
+  const Names& names_;
   std::vector<RawTerm>& terms_;
 };
 
 }  // namespace
 
-Bracket ReadBracket(const std::vector<Token>& tokens, size_t at, const SceneNames& names, std::vector<RawTerm>& terms) {
+Bracket ReadBracket(const std::vector<Token>& tokens, size_t at, const Names& names, std::vector<RawTerm>& terms) {
   if (!tokens[at].IsMark('(') || at + 1 >= tokens.size()) return {};
   return BracketReader(tokens, at, names, terms).Read();
 }
 
-}  // namespace flair::translator
+}  // namespace flair::english

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/token_context.h"
+#include "english/frames/token_context.h"
 
 #include <algorithm>
 #include <string_view>
 
-namespace flair::translator {
+namespace flair::english {
 
 bool VerbFollows(const TokenContext& context) {
   const auto& [tokens, at, names, terms] = context;
@@ -21,36 +21,35 @@ bool VerbFollows(const TokenContext& context) {
 bool NounFollows(const TokenContext& context, size_t at) {
   if (at >= context.tokens.size()) return false;
   return context.names.Find(context.tokens, at).length > 0 ||
-         Lexicon::Get().Find(context.tokens, at).word_class == english::v1::WORD_CLASS_FEATURE;
+         Lexicon::Get().Find(context.tokens, at).word_class == v1::WORD_CLASS_FEATURE;
 }
 
 bool SideFollows(const TokenContext& context, size_t at) {
   if (at >= context.tokens.size()) return false;
   const Phrase phrase = Lexicon::Get().Find(context.tokens, at);
-  return phrase.length > 0 && phrase.word_class == english::v1::WORD_CLASS_SIDE;
+  return phrase.length > 0 && phrase.word_class == v1::WORD_CLASS_SIDE;
 }
 
 Phrase FindPhrase(const TokenContext& context) {
   const Phrase phrase = Lexicon::Get().Find(context.tokens, context.at);
   // "0.6 m should be left open": kept so, it does not open.
   const size_t after = context.at + phrase.length;
-  if (phrase.word_class == english::v1::WORD_CLASS_MODAL && phrase.length > 1 &&
-      context.tokens[after - 1].IsWord("left") && after < context.tokens.size() &&
-      IsOneOf(context.tokens[after], {"open", "free", "clear", "unobstructed"}))
+  if (phrase.word_class == v1::WORD_CLASS_MODAL && phrase.length > 1 && context.tokens[after - 1].IsWord("left") &&
+      after < context.tokens.size() && IsOneOf(context.tokens[after], {"open", "free", "clear", "unobstructed"}))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   // "Side by side with no gap": what comes with it is no partner.
-  if (phrase.length > 1 && phrase.word_class == english::v1::WORD_CLASS_RELATION &&
-      context.tokens[after - 1].IsWord("with") && after < context.tokens.size() &&
+  if (phrase.length > 1 && phrase.word_class == v1::WORD_CLASS_RELATION && context.tokens[after - 1].IsWord("with") &&
+      after < context.tokens.size() &&
       (IsOneOf(context.tokens[after], {"no", "at"}) || context.tokens[after].kind == Token::Kind::kLength))
     return Lexicon::Get().Find(context.tokens, context.at, phrase.length - 1);
   for (size_t k = 1; k < phrase.length; ++k) {
-    const SceneNames::Found name = context.names.Find(context.tokens, context.at + k);
+    const Names::Found name = context.names.Find(context.tokens, context.at + k);
     const Phrase inner = Lexicon::Get().Find(context.tokens, context.at + k);
-    const bool of_feature = (phrase.word_class == english::v1::WORD_CLASS_PLACE || phrase.lemma == "into_room") &&
-                            inner.word_class == english::v1::WORD_CLASS_FEATURE && inner.length > 1;
+    const bool of_feature = (phrase.word_class == v1::WORD_CLASS_PLACE || phrase.lemma == "into_room") &&
+                            inner.word_class == v1::WORD_CLASS_FEATURE && inner.length > 1;
     // "Along a side wall" is not "along" and "a side".
-    const bool of_wall = phrase.word_class == english::v1::WORD_CLASS_SIDE &&
-                         inner.word_class == english::v1::WORD_CLASS_PLACE && inner.length > 1;
+    const bool of_wall =
+        phrase.word_class == v1::WORD_CLASS_SIDE && inner.word_class == v1::WORD_CLASS_PLACE && inner.length > 1;
     const size_t length = std::max(name.length, of_feature || of_wall ? inner.length : 0);
     if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(context.tokens, context.at, k);
   }
@@ -68,7 +67,7 @@ bool AnyIsMeant(const TokenContext& context) {
 
 bool EndsSideClear(const TokenContext& context, const Phrase& phrase) {
   const auto& [tokens, at, names, terms] = context;
-  if (phrase.word_class != english::v1::WORD_CLASS_FILLER || phrase.length != 1 || terms.empty()) return false;
+  if (phrase.word_class != v1::WORD_CLASS_FILLER || phrase.length != 1 || terms.empty()) return false;
   const Token& token = tokens[at];
   if (token.IsWord("accessibility") && terms.back().role == RawTerm::Role::kSide) return true;
   if (!IsOneOf(token, {"clear", "free", "open"})) return false;
@@ -90,7 +89,7 @@ bool ReachedFromSide(const TokenContext& context, const Phrase& phrase) {
   while (next < tokens.size() && IsOneOf(tokens[next], {"the", "its"})) ++next;
   if (next >= tokens.size()) return false;
   const Phrase side = Lexicon::Get().Find(tokens, next);
-  return side.word_class == english::v1::WORD_CLASS_SIDE && side.length > 0;
+  return side.word_class == v1::WORD_CLASS_SIDE && side.length > 0;
 }
 
 bool TellsWhichOne(const TokenContext& context, const Phrase& phrase) {
@@ -107,14 +106,14 @@ bool TellsWhichOne(const TokenContext& context, const Phrase& phrase) {
          (NounFollows(context, at + 1) || NounFollows(context, at + 2));
 }
 
-SceneNames::Found FindNameWithSharedHead(const TokenContext& context) {
+Names::Found FindNameWithSharedHead(const TokenContext& context) {
   const auto& [tokens, at, names, terms] = context;
   const size_t other = at + 2;
   if (other >= tokens.size() || tokens[at].kind != Token::Kind::kWord || !IsOneOf(tokens[at + 1], {"and", "or"}))
     return {};
-  const SceneNames::Found last = names.Find(tokens, other);
+  const Names::Found last = names.Find(tokens, other);
   if (last.length < 2 || !last.reference.plural) return {};
-  SceneNames::Found found = names.Find({tokens[at], tokens[other + last.length - 1]}, 0);
+  Names::Found found = names.Find({tokens[at], tokens[other + last.length - 1]}, 0);
   if (found.length != 2 || found.reference.kind != RefKind::kObjects) return {};
   found.length = 1;
   found.reference.plural = false;
@@ -170,4 +169,4 @@ std::optional<size_t> LeaveOutCondition(const std::vector<Token>& tokens, size_t
   return next;
 }
 
-}  // namespace flair::translator
+}  // namespace flair::english

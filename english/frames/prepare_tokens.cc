@@ -3,16 +3,16 @@
 #include <string_view>
 #include <utility>
 
+#include "english/frames/token_context.h"
 #include "english/language.h"
 #include "english/lexicon.h"
-#include "translator_worker/grammar/token_context.h"
 
-namespace flair::translator {
+namespace flair::english {
 namespace {
 
 // "Backed directly onto": adverbs that say nothing of places do not come between the words of a phrase.
 void DropAdverbs(std::vector<Token>& tokens) {
-  std::erase_if(tokens, [](const Token& token) { return english::IsIn("idle adverbs", token); });
+  std::erase_if(tokens, [](const Token& token) { return IsIn("idle adverbs", token); });
 }
 
 Token WordLike(const Token& token, std::string_view text) {
@@ -38,7 +38,7 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
       listed = true;
       // "Neither beside nor opposite the sink", "nor stand next to it": the second relation is denied as well.
       const size_t verb = end + 1 < tokens.size() && IsOneOf(tokens[end + 1], {"stand", "be", "sit", "lie"}) ? 1 : 0;
-      const bool relates = Lexicon::Get().Find(tokens, end + 1 + verb).word_class == english::v1::WORD_CLASS_RELATION;
+      const bool relates = Lexicon::Get().Find(tokens, end + 1 + verb).word_class == v1::WORD_CLASS_RELATION;
       if (relates && end + 1 < tokens.size() && Lexicon::Get().Find(tokens, end + 1).length > 0)
         tokens.insert(tokens.begin() + static_cast<long>(end) + 1, WordLike(tokens[end], "not"));
     }
@@ -54,8 +54,8 @@ void JoinNeitherNor(std::vector<Token>& tokens) {
 // "At least one accessible side" is at least one side accessible.
 void MoveAdjectiveBehindSide(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
-    const bool open = english::IsIn("open adjectives", tokens[i]);
-    const bool adjective = open || english::IsIn("access adjectives", tokens[i]);
+    const bool open = IsIn("open adjectives", tokens[i]);
+    const bool adjective = open || IsIn("access adjectives", tokens[i]);
     size_t side = i + 1;
     while (side < tokens.size() && (tokens[side].IsWord("long") || tokens[side].IsWord("short"))) ++side;
     if (!adjective || side >= tokens.size() || (side + 1 < tokens.size() && tokens[side + 1].IsMark(':'))) continue;
@@ -84,8 +84,8 @@ void JoinBounds(std::vector<Token>& tokens) {
     if (tokens[other].IsMark(',')) ++other;
     if (other + 1 < tokens.size() && (tokens[other].IsWord("and") || tokens[other].IsWord("but"))) ++other;
     if (other == i + 1 || other >= tokens.size() || !is_length(tokens[i]) || !is_length(tokens[other])) continue;
-    const Distance& a = tokens[i].length;
-    const Distance& b = tokens[other].length;
+    const Length& a = tokens[i].length;
+    const Length& b = tokens[other].length;
     const bool range = a.min_m.has_value() != a.max_m.has_value() && b.min_m.has_value() != b.max_m.has_value() &&
                        a.min_m.has_value() != b.min_m.has_value();
     if (!range) continue;
@@ -99,8 +99,8 @@ void JoinBounds(std::vector<Token>& tokens) {
 void TakeRoomAsSpace(std::vector<Token>& tokens) {
   for (size_t i = 0; i + 1 < tokens.size(); ++i) {
     const bool begins = i == 0 && (tokens[1].IsWord("for") || tokens[1].IsWord("to"));
-    if (tokens[i].IsWord("room") && (begins || (i > 0 && english::IsIn("before space", tokens[i - 1]))) &&
-        english::IsIn("after space", tokens[i + 1]))
+    if (tokens[i].IsWord("room") && (begins || (i > 0 && IsIn("before space", tokens[i - 1]))) &&
+        IsIn("after space", tokens[i + 1]))
       tokens[i].text = "space";
   }
 }
@@ -108,7 +108,7 @@ void TakeRoomAsSpace(std::vector<Token>& tokens) {
 }  // namespace
 
 bool BeginsReason(const std::vector<Token>& tokens, size_t at) {
-  return tokens[at].IsWord("to") && at + 1 < tokens.size() && english::IsIn("reason verbs", tokens[at + 1]);
+  return tokens[at].IsWord("to") && at + 1 < tokens.size() && IsIn("reason verbs", tokens[at + 1]);
 }
 
 std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
@@ -120,4 +120,4 @@ std::vector<Token> PrepareTokens(std::vector<Token> tokens) {
   return tokens;
 }
 
-}  // namespace flair::translator
+}  // namespace flair::english

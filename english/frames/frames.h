@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forms of facts (the frames of english/data) and what becomes of them.
+// Forms of facts: the frames of english/data.
 #pragma once
 
 #include <span>
@@ -7,18 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "english/frames/term.h"
 #include "flair/english/v1/language.pb.h"
-#include "translator_worker/grammar/composer.h"
-#include "translator_worker/grammar/term.h"
 
-namespace flair::translator {
+namespace flair::english {
 
 // What a form bound. Pointers into the terms; null where an optional part was left out.
 struct Match {
   const Mention* a = nullptr;
   const Mention* b = nullptr;
   const Mention* c = nullptr;
-  const Distance* distance = nullptr;
+  const Length* distance = nullptr;
   // How many terms were covered; 0 when the form does not match.
   size_t length = 0;
 };
@@ -39,6 +38,8 @@ class Form {
 
   // The longest match that begins at the first term.
   Match At(std::span<const Term> terms) const;
+  // Whether it binds just these slots, and noun phrases like these.
+  bool Takes(const Match& match) const;
 
  private:
   struct Element {
@@ -54,9 +55,6 @@ class Form {
   std::vector<Element> elements_;
 };
 
-// Makes the calls of one fact. `detail` is the frame's own, for meanings that serve several.
-using Builder = void (*)(const Match& match, std::string_view detail, Composer& composer);
-
 // Whether a noun phrase refers to that: a sort of forms. And whether that is the name of the kind.
 bool OfSort(const Mention& mention, std::string_view sort);
 bool IsOfKind(RefKind kind, std::string_view name);
@@ -64,7 +62,7 @@ bool IsOfKind(RefKind kind, std::string_view name);
 // All frames, ready to match. Immutable and thread-safe.
 class FrameBook {
  public:
-  // That of english::Language::Get(), made on first use.
+  // That of Language::Get(), made on first use.
   static const FrameBook& Get();
 
   struct Hit {
@@ -76,15 +74,17 @@ class FrameBook {
   // The frame that covers the most terms from the first one on; of equals the earlier in the data. Without a meaning
   // when none does.
   Hit Find(std::span<const Term> terms) const;
+  // Whether a frame of that meaning and detail could have bound this.
+  bool Knows(std::string_view meaning, std::string_view detail, const Match& match) const;
 
  private:
   FrameBook();
 
   struct Entry {
     Form form;
-    const english::v1::Frame* frame;
+    const v1::Frame* frame;
   };
   std::vector<Entry> forms_;
 };
 
-}  // namespace flair::translator
+}  // namespace flair::english

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "translator_worker/grammar/noun_phrases.h"
+#include "english/frames/noun_phrases.h"
 
-namespace flair::translator {
+namespace flair::english {
 namespace {
 
 bool IsTo(const Term& term) { return term.kind == Term::Kind::kPurpose && term.lemma == "to"; }
@@ -73,7 +73,7 @@ void DropRepeatedWords(std::vector<Term>& terms) {
 bool SaysSomething(const Term& term) { return term.kind == Term::Kind::kWord && !term.IsAnyWord({"not", "or", "of"}); }
 
 // "Against a wall: place it against a wall", "Accessible front: ...": what stands before the colon says it twice. Names
-// stay, since "Bed: ..." tells what moves, and so do figures: "Distance from the bed: 0.5 m".
+// stay, since "Bed: ..." tells what moves, and so do figures: "Length from the bed: 0.5 m".
 void DropLabel(std::vector<Term>& terms) {
   constexpr size_t kLongestLabel = 6;
   const auto is_colon = [](const Term& term) { return term.IsSoft(":"); };
@@ -158,4 +158,4 @@ void RewriteTerms(std::vector<Term>& terms) {
   RewriteDenials(terms);
 }
 
-}  // namespace flair::translator
+}  // namespace flair::english

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "translator_worker/grammar/term.h"
+#include "english/frames/term.h"
 
-namespace flair::translator {
+namespace flair::english {
 
 // A term before noun phrases are put together.
 struct RawTerm {
@@ -66,4 +66,4 @@ inline void BecomeReference(RefKind kind, std::string name, RawTerm& raw) {
   raw.term.mention.references = {std::move(reference)};
 }
 
-}  // namespace flair::translator
+}  // namespace flair::english
