@@ -3,6 +3,8 @@
 
 #include <google/protobuf/repeated_ptr_field.h>
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -61,6 +63,25 @@ void AddTo(Participants& participants, const std::optional<english::Mention>& me
   }
 }
 
+using KnownFacts = std::shared_ptr<const std::optional<std::vector<english::Fact>>>;
+
+// The facts of a template, each read once: a handbook has some hundred. Any thread.
+KnownFacts FactsOfTemplate(const std::string& readable, const Slots& slots) {
+  constexpr std::size_t kMostKept = 2000;
+  static std::mutex mutex;
+  static auto& kept = *new std::map<std::string, KnownFacts>;
+  {
+    const std::lock_guard lock(mutex);
+    if (const auto known = kept.find(readable); known != kept.end()) return known->second;
+  }
+  auto read =
+      std::make_shared<const std::optional<std::vector<english::Fact>>>(english::ReadFacts(readable, SlotNames(slots)));
+  const std::lock_guard lock(mutex);
+  if (kept.size() >= kMostKept) kept.clear();
+  kept[readable] = read;
+  return read;
+}
+
 std::string ReadableTemplate(std::string_view sentence_template, const Slots& slots) {
   std::map<std::string, std::string, std::less<>> words;
   for (const auto& [name, slot] : slots) words[name] = slot.means.empty() ? slot.words : std::string(kMark) + name;
@@ -89,10 +110,10 @@ std::string FillSlots(std::string_view sentence_template, const Slots& slots) {
 
 v1::Meaning MeaningOf(std::string_view sentence_template, const Slots& slots, std::string_view text) {
   v1::Meaning meaning;
-  const auto facts = english::ReadFacts(ReadableTemplate(sentence_template, slots), SlotNames(slots));
-  if (!facts) return meaning;
+  const KnownFacts facts = FactsOfTemplate(ReadableTemplate(sentence_template, slots), slots);
+  if (!facts->has_value()) return meaning;
   meaning.set_text_digest(runtime::Sha256Hex(text));
-  for (const english::Fact& fact : *facts) {
+  for (const english::Fact& fact : **facts) {
     v1::Fact& message = *meaning.add_facts();
     message.set_relation(fact.meaning);
     message.set_detail(fact.detail);
