@@ -223,8 +223,9 @@ std::string ContestText(const Contest& contest, const std::vector<std::string>& 
 }
 
 std::string ContestsTable(const std::vector<Contest>& contests, const std::vector<std::string>& optimizers) {
-  const TextTable table(
-      {"graph", "by", "hold %", "OOB %", "OOR %", "overlap mm", "floor %", "fronts %", "path m3", "cost", "s"}, 28, 8);
+  const TextTable table({"graph", "by", "hold %", "OOB %", "OOR %", "overlap mm", "OOR 3D %", "uses %", "floor %",
+                         "fronts %", "path m3", "cost", "s"},
+                        28, 8);
   std::string text = table.Header();
   const auto row = [&](const std::string& name, size_t optimizer, const auto& value) {
     std::vector<std::string> cells = {name, LetterOf(optimizer)};
