@@ -198,12 +198,12 @@ function panel(material, low, high, y, thickness, framed)
   box(material, {low[1] + rail, front, high[2] - rail}, {high[1] - rail, proud, high[2]}, 0.003)
 end
 
--- Four rails about an area; the area's half sizes and how broad they are.
+-- Four rails about what hangs, before its front half only: from aside it is no box.
 function frame_rails(material, rail)
   local x, y = w / 2, d / 2
   for side in each{-1, 1} do
-    box(material, {side * x, -y, 0}, {side * (x - rail), y, h}, 0.005)
-    box(material, {-x + rail, -y, side < 0 and 0 or h - rail}, {x - rail, y, side < 0 and rail or h}, 0.005)
+    box(material, {side * x, 0, 0}, {side * (x - rail), y, h}, 0.005)
+    box(material, {-x + rail, 0, side < 0 and 0 or h - rail}, {x - rail, y, side < 0 and rail or h}, 0.005)
   end
 end
 

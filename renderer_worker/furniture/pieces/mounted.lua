@@ -84,7 +84,8 @@ function mesh.clock()
     face(vec(0, d / 2, 0.52 * h), 0.8 * r, 0.1 * d)
     return
   end
-  face(vec(0, d / 2, h / 2), r, d)
+  face(vec(0, d / 2, h / 2), r, 0.5 * d)
+  box("black plastic", {-0.6 * r, -d / 2, h / 2 - 0.6 * r}, {0.6 * r, 0, h / 2 + 0.6 * r}, 0)
 end
 
 function mesh.board()

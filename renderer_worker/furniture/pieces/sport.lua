@@ -153,6 +153,15 @@ function mesh.rowing_machine()
   end)
 end
 
+function plan.rowing_machine()
+  for y in each{back + 0.12 * d, front - 0.05 * d} do area({left, y - 0.02 * d, right, y + 0.02 * d}, "dark", "detail") end
+  area({-0.05 * w, back + 0.1 * d, 0.05 * w, front - 0.02 * d}, "metal", "detail")
+  area({-0.24 * w, back, 0.24 * w, back + 0.26 * d}, "body", "outline", 0.05 * w)
+  for side in each{-1, 1} do area({side * 0.12 * w, -0.2 * d, side * 0.4 * w, -0.1 * d}, "dark", "detail") end
+  segment({-0.38 * w, -0.08 * d}, {0.38 * w, -0.08 * d}, "outline")
+  area({-0.36 * w, 0.12 * d, 0.36 * w, 0.28 * d}, "deep", "outline", 0.08 * w)
+end
+
 function mesh.weight_bench()
   local lengthwise = d >= w or h > 0.8
   local width, length, seat = lengthwise and w or d, lengthwise and d or w, min(0.44, 0.5 * h)
