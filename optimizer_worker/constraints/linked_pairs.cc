@@ -13,6 +13,8 @@ namespace {
 constexpr unsigned Bit(Side side) { return 1u << static_cast<unsigned>(side); }
 constexpr unsigned kAll = 0xF;
 constexpr unsigned kFront = Bit(Side::kFront);
+// What stands no farther before something is used from there.
+constexpr double kStep_m = 1.0;
 constexpr unsigned kBeside = Bit(Side::kLeft) | Bit(Side::kRight);
 
 // Beside without a side may be at the back as well, but nobody says "beside" of what stands before the front.
@@ -30,6 +32,17 @@ bool LinkedPairs::BelongsAt(int object, int other, Side side) const {
   return found != sides_.end() && (found->second & Bit(side)) != 0;
 }
 
+double LinkedPairs::TieOf(int a, int b) const {
+  const auto found = ties_.find(std::minmax(a, b));
+  return found == ties_.end() ? 0.0 : found->second;
+}
+
+void LinkedPairs::TieAll(const std::vector<int>& objects, double weight) {
+  for (size_t i = 0; i < objects.size(); ++i) {
+    for (size_t k = 0; k < i; ++k) Tie(objects[k], objects[i], weight);
+  }
+}
+
 int LinkedPairs::CountAbove(int target) const {
   const auto found = above_.find(target);
   return found == above_.end() ? 0 : found->second;
@@ -43,10 +56,13 @@ void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
   const Arguments& a = *resolved;
   const std::string& type = facts->name();
   if (type == "on_wall_above") ++above_[a.Object("target")];
+  const double weight = edge.weight() > 0 ? edge.weight() : 1.0;
   if (type == "next_to") {
+    Tie(a.Object("object"), a.Object("target"), weight);
     Place(a.Object("object"), a.Object("target"), BesideAt(a.MaybeSide("object_side")));
     Place(a.Object("target"), a.Object("object"), BesideAt(a.MaybeSide("target_side")));
   } else if (type == "in_front_of") {
+    if (a.Number("distance_m") <= kStep_m) Tie(a.Object("object"), a.Object("target"), weight);
     Place(a.Object("object"), a.Object("target"), kAll);
     Place(a.Object("target"), a.Object("object"), kFront);
   } else if (type == "facing") {
@@ -55,7 +71,15 @@ void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
     Place(a.Object("target"), a.Object("object"), kAll);
   } else if (type == "on") {
     Link(a.Object("object"), a.Object("target"));
-  } else if (type == "between" || type == "row" || type == "perpendicular" || type == "surround") {
+  } else if (type == "row") {
+    TieAll(a.Objects("objects"), weight);
+    AddGroup(a);
+  } else if (type == "surround") {
+    const std::vector<int>& seats = a.Objects("objects");
+    if (seats.size() > static_cast<size_t>(kMostSeats)) return;
+    for (int seat : seats) Tie(a.Object("center"), seat, weight);
+    AddGroup(a);
+  } else if (type == "between" || type == "perpendicular") {
     AddGroup(a);
   }
 }

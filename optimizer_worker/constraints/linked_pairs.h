@@ -3,9 +3,11 @@
 // belongs at a side of an object does not block the way to that side.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "flair/v1/layout_graph.pb.h"
 #include "room/geometry/footprint.h"
@@ -14,6 +16,9 @@
 namespace flair::optimizer {
 
 class Arguments;
+
+// A surround call of more seats is refused.
+inline constexpr int kMostSeats = 16;
 
 class LinkedPairs {
  public:
@@ -31,6 +36,8 @@ class LinkedPairs {
   bool Linked(int a, int b) const { return sides_.contains({a, b}) || sides_.contains({b, a}); }
   // Whether `other` belongs at that side of `object`.
   bool BelongsAt(int object, int other, Side side) const;
+  // Sum of the weights of the calls that put the two beside each other, within a step: 0 for none.
+  double TieOf(int a, int b) const;
   // How many on_wall_above calls hang something above `target`: several share the place.
   int CountAbove(int target) const;
 
@@ -40,9 +47,12 @@ class LinkedPairs {
   void AddEdge(const Scene& scene, const v1::ConstraintEdge& edge);
   void AddGroup(const Arguments& arguments);
   void Place(int object, int other, SideSet sides) { sides_[{object, other}] |= sides; }
+  void Tie(int a, int b, double weight) { ties_[std::minmax(a, b)] += weight; }
+  void TieAll(const std::vector<int>& objects, double weight);
 
   // (object, other) -> sides of the object where the other belongs.
   std::map<std::pair<int, int>, SideSet> sides_;
+  std::map<std::pair<int, int>, double> ties_;
   std::map<int, int> above_;
 };
 

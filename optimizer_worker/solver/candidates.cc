@@ -36,6 +36,7 @@ class Proposer {
       : context_(context),
         scene_(context.scene),
         object_(scene_.objects[object]),
+        footprint_(context.box != nullptr ? *context.box : object_.footprint),
         index_(object),
         density_(density),
         random_(random),
@@ -48,6 +49,7 @@ class Proposer {
     for (int partner : context_.partners) {
       if (IsPlaced(partner)) Beside(partner);
     }
+    if (context_.box != nullptr) Middles();
     Spread(density_.floor_samples);
   }
 
@@ -96,15 +98,15 @@ class Proposer {
 
   // One candidate with `side` on the wall, its middle `offset` along it; clamped so that it stays on the wall.
   void OnWall(const Wall& wall, Side side, double offset) {
-    const double half = SideLength(object_.footprint, side) / 2;
+    const double half = SideLength(footprint_, side) / 2;
     if (2 * half > wall.length_m + 1e-9) return;
     offset = std::clamp(offset, half, std::max(half, wall.length_m - half));
-    const Vec2<double> p = wall.PointAt(offset) + (ExtentBehind(object_.footprint, side) / 2) * wall.inward_normal;
+    const Vec2<double> p = wall.PointAt(offset) + (ExtentBehind(footprint_, side) / 2) * wall.inward_normal;
     out_.push_back({p.x, p.y, wall.BackHeading() + TurnOf(side)});
   }
 
   void AlongWall(const Wall& wall, Side side) {
-    const double half = SideLength(object_.footprint, side) / 2;
+    const double half = SideLength(footprint_, side) / 2;
     OnWall(wall, side, half);
     OnWall(wall, side, wall.length_m - half);
     OnWall(wall, side, wall.length_m / 2);
@@ -137,7 +139,7 @@ class Proposer {
       high = std::max(high, wall.Offset(corner));
       near = std::min(near, wall.Height(corner));
     }
-    if (near > ExtentBehind(object_.footprint, side)) return;
+    if (near > ExtentBehind(footprint_, side)) return;
     if (low - half >= half - 1e-6) OnWall(wall, side, low - half);
     if (high + half <= wall.length_m - half + 1e-6) OnWall(wall, side, high + half);
   }
@@ -151,11 +153,11 @@ class Proposer {
       const double length = SideLength(theirs, at);
       const Vec2<double> along = (1 / std::max(length, 1e-9)) * (edge.second - edge.first);
       for (Side own : kSides) {
-        const double slack = (length - SideLength(object_.footprint, own)) / 2;
+        const double slack = (length - SideLength(footprint_, own)) / 2;
         // Heading with the side `own` towards the partner: its back would look against the edge's normal.
         const double theta = HeadingOf(edge.outward_normal) + TurnOf(own);
         const auto place = [&](double shift, double gap) {
-          const double away = gap + ExtentBehind(object_.footprint, own) / 2;
+          const double away = gap + ExtentBehind(footprint_, own) / 2;
           const Vec2<double> p = edge.Middle() + shift * along + away * edge.outward_normal;
           out_.push_back({p.x, p.y, theta});
         };
@@ -177,8 +179,8 @@ class Proposer {
     const Frame<double> frame = FrameOf(pose);
     const double half = scene_.objects[partner].footprint.depth_m / 2;
     AtHeadings(frame.center, pose.theta_rad, 2);
-    for (double forward : {half / 2, half, half + object_.footprint.depth_m / 4, half + object_.footprint.depth_m / 2,
-                           half + object_.footprint.width_m / 2}) {
+    for (double forward : {half / 2, half, half + footprint_.depth_m / 4, half + footprint_.depth_m / 2,
+                           half + footprint_.width_m / 2}) {
       AtHeadings(frame.ToRoom(0, forward), pose.theta_rad, 2);
     }
   }
@@ -189,8 +191,8 @@ class Proposer {
     const Footprint& top = scene_.objects[host].footprint;
     for (int turn = 0; turn < 4; ++turn) {
       const bool sideways = turn % 2 == 1;
-      const double w = sideways ? object_.footprint.depth_m : object_.footprint.width_m;
-      const double d = sideways ? object_.footprint.width_m : object_.footprint.depth_m;
+      const double w = sideways ? footprint_.depth_m : footprint_.width_m;
+      const double d = sideways ? footprint_.width_m : footprint_.depth_m;
       const double u = std::max(0.0, (top.width_m - w) / 2), v = std::max(0.0, (top.depth_m - d) / 2);
       for (double a : {0.0, -1.0, 1.0, -0.5, 0.5}) {
         for (double b : {0.0, -1.0, 1.0, -0.5, 0.5}) {
@@ -229,6 +231,7 @@ class Proposer {
   const CandidateContext& context_;
   const Scene& scene_;
   const Object& object_;
+  const Footprint& footprint_;
   const int index_;
   const CandidateDensity& density_;
   Random& random_;

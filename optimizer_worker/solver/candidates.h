@@ -21,6 +21,8 @@ struct CandidateContext {
   std::span<const int> partners;
   // Means of the zones; far away for empty zones.
   std::span<const Vec2<double>> zone_centers;
+  // What is to be placed instead of the object's own footprint: the box round a group; null for the object's.
+  const Footprint* box = nullptr;
 };
 
 // How many of each kind to propose.

@@ -47,32 +47,42 @@ HardCost::HardCost(const Scene& scene, const KeepOut& keep_out, const Problem& p
   }
 }
 
-void HardCost::Prepare(int object, const Problem& problem, const Layout& layout) {
-  object_ = object;
-  reach_m_ = Reach(scene_.objects[object].footprint);
-  neighbours_.clear();
-  for (const auto& [other, weight] : weights_[object].others) {
-    if (!problem.placed(other)) continue;
-    const Footprint& footprint = scene_.objects[other].footprint;
-    neighbours_.push_back(
-        {Box<double>(footprint, FrameOf(layout[other])), Center(layout[other]), Reach(footprint), weight});
+void HardCost::Prepare(std::span<const int> objects, const Problem& problem, const Layout& layout) {
+  moving_.resize(objects.size());
+  for (size_t k = 0; k < objects.size(); ++k) {
+    Moving& moving = moving_[k];
+    moving.object = objects[k];
+    moving.reach_m = Reach(scene_.objects[objects[k]].footprint);
+    moving.neighbours.clear();
+    for (const auto& [other, weight] : weights_[objects[k]].others) {
+      if (!problem.placed(other) || std::find(objects.begin(), objects.end(), other) != objects.end()) continue;
+      const Footprint& footprint = scene_.objects[other].footprint;
+      moving.neighbours.push_back(
+          {Box<double>(footprint, FrameOf(layout[other])), Center(layout[other]), Reach(footprint), weight});
+    }
   }
 }
 
-double HardCost::At(const Pose<double>& pose, double limit) const {
-  const Weights& weights = weights_[object_];
+double HardCost::At(std::span<const Pose<double>> poses, double limit) const {
+  double sum = 0;
+  for (size_t k = 0; k < moving_.size() && sum <= limit; ++k) sum += One(moving_[k], poses[k], limit - sum);
+  return sum;
+}
+
+double HardCost::One(const Moving& moving, const Pose<double>& pose, double limit) const {
+  const Weights& weights = weights_[moving.object];
   const Vec2<double> center = Center(pose);
-  const Box<double> box(scene_.objects[object_].footprint, FrameOf(pose));
+  const Box<double> box(scene_.objects[moving.object].footprint, FrameOf(pose));
   double sum = weights.bounds > 0 ? weights.bounds * keep_out_.floor().SquaredExcess(box) : 0.0;
   if (sum > limit) return sum;
-  for (const Neighbour& neighbour : neighbours_) {
-    if (Apart(center, neighbour.center, reach_m_ + neighbour.reach_m)) continue;
+  for (const Neighbour& neighbour : moving.neighbours) {
+    if (Apart(center, neighbour.center, moving.reach_m + neighbour.reach_m)) continue;
     sum += neighbour.weight * SquaredPenetration<double>(box, neighbour.box);
     if (sum > limit) return sum;
   }
   if (weights.doors == 0) return sum;
   for (const Area& area : doors_) {
-    if (Outside(area.box, center, reach_m_)) continue;
+    if (Outside(area.box, center, moving.reach_m)) continue;
     sum += weights.doors * SquaredPenetration<double>(box, *area.piece);
   }
   return sum;

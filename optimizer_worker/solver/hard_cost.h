@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hard terms around one solid object (bounds, doors, overlaps), as Problem would sum them, but much faster: most
-// candidate poses are far from most obstacles, and all sines and cosines are worked out once per object.
+// The hard terms around one solid object, or around several that are moved as one piece (bounds, doors, overlaps), as
+// Problem would sum them, but much faster: most candidate poses are far from most obstacles, and all sines and cosines
+// are worked out once per object.
 #pragma once
 
 #include <span>
@@ -16,10 +17,11 @@ class HardCost {
   // Reads the weights of bounds, doors and overlaps among the problem's terms. Borrows all.
   HardCost(const Scene& scene, const KeepOut& keep_out, const Problem& problem);
 
-  // Fixes the others' poses; to be called before At whenever one of them has moved.
-  void Prepare(int object, const Problem& problem, const Layout& layout);
-  // Sum of the hard terms of that object at `pose`; may stop early with any number above `limit`.
-  double At(const Pose<double>& pose, double limit) const;
+  // Fixes the poses of all but `objects`; to be called before At whenever one of them has moved.
+  void Prepare(std::span<const int> objects, const Problem& problem, const Layout& layout);
+  // Sum of the hard terms of those objects at `poses`, except between them; may stop early with any number above
+  // `limit`. Those that are not solid have none.
+  double At(std::span<const Pose<double>> poses, double limit) const;
 
  private:
   struct Weights {
@@ -38,13 +40,19 @@ class HardCost {
     BoundingBox box;
   };
 
+  struct Moving {
+    int object;
+    double reach_m;
+    std::vector<Neighbour> neighbours;
+  };
+
+  double One(const Moving& moving, const Pose<double>& pose, double limit) const;
+
   const Scene& scene_;
   const KeepOut& keep_out_;
   std::vector<Weights> weights_;
   std::vector<Area> doors_;
-  std::vector<Neighbour> neighbours_;
-  int object_ = 0;
-  double reach_m_ = 0;
+  std::vector<Moving> moving_;
 };
 
 }  // namespace flair::optimizer

@@ -95,13 +95,13 @@ void LayoutSearch::ProposeNear(int object, const CandidateDensity& density, Rand
 void LayoutSearch::Rank(int object, double limit, double noise, Random& random, size_t keep) {
   choices_.clear();
   const bool solid = IsSolid(input_.scene.objects[object]);
-  if (solid) hard_cost_.Prepare(object, problem_, layout_);
+  if (solid) hard_cost_.Prepare({&object, 1}, problem_, layout_);
   problem_.Hold({&object, 1}, layout_, solid);
   for (const Pose<double>& candidate : candidates_) {
     const double handicap = noise > 0 ? noise * random.Uniform() : 0.0;
     const double bound = choices_.size() < keep ? limit : std::min(limit, choices_.back().cost);
     double cost = handicap;
-    if (solid) cost += hard_cost_.At(candidate, bound - cost);
+    if (solid) cost += hard_cost_.At({&candidate, 1}, bound - cost);
     if (cost >= bound) continue;
     cost += problem_.AroundHeld({&candidate, 1}, bound - cost);
     if (cost >= bound) continue;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "optimizer_worker/stages/patterns.h"
+#include "optimizer_worker/stages/place_groups.h"
 #include "optimizer_worker/stages/solve_input.h"
 #include "room/geometry/pose.h"
 
@@ -15,11 +17,29 @@ namespace {
 constexpr int kFurnishSweeps = 3;
 constexpr double kFurnishNoise = 0.3;
 
-std::vector<int> OrderOf(const StageSpec& stage, int restart, Random& random) {
-  std::vector<int> order = stage.objects;
+template <typename Item>
+std::vector<Item> Shuffled(std::vector<Item> order, int restart, Random& random) {
   if (restart == 0) return order;
   for (int i = static_cast<int>(order.size()) - 1; i > 0; --i) std::swap(order[i], order[random.Below(i + 1)]);
   return order;
+}
+
+// The groups of `objects`, largest first; those of which not all are there without arrangements.
+std::vector<Group> GroupsOf(const SolveInput& input, std::span<const int> objects) {
+  std::vector<Group> groups;
+  for (const Group& group : input.groups.all) {
+    Group& part = groups.emplace_back(group);
+    std::erase_if(part.objects, [&](int o) { return std::find(objects.begin(), objects.end(), o) == objects.end(); });
+    if (part.objects.size() < group.objects.size()) part.arrangements.clear();
+  }
+  std::erase_if(groups, [](const Group& group) { return group.objects.empty(); });
+  const auto area = [&](const Group& group) {
+    double sum = 0;
+    for (int member : group.objects) sum += input.scene.objects[member].footprint.area_m2();
+    return sum;
+  };
+  std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) { return area(a) > area(b); });
+  return groups;
 }
 
 }  // namespace
@@ -33,11 +53,19 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
                                  input.keep_out, &input.walk_grid, {},      input.Over()};
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
 
-  search.Construct(OrderOf(stage, restart, random), restart == 0 ? 0.0 : kFurnishNoise, random);
-  search.Sweep(stage.objects, kFurnishSweeps, CandidateDensity{}, random);
+  const double noise = restart == 0 ? 0.0 : kFurnishNoise;
+  std::vector<int> free = stage.objects;
+  if (input.groups.all.empty()) {
+    search.Construct(Shuffled(free, restart, random), noise, random);
+  } else {
+    // What stands in a pattern already stays there.
+    std::erase_if(free, [&](int object) { return before.placed[object] != 0; });
+    PlaceGroups(input, search_input, Shuffled(GroupsOf(input, free), restart, random), noise, random, search);
+  }
+  search.Sweep(free, kFurnishSweeps, CandidateDensity{}, random);
   const Layout swept = search.layout();
   const double swept_score = search.Score();
-  search.Descend(stage.objects, {.max_evaluations = 40, .relative_tolerance = 1e-3, .absolute_tolerance = 1e-4});
+  search.Descend(free, {.max_evaluations = 40, .relative_tolerance = 1e-3, .absolute_tolerance = 1e-4});
   double score = search.Score();
   if (score > swept_score) {
     search.set_layout(swept);
@@ -133,6 +161,8 @@ namespace {
 
 constexpr int kPolishSweeps = 2;
 constexpr double kPolishNoise = 0.2;
+// What an angle that follows no wall has to be worth: less than one wish, more than what is won by a few degrees.
+constexpr double kCrooked = 0.3;
 constexpr CandidateDensity kSparse{.wall_samples = 2, .floor_samples = 10, .partner_samples = 1};
 
 // The smaller partners of an object: what moves along when it moves.
@@ -171,11 +201,39 @@ void Improve(const SolveInput& input, const StageSpec& stage, LayoutSearch& sear
   for (int i = 0; i < attempts; ++i) search.Replace(Neighbourhood(input, stage, random), kPolishNoise, random);
 }
 
-// Descends from where `search` is, makes the layout exact and lets it settle. Returns the score.
-double Finish(const SolveInput& input, const StageSpec& stage, const SearchInput& search_input, LayoutSearch& search) {
+// Turns crooked pieces along the walls where that costs little: nobody asked for the angle.
+void Straighten(const Scene& scene, std::span<const int> objects, Problem& problem, Layout& layout) {
+  for (int object : objects) {
+    const Pose<double> crooked = layout[object];
+    const double straight = WrapAngle(4 * (crooked.theta_rad - scene.room.walls[0].BackHeading())) / 4;
+    if (std::abs(straight) < kSnap_rad) continue;
+    double least = problem.Around(object, layout, HUGE_VAL) + kCrooked;
+    Pose<double> best = crooked;
+    for (const Wall& wall : scene.room.walls) {
+      const double quarters = (crooked.theta_rad - wall.BackHeading()) / (kPi / 2);
+      for (double turn : {std::floor(quarters), std::ceil(quarters)}) {
+        layout[object].theta_rad = wall.BackHeading() + turn * kPi / 2;
+        const double cost = problem.Around(object, layout, least);
+        if (cost >= least) continue;
+        least = cost;
+        best = layout[object];
+      }
+    }
+    layout[object] = best;
+  }
+}
+
+// Descends from where `search` is, makes the layout exact and lets it settle. Returns the score. What of `whole` is not
+// in `stage` moves only when nothing else helps.
+double Finish(const SolveInput& input, const StageSpec& whole, const StageSpec& stage, const SearchInput& search_input,
+              LayoutSearch& search) {
   search.Descend(stage.objects, {.max_evaluations = 60, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-5});
   Layout layout = search.layout();
-  const std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
+  Straighten(input.scene, stage.objects, search.problem(), layout);
+  std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
+  if (!left.empty() && stage.objects.size() < whole.objects.size()) {
+    left = MakeExact(input, search.problem(), whole.objects, layout);
+  }
   SearchInput settle_input = search_input;
   settle_input.walk_grid = &input.fine_walk_grid;
   LayoutSearch settled(settle_input, search.problem(), layout);
@@ -196,14 +254,17 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
   RestartResult result{restart, 0, 0, before};
   if (stage.objects.empty()) return result;
   Random random(RestartSeed(input.settings, stage, restart));
+  const std::vector<int> held = InPattern(input, before);
+  StageSpec free = stage;
+  std::erase_if(free.objects, [&](int o) { return std::binary_search(held.begin(), held.end(), o); });
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
     const SceneCosts costs = BindCosts(input, centers);
     const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
                                    input.keep_out, &input.walk_grid, {},      input.Over()};
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
-    if (!input.OutOfTime()) Improve(input, stage, search, random);
-    if (pass + 1 == passes) result.score = Finish(input, stage, search_input, search);
+    if (!input.OutOfTime() && !free.objects.empty()) Improve(input, free, search, random);
+    if (pass + 1 == passes) result.score = Finish(input, stage, free, search_input, search);
     result.evaluations += search.evaluations();
     for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
   }

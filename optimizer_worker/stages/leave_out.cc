@@ -123,6 +123,7 @@ absl::StatusOr<std::vector<Branch>> SolveRest(const SolveInput& input, const Res
   ASSIGN_OR_RETURN(SolveInput part, MakeSolveInput(rest, {}, input.solver, input.cancelled));
   part.settings = input.settings;
   part.out_of_time = input.out_of_time;
+  if (part.settings.groups) part.groups = FindGroups(part);
   absl::StatusOr<std::vector<Branch>> branches = Driver(part, runner).Run();
   if (!branches.ok()) return branches.status();
   for (Branch& branch : *branches) branch.state = Widen(part, branch.state, input);

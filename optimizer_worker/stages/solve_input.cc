@@ -63,6 +63,7 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
                     std::move(pinned),
                     std::move(partners),
                     std::move(linked),
+                    {},
                     std::move(keep_out),
                     std::move(walk_grid),
                     std::move(fine_walk_grid),

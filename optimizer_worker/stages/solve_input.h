@@ -15,6 +15,7 @@
 #include "optimizer_worker/solver/problem.h"
 #include "optimizer_worker/solver/separation.h"
 #include "optimizer_worker/solver/solver.h"
+#include "optimizer_worker/stages/groups.h"
 #include "optimizer_worker/stages/solve_settings.h"
 #include "room/scene/scene.h"
 
@@ -40,6 +41,8 @@ struct SolveInput {
   std::vector<std::vector<int>> partners;
   // Pairs that belong together, for the costs.
   LinkedPairs linked;
+  // What is placed together; none where pieces are placed one by one.
+  Groups groups = {};
   KeepOut keep_out;
   evaluation::WalkGrid walk_grid;
   // For layouts that are exact already: a search on the coarse grid finds the gaps of 0.55 m that it passes for ways.

@@ -17,6 +17,7 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
                                         const Solver& solver, const CancelCheck& cancelled,
                                         const RestartRunner& runner) {
   ASSIGN_OR_RETURN(SolveInput input, MakeSolveInput(graph, options, solver, cancelled));
+  if (input.settings.groups) input.groups = FindGroups(input);
   absl::StatusOr<std::vector<Branch>> branches = Driver(input, runner).Run();
   if (!branches.ok()) return branches.status();
   absl::StatusOr<std::vector<Branch>> fitting = SolveWithoutMisfits(input, runner, *branches);
@@ -72,6 +73,7 @@ absl::StatusOr<std::vector<v1::RestartOutcome>> SolveStageRestarts(const v1::Sol
                     request.restart_count()));
   }
   ASSIGN_OR_RETURN(SolveInput input, MakeSolveInput(request.layout_graph(), request.options(), solver, cancelled));
+  if (input.settings.groups) input.groups = FindGroups(input);
   ASSIGN_OR_RETURN(StageSpec stage, ReadStage(input, request));
   PartialLayout before = StartOf(input);
   RETURN_IF_ERROR(ReadPlacements(input, request.placements(), before));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "optimizer_worker/stages/floor_stages.h"
+#include "optimizer_worker/stages/patterns.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
@@ -34,7 +35,10 @@ bool Belongs(const Object& object, StageKind kind, int zone) {
   return false;
 }
 
-RestartResult RunKind(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
+// `starts` differ in where the patterns of groups stand, best first.
+RestartResult RunKind(const SolveInput& input, const StageSpec& stage, const std::vector<PartialLayout>& starts,
+                      int restart) {
+  const PartialLayout& before = starts[restart % starts.size()];
   switch (stage.kind) {
     case StageKind::kPolish: {
       const bool later_round = restart % kRestartsPerBranch >= RestartsOf(input.settings, stage);
@@ -51,8 +55,9 @@ RestartResult RunKind(const SolveInput& input, const StageSpec& stage, const Par
 
 // Poses leave a restart as they would arrive in a message (no -0, headings in [0, 2 pi)), so that it does not matter to
 // the last bit where it ran.
-RestartResult RunRestart(const SolveInput& input, const StageSpec& stage, const PartialLayout& before, int restart) {
-  RestartResult result = RunKind(input, stage, before, restart);
+RestartResult RunRestart(const SolveInput& input, const StageSpec& stage, const std::vector<PartialLayout>& starts,
+                         int restart) {
+  RestartResult result = RunKind(input, stage, starts, restart);
   for (int object : stage.objects) {
     const Pose<double>& pose = result.state.layout[object];
     result.state.Place(object, {pose.x_m + 0.0, pose.y_m + 0.0, WrapHeading(pose.theta_rad)});
@@ -118,10 +123,13 @@ uint64_t RestartSeed(const SolveSettings& settings, const StageSpec& stage, int 
 absl::StatusOr<std::vector<RestartResult>> RunRestarts(const SolveInput& input, const StageSpec& stage,
                                                        const PartialLayout& before, int first, int count) {
   std::vector<RestartResult> results(count, RestartResult{kNotRun, 0, 0, before});
+  const bool furnishes = stage.kind == StageKind::kPrimary || stage.kind == StageKind::kSecondary;
+  const std::vector<PartialLayout> starts =
+      furnishes ? PlacePatterns(input, stage, before) : std::vector<PartialLayout>{before};
   RETURN_IF_ERROR(runtime::ForEach({input.settings.threads, {}}, count, [&](int i) {
     // The first one runs in any case: a stage that has begun has a result.
     if (input.Cancelled() || (i > 0 && input.OutOfTime())) return;
-    results[i] = RunRestart(input, stage, before, first + i);
+    results[i] = RunRestart(input, stage, starts, first + i);
   }));
   if (input.Cancelled()) {
     return absl::CancelledError(std::string("cancelled in stage ") + std::string(StageName(stage.kind)));
@@ -166,7 +174,12 @@ PartialLayout StartOf(const SolveInput& input) {
 }
 
 StageSpec FreeStage(const SolveInput& input, StageKind kind, int zone) {
-  StageSpec stage = MakeStage(input.scene, kind, zone);
+  StageSpec stage{kind, zone, {}};
+  const bool furnishes = kind == StageKind::kPrimary || kind == StageKind::kSecondary;
+  for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
+    const int leader = furnishes ? input.groups.LeaderOf(input.scene, i) : i;
+    if (Belongs(input.scene.objects[leader], kind, zone)) stage.objects.push_back(i);
+  }
   std::erase_if(stage.objects, [&input](int object) { return input.pinned[object] != 0; });
   return stage;
 }

@@ -113,7 +113,7 @@ class LocalRestartRunner final : public RestartRunner {
 // The layout before the first stage: the pinned objects only.
 PartialLayout StartOf(const SolveInput& input);
 
-// MakeStage without the pinned objects.
+// MakeStage without the pinned objects; what belongs to a group is placed with its leader.
 StageSpec FreeStage(const SolveInput& input, StageKind kind, int zone = -1);
 
 }  // namespace flair::optimizer

@@ -7,6 +7,7 @@
 
 #include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/linked_pairs.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/walls.h"
@@ -123,7 +124,7 @@ BoundCost BindRow(const Arguments& a, const BindContext& context) {
 
 class SurroundCost final : public Cost {
  public:
-  static constexpr int kMaxSeats = 16;
+  static constexpr int kMaxSeats = kMostSeats;
 
   // At most kMaxSeats seats.
   SurroundCost(const Scene& scene, int center, const std::vector<int>& seats);

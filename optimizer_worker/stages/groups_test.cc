@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/groups.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "optimizer_worker/solver/solver.h"
+#include "optimizer_worker/stages/pattern_slots.h"
+#include "optimizer_worker/stages/solve_layout.h"
+#include "optimizer_worker/stages/stage.h"
+#include "optimizer_worker/stages/testing/graphs.h"
+#include "room/conversion/conversion.h"
+
+namespace flair::optimizer {
+namespace {
+
+std::string Surround(int table, int first_chair, int chairs) {
+  std::string items;
+  for (int c = 0; c < chairs; ++c) items += fmt::format("items: \"chair_{}\" ", first_chair + c);
+  return EdgeText(fmt::format("e{}", table).c_str(), "surround",
+                  Text("center", fmt::format("table_{}", table).c_str()) +
+                      fmt::format(R"(arguments {{ name: "objects" value {{ texts {{ {} }} }} }})", items));
+}
+
+// Tables, each with four chairs round it, and a cupboard at the wall.
+v1::LayoutGraph Cafe(int tables, double side_m) {
+  std::string objects, edges;
+  for (int t = 0; t < tables; ++t) {
+    objects += ObjectText(fmt::format("table_{}", t).c_str(), "PRIMARY", "FLOOR", 0.8, 0.8);
+    edges += Surround(t, 4 * t, 4);
+  }
+  for (int c = 0; c < 4 * tables; ++c) {
+    objects += ObjectText(fmt::format("chair_{}", c).c_str(), "SECONDARY", "FLOOR", 0.45, 0.45);
+  }
+  objects += ObjectText("cupboard", "SECONDARY", "FLOOR", 1.2, 0.4);
+  return Parse(RoomText(side_m, side_m) + "object_list {" + objects + "}" + edges +
+               EdgeText("wall", "against_wall", Text("object", "cupboard")));
+}
+
+SolveInput InputOf(const v1::LayoutGraph& graph, const Solver& solver) {
+  absl::StatusOr<SolveInput> input = MakeSolveInput(graph, {}, solver, nullptr);
+  EXPECT_TRUE(input.ok()) << input.status();
+  input->groups = FindGroups(*input);
+  return *std::move(input);
+}
+
+v1::SolvedLayout Solve(const v1::LayoutGraph& graph, int seed, v1::GroupPolicy policy, int threads = 1) {
+  v1::SolveOptions options;
+  options.set_seed(seed);
+  options.set_groups(policy);
+  options.set_thread_count(threads);
+  const absl::StatusOr<SolveResult> result = SolveLayout(graph, options, NloptSolver(), nullptr, LocalRestartRunner());
+  EXPECT_TRUE(result.ok()) << result.status();
+  return result.ok() ? result->layout : v1::SolvedLayout();
+}
+
+std::set<std::string> StagesOf(const v1::SolvedLayout& layout) {
+  std::set<std::string> stages;
+  for (const v1::StageOutcome& outcome : layout.stage_outcomes()) stages.insert(outcome.stage());
+  return stages;
+}
+
+TEST(FindGroups, ChairsBelongToTheirTableAndTablesThatAreAlikeMakeAPattern) {
+  const NloptSolver solver;
+  const v1::LayoutGraph graph = Cafe(5, 9);
+  const SolveInput input = InputOf(graph, solver);
+  ASSERT_EQ(input.groups.patterns.size(), 1u);
+  EXPECT_EQ(input.groups.patterns[0].size(), 5u);
+  const Group& group = input.groups.all[input.groups.patterns[0][0]];
+  EXPECT_EQ(group.objects.size(), 5u);
+  EXPECT_EQ(input.scene.objects[group.objects[0]].id, "table_0");
+  EXPECT_EQ(input.groups.LeaderOf(input.scene, input.scene.IndexOf("chair_3")), group.objects[0]);
+  EXPECT_EQ(input.groups.all[input.groups.of[input.scene.IndexOf("cupboard")]].objects.size(), 1u);
+}
+
+TEST(FindGroups, WhatIsPinnedJoinsNone) {
+  const NloptSolver solver;
+  v1::LayoutGraph graph = Cafe(1, 5);
+  v1::Placement& pin = *graph.add_pinned_placements();
+  pin.set_object_id("chair_0");
+  pin.set_x_m(2.5);
+  pin.set_y_m(4);
+  const SolveInput input = InputOf(graph, solver);
+  EXPECT_EQ(input.groups.of[input.scene.IndexOf("chair_0")], -1);
+  EXPECT_EQ(input.groups.all[0].objects.size(), 4u);
+}
+
+TEST(ArrangeGroup, HoldsItsCallsAndNothingOverlaps) {
+  const NloptSolver solver;
+  const v1::LayoutGraph graph = Cafe(1, 5);
+  const SolveInput input = InputOf(graph, solver);
+  const Group& group = input.groups.all[0];
+  ASSERT_FALSE(group.arrangements.empty());
+  std::vector<Pose<double>> poses;
+  PoseGroup(group.arrangements[0], {2.5, 2.5, 0}, poses);
+  PartialLayout state(input.scene);
+  for (size_t k = 0; k < poses.size(); ++k) state.Place(group.objects[k], poses[k]);
+  EXPECT_TRUE(FindViolations(input.scene, input.keep_out, group.objects, state.layout, 1e-6).empty());
+  const SceneCosts costs = BindCosts(input, state);
+  const Term& surround = costs.terms[0];
+  std::vector<Pose<double>> read;
+  for (int object : surround.cost->objects()) read.push_back(state.layout[object]);
+  EXPECT_LT(surround.cost->Value(read), 1e-4);
+}
+
+TEST(Groups, StayTogetherSquareAndInLineForEverySeed) {
+  const v1::LayoutGraph graph = Cafe(6, 9);
+  const absl::StatusOr<Scene> scene = SceneFromProto(graph);
+  ASSERT_TRUE(scene.ok()) << scene.status();
+  for (int seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const v1::SolvedLayout layout = Solve(graph, seed, v1::GROUP_POLICY_UNSPECIFIED);
+    EXPECT_EQ(layout.diagnostics_size(), 0) << layout.diagnostics(0).ShortDebugString();
+    for (const v1::Placement& p : layout.placements()) {
+      EXPECT_LT(std::abs(std::sin(2 * p.theta_rad())), 1e-3) << p.object_id();
+    }
+    for (int t = 0; t < 6; ++t) {
+      const v1::Placement& table = PlacementOf(layout, fmt::format("table_{}", t));
+      for (int c = 4 * t; c < 4 * t + 4; ++c) {
+        const v1::Placement& chair = PlacementOf(layout, fmt::format("chair_{}", c));
+        EXPECT_LT(std::hypot(chair.x_m() - table.x_m(), chair.y_m() - table.y_m()), 0.4 + 0.225 + 0.1 + 0.1);
+      }
+      int in_line = 0;
+      for (int other = 0; other < 6; ++other) {
+        const v1::Placement& next = PlacementOf(layout, fmt::format("table_{}", other));
+        in_line += other != t && (std::abs(next.x_m() - table.x_m()) < 1e-3 || std::abs(next.y_m() - table.y_m()) < 1e-3);
+      }
+      EXPECT_GT(in_line, 0) << table.object_id();
+    }
+  }
+}
+
+TEST(Groups, OffGivesThePapersOrder) {
+  const v1::LayoutGraph graph = Cafe(1, 5);
+  EXPECT_TRUE(StagesOf(Solve(graph, 0, v1::GROUP_POLICY_OFF)).contains("secondary"));
+  const NloptSolver solver;
+  absl::StatusOr<SolveInput> input = MakeSolveInput(graph, {}, solver, nullptr);
+  ASSERT_TRUE(input.ok()) << input.status();
+  const std::vector<int> table = {0};
+  EXPECT_EQ(FreeStage(*input, StageKind::kPrimary).objects, table);
+  input->groups = FindGroups(*input);
+  EXPECT_EQ(FreeStage(*input, StageKind::kPrimary).objects.size(), 5u);
+}
+
+TEST(Groups, GiveTheSameBytesOnAnyNumberOfThreads) {
+  const v1::LayoutGraph graph = Cafe(4, 7);
+  EXPECT_EQ(Solve(graph, 3, v1::GROUP_POLICY_ON, 1).SerializeAsString(),
+            Solve(graph, 3, v1::GROUP_POLICY_ON, 3).SerializeAsString());
+}
+
+TEST(ForEachPattern, PlacesSoManyBoxesThatDoNotOverlap) {
+  const Room room = RectangularRoom(8, 6);
+  const BoundingBox box{{-0.5, -0.9}, {0.7, 0.4}};
+  const Footprint size{box.width_m(), box.height_m()};
+  int patterns = 0;
+  ForEachPattern(room, box, 7, [&](const std::vector<Pose<double>>& poses) {
+    ++patterns;
+    ASSERT_GE(poses.size(), 7u);
+    std::vector<Box<double>> boxes;
+    for (const Pose<double>& pose : poses) {
+      const Vec2<double> middle = FrameOf(pose).ToRoom(box.Center().x, box.Center().y);
+      boxes.emplace_back(size, FrameOf(Pose<double>{middle.x, middle.y, pose.theta_rad}));
+      for (size_t k = 0; k + 1 < boxes.size(); ++k) ASSERT_GT(Separate(boxes[k], boxes.back()).gap_m, -1e-6);
+    }
+  });
+  EXPECT_GT(patterns, 100);
+}
+
+}  // namespace
+}  // namespace flair::optimizer

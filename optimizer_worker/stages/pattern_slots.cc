@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/pattern_slots.h"
+
+#include <algorithm>
+
+namespace flair::optimizer {
+namespace {
+
+// Gaps within and between rows; kSpread stands for an equal share of what is free.
+constexpr double kSpread = -1;
+constexpr double kGaps_m[] = {0, 0.6, 0.9, kSpread};
+// A row that is not full has at least this share of the others' boxes; up to so many rows are to spare.
+constexpr double kFullEnough = 0.5;
+constexpr int kSpareRows = 1;
+
+// Rows of a grid: all look the same way, or every second one is turned.
+struct Bank {
+  bool turned;
+  // Whether the first two rows face each other (or stand back to back).
+  bool facing;
+  // Between rows that face each other or look the same way; and those that stand back to back.
+  double front_gap, back_gap;
+
+  bool FrontAfter(int row) const { return !turned || (row % 2 == 0) == facing; }
+};
+
+class GridMaker {
+ public:
+  GridMaker(const Room& room, const BoundingBox& box, double heading, const VisitSlots& visit)
+      : box_(box), heading_(heading), visit_(visit), frame_(FrameOf(Pose<double>{0, 0, heading})) {
+    std::vector<Vec2<double>> corners;
+    for (const Vec2<double>& p : room.floor.vertices) corners.push_back(frame_.ToObject(p));
+    floor_ = BoundsOf(corners);
+  }
+
+  void All(int count) {
+    for (int columns = 1; columns <= count && columns * box_.width_m() <= floor_.width_m(); ++columns) {
+      const int fewest = (count + columns - 1) / columns;
+      if (fewest > 1 && count - columns * (fewest - 1) < kFullEnough * columns) continue;
+      for (int rows = fewest; rows <= fewest + kSpareRows; ++rows) {
+        if (rows * box_.height_m() > floor_.height_m()) break;
+        for (double gap : kGaps_m) {
+          if (columns > 1 || gap == 0) Across(columns, rows, gap);
+        }
+      }
+    }
+  }
+
+ private:
+  // Calls place(start, gap) for a row of `count` gaps in `free`: in the middle and at both ends, or spread.
+  template <typename F>
+  static void ForStarts(double free, int count, double gap, const F& place) {
+    const double step = gap == kSpread ? std::max(0.0, free) / (count + 2) : gap;
+    const double slack = free - count * step;
+    if (slack < 0) return;
+    place(slack / 2, step);
+    if (gap == kSpread || slack < 0.1) return;
+    place(0.0, step);
+    place(slack, step);
+  }
+
+  void Across(int columns, int rows, double gap) {
+    const double w = box_.width_m();
+    ForStarts(floor_.width_m() - columns * w, columns - 1, gap, [&](double start, double step) {
+      middles_.clear();
+      for (int c = 0; c < columns; ++c) middles_.push_back(floor_.min.x + start + c * (w + step) + w / 2);
+      for (double front : kGaps_m) {
+        if (rows > 1 || front == 0) Down(rows, {false, false, front, front});
+        if (rows == 1 || front == kGaps_m[2]) continue;
+        for (double back : {kGaps_m[0], kGaps_m[1]}) {
+          for (bool facing : {false, true}) Down(rows, {true, facing, front, back});
+        }
+      }
+    });
+  }
+
+  void Down(int rows, const Bank& bank) {
+    const double d = box_.height_m();
+    int fronts = 0;
+    for (int row = 0; row + 1 < rows; ++row) fronts += bank.FrontAfter(row) ? 1 : 0;
+    const double free = floor_.height_m() - rows * d - (rows - 1 - fronts) * bank.back_gap;
+    ForStarts(free, fronts, bank.front_gap, [&](double start, double front) {
+      slots_.clear();
+      double at = floor_.min.y + start + d / 2;
+      for (int row = 0; row < rows; ++row) {
+        for (double x : middles_) Add(x, at, bank.FrontAfter(row));
+        at += d + (bank.FrontAfter(row) ? front : bank.back_gap);
+      }
+      visit_(slots_);
+    });
+  }
+
+  // The box's middle at (x, y), looking along the heading or the other way.
+  void Add(double x, double y, bool along) {
+    const Vec2<double> c = box_.Center();
+    const Vec2<double> p = along ? frame_.ToRoom(x - c.x, y - c.y) : frame_.ToRoom(x + c.x, y + c.y);
+    slots_.push_back({p.x, p.y, along ? heading_ : heading_ + kPi});
+  }
+
+  const BoundingBox& box_;
+  double heading_;
+  const VisitSlots& visit_;
+  Frame<double> frame_;
+  BoundingBox floor_;  // in frame_
+  std::vector<double> middles_;
+  std::vector<Pose<double>> slots_;
+};
+
+// Every wall in turn, or every second one: opposite rows.
+void AlongWalls(const Room& room, const BoundingBox& box, size_t first, size_t step, double gap, size_t count,
+                const VisitSlots& visit) {
+  const double w = box.width_m(), d = box.height_m();
+  std::vector<Pose<double>> slots;
+  for (size_t k = 0; k < room.walls.size(); k += step) {
+    const Wall& wall = room.walls[(first + k) % room.walls.size()];
+    // Corners are left to the row that comes first.
+    const double low = k > 0 && step == 1 ? d : 0.0;
+    const double high = wall.length_m - (k > 0 && k + 1 == room.walls.size() ? d : 0.0);
+    const int fit = static_cast<int>((high - low + gap) / (w + gap));
+    const double start = low + (high - low - fit * w - (fit - 1) * gap) / 2;
+    const double heading = wall.BackHeading();
+    const Vec2<double> off = FrameOf(Pose<double>{0, 0, heading}).ToRoom(box.Center().x, box.Center().y);
+    for (int n = 0; n < fit; ++n) {
+      const Vec2<double> p = wall.PointAt(start + n * (w + gap) + w / 2) + (d / 2) * wall.inward_normal - off;
+      slots.push_back({p.x, p.y, heading});
+    }
+  }
+  if (slots.size() >= count) visit(slots);
+}
+
+}  // namespace
+
+void ForEachPattern(const Room& room, const BoundingBox& box, int count, const VisitSlots& visit) {
+  const Wall& longest = *std::max_element(room.walls.begin(), room.walls.end(),
+                                          [](const Wall& a, const Wall& b) { return a.length_m < b.length_m; });
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    GridMaker(room, box, longest.BackHeading() + quarter * kPi / 2, visit).All(count);
+  }
+  for (size_t wall = 0; wall < room.walls.size(); ++wall) {
+    for (double gap : {0.0, 0.1, 0.6}) {
+      for (size_t step : {size_t{1}, size_t{2}}) AlongWalls(room, box, wall, step, gap, count, visit);
+    }
+  }
+}
+
+}  // namespace flair::optimizer

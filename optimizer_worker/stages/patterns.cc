@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "optimizer_worker/stages/patterns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "optimizer_worker/solver/hard_cost.h"
+#include "optimizer_worker/solver/search.h"
+#include "optimizer_worker/stages/pattern_slots.h"
+#include "room/geometry/pose.h"
+
+namespace flair::optimizer {
+namespace {
+
+// Hard terms up to this are rounding.
+constexpr double kNoOverlap = 1e-9, kOverlap_m = 1e-6;
+// So many of the cheapest are also judged by how one can walk; so many of those become starts.
+constexpr size_t kWalked = 32, kStarts = 4;
+// How often all pairs may change places.
+constexpr int kExchanges = 4;
+// Behind whoever sits there: what half a way takes, or less where that does not fit.
+constexpr double kBehind_m[] = {0.3, 0.15, 0};
+// How many arrangements of a group are tried.
+constexpr size_t kArrangements = 2;
+// In line: this near, and turned no more than this.
+constexpr double kLine_m = 1e-3, kTurned_rad = 1e-3;
+// Members may stand off so much more or less where the pieces are not quite as large.
+constexpr double kAlike_m = 0.13;
+
+struct Pattern {
+  std::vector<Pose<double>> poses;
+  double cost = 0;
+};
+
+class PatternPlacer {
+ public:
+  PatternPlacer(const SolveInput& input, const StageSpec& stage, const std::vector<int>& groups)
+      : input_(input), stage_(stage), groups_(groups) {
+    for (int g : groups) {
+      const std::vector<int>& objects = input.groups.all[g].objects;
+      objects_.insert(objects_.end(), objects.begin(), objects.end());
+      for (int other : groups) {
+        tied_ = tied_ || input.linked.TieOf(objects[0], input.groups.all[other].objects[0]) > 0;
+      }
+    }
+  }
+
+  // The best few places of the pattern among what stands, best first.
+  std::vector<PartialLayout> Place(const PartialLayout& before, size_t most) {
+    const std::vector<Vec2<double>> centers = ZoneCenters(input_.scene, before.placed, before.layout);
+    const SceneCosts costs = BindCosts(input_, centers);
+    Problem problem = MakeProblem(input_, costs, {stage_.kind, stage_.zone, objects_}, before);
+    HardCost hard(input_.scene, input_.keep_out, problem);
+    hard.Prepare(input_.groups.all[groups_[0]].objects, problem, before.layout);
+    for (int object : objects_) problem.SetPlaced(object, true);
+    problem.Hold(objects_, before.layout, true);
+    Rank(problem, hard);
+    const SearchInput search_input{input_.scene,    input_.partners,   centers, input_.solver,
+                                   input_.keep_out, &input_.walk_grid, {},      nullptr};
+    LayoutSearch search(search_input, std::move(problem), before.layout);
+    for (Pattern& pattern : best_) {
+      Layout layout = before.layout;
+      for (size_t k = 0; k < objects_.size(); ++k) layout[objects_[k]] = pattern.poses[k];
+      Exchange(search.problem(), layout);
+      for (size_t k = 0; k < objects_.size(); ++k) pattern.poses[k] = layout[objects_[k]];
+      search.set_layout(layout);
+      pattern.cost = search.Score();
+    }
+    // Rows along the walls of a room that is no rectangle may cross.
+    std::erase_if(best_, [&](const Pattern& pattern) {
+      Layout layout = before.layout;
+      for (size_t k = 0; k < objects_.size(); ++k) layout[objects_[k]] = pattern.poses[k];
+      return !FindViolations(input_.scene, input_.keep_out, objects_, layout, kOverlap_m).empty();
+    });
+    std::stable_sort(best_.begin(), best_.end(), [](const Pattern& a, const Pattern& b) { return a.cost < b.cost; });
+    std::vector<PartialLayout> placed;
+    for (size_t i = 0; i < std::min(most, best_.size()); ++i) {
+      PartialLayout& layout = placed.emplace_back(before);
+      for (size_t k = 0; k < objects_.size(); ++k) layout.Place(objects_[k], best_[i].poses[k]);
+    }
+    return placed;
+  }
+
+ private:
+  // Among places with room behind the seats; without where there are none.
+  void Rank(Problem& problem, const HardCost& hard) {
+    size_t arrangements = kArrangements;
+    for (int g : groups_) arrangements = std::min(arrangements, input_.groups.all[g].arrangements.size());
+    for (double room_m : kBehind_m) {
+      for (size_t a = 0; a < arrangements; ++a) {
+        ForEachPattern(input_.scene.room, Roomy(a, room_m), static_cast<int>(groups_.size()),
+                       [&](const auto& slots) { Try(slots, a, problem, hard); });
+      }
+      if (!best_.empty()) return;
+    }
+  }
+
+  // Groups that are tied to each other change places while that helps.
+  void Exchange(Problem& problem, Layout& layout) const {
+    const std::vector<Group>& all = input_.groups.all;
+    if (!tied_) return;
+    const auto cost = [&](int a, int b) {
+      double sum = 0;
+      for (int g : {a, b}) {
+        for (int object : all[g].objects) sum += problem.Around(object, layout, HUGE_VAL);
+      }
+      return sum;
+    };
+    const auto swap = [&](int a, int b) {
+      for (size_t k = 0; k < all[a].objects.size(); ++k) std::swap(layout[all[a].objects[k]], layout[all[b].objects[k]]);
+    };
+    bool better = true;
+    for (int round = 0; better && round < kExchanges; ++round) {
+      better = false;
+      for (size_t i = 0; i < groups_.size(); ++i) {
+        for (size_t k = 0; k < i; ++k) {
+          const double before = cost(groups_[k], groups_[i]);
+          swap(groups_[k], groups_[i]);
+          if (cost(groups_[k], groups_[i]) < before - kNoOverlap) {
+            better = true;
+          } else {
+            swap(groups_[k], groups_[i]);
+          }
+        }
+      }
+    }
+  }
+
+  // The box round every one of the groups, so much larger where members stand before the first piece.
+  BoundingBox Roomy(size_t arrangement, double room_m) const {
+    BoundingBox box{{0, 0}, {0, 0}};
+    for (int g : groups_) {
+      const Group& group = input_.groups.all[g];
+      const BoundingBox own = BoxOf(input_.scene, group, group.arrangements[arrangement]);
+      const Footprint& first = input_.scene.objects[group.objects[0]].footprint;
+      const double u = first.width_m / 2 + kOverlap_m, v = first.depth_m / 2 + kOverlap_m;
+      box.min.x = std::min(box.min.x, own.min.x - (own.min.x < -u ? room_m : 0));
+      box.max.x = std::max(box.max.x, own.max.x + (own.max.x > u ? room_m : 0));
+      box.min.y = std::min(box.min.y, own.min.y - (own.min.y < -v ? room_m : 0));
+      box.max.y = std::max(box.max.y, own.max.y + (own.max.y > v ? room_m : 0));
+    }
+    return box;
+  }
+
+  // Takes the first of those slots that nothing is in the way of, as it would be for the first group.
+  void Try(const std::vector<Pose<double>>& slots, size_t arrangement, Problem& problem, const HardCost& hard) {
+    const std::vector<Group>& all = input_.groups.all;
+    free_.clear();
+    for (size_t i = 0; i < slots.size() && free_.size() < groups_.size(); ++i) {
+      PoseGroup(all[groups_[0]].arrangements[arrangement], slots[i], one_);
+      if (hard.At(one_, kNoOverlap) <= kNoOverlap) free_.push_back(slots[i]);
+      if (free_.size() + slots.size() - i <= groups_.size() && free_.size() < groups_.size()) return;
+    }
+    // The first row may be at either end.
+    for (int end = 0; end < (tied_ ? 2 : 1); ++end) {
+      all_.clear();
+      for (size_t k = 0; k < groups_.size(); ++k) {
+        PoseGroup(all[groups_[k]].arrangements[arrangement], free_[k], one_);
+        all_.insert(all_.end(), one_.begin(), one_.end());
+      }
+      Offer(all_, problem.AroundHeld(all_, best_.size() < kWalked ? HUGE_VAL : best_.back().cost));
+      std::reverse(free_.begin(), free_.end());
+    }
+  }
+
+  void Offer(const std::vector<Pose<double>>& poses, double cost) {
+    if (best_.size() == kWalked && cost >= best_.back().cost) return;
+    const auto place = std::upper_bound(best_.begin(), best_.end(), cost,
+                                        [](double value, const Pattern& other) { return value < other.cost; });
+    best_.insert(place, {poses, cost});
+    if (best_.size() > kWalked) best_.pop_back();
+  }
+
+  const SolveInput& input_;
+  const StageSpec& stage_;
+  const std::vector<int>& groups_;
+  std::vector<int> objects_;
+  std::vector<Pattern> best_;
+  std::vector<Pose<double>> all_, one_, free_;
+  // Whether calls put some of the groups beside each other.
+  bool tied_ = false;
+};
+
+bool IsIn(const StageSpec& stage, int object) {
+  return std::find(stage.objects.begin(), stage.objects.end(), object) != stage.objects.end();
+}
+
+double AreaOf(const SolveInput& input, const std::vector<int>& groups) {
+  double area = 0;
+  for (int g : groups) {
+    for (int object : input.groups.all[g].objects) area += input.scene.objects[object].footprint.area_m2();
+  }
+  return area;
+}
+
+// Whether a group's objects stand to each other as those of `model` do.
+bool StandsAlike(const Group& group, const Group& model, const Layout& layout) {
+  const Frame<double> frame = FrameOf(layout[group.objects[0]]), other = FrameOf(layout[model.objects[0]]);
+  for (size_t k = 1; k < group.objects.size(); ++k) {
+    const Pose<double>&a = layout[group.objects[k]], &b = layout[model.objects[k]];
+    if (Distance(frame.ToObject(Center(a)), other.ToObject(Center(b))) > kAlike_m) return false;
+    const double turn = (a.theta_rad - layout[group.objects[0]].theta_rad) -
+                        (b.theta_rad - layout[model.objects[0]].theta_rad);
+    if (std::abs(WrapAngle(turn)) > kTurned_rad) return false;
+  }
+  return true;
+}
+
+bool InOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state) {
+  const std::vector<Group>& all = input.groups.all;
+  const Group& model = all[groups[0]];
+  for (int g : groups) {
+    for (int object : all[g].objects) {
+      if (!state.placed[object]) return false;
+    }
+  }
+  const auto first = [&](int g) -> const Pose<double>& { return state.layout[all[g].objects[0]]; };
+  const Frame<double> frame = FrameOf(first(groups[0]));
+  for (int g : groups) {
+    const double turn = WrapAngle(4 * (first(g).theta_rad - first(groups[0]).theta_rad)) / 4;
+    if (std::abs(turn) > kTurned_rad || !StandsAlike(all[g], model, state.layout)) return false;
+    const bool in_line = std::any_of(groups.begin(), groups.end(), [&](int other) {
+      const Vec2<double> apart = frame.ToObject(Center(first(other))) - frame.ToObject(Center(first(g)));
+      return other != g && (std::abs(apart.x) < kLine_m || std::abs(apart.y) < kLine_m);
+    });
+    if (!in_line) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage,
+                                         const PartialLayout& before) {
+  std::vector<PartialLayout> starts = {before};
+  if (input.OutOfTime() || input.Cancelled()) return starts;
+  std::vector<std::vector<int>> patterns = input.groups.patterns;
+  std::stable_sort(patterns.begin(), patterns.end(),
+                   [&](const auto& a, const auto& b) { return AreaOf(input, a) > AreaOf(input, b); });
+  for (std::vector<int>& pattern : patterns) {
+    std::erase_if(pattern, [&](int g) {
+      const std::vector<int>& objects = input.groups.all[g].objects;
+      return input.groups.all[g].arrangements.empty() ||
+             std::any_of(objects.begin(), objects.end(), [&](int o) { return !IsIn(stage, o) || before.placed[o]; });
+    });
+    if (pattern.size() < kFewestAlike) continue;
+    std::vector<PartialLayout> next;
+    for (const PartialLayout& start : starts) {
+      const size_t most = starts.size() == 1 ? kStarts : 1;
+      std::vector<PartialLayout> placed = PatternPlacer(input, stage, pattern).Place(start, most);
+      if (placed.empty()) placed.push_back(start);
+      std::move(placed.begin(), placed.end(), std::back_inserter(next));
+    }
+    starts = std::move(next);
+  }
+  return starts;
+}
+
+std::vector<int> InPattern(const SolveInput& input, const PartialLayout& state) {
+  std::vector<int> held;
+  for (const std::vector<int>& pattern : input.groups.patterns) {
+    if (!InOrder(input, pattern, state)) continue;
+    for (int g : pattern) {
+      const std::vector<int>& objects = input.groups.all[g].objects;
+      held.insert(held.end(), objects.begin(), objects.end());
+    }
+  }
+  std::sort(held.begin(), held.end());
+  return held;
+}
+
+}  // namespace flair::optimizer
