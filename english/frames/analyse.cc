@@ -137,8 +137,7 @@ class Reader {
         return;
       case v1::WORD_CLASS_PRONOUN:
         // "The two beds": how many, not whatever was spoken of.
-        if (phrase.length > 1 &&
-            (NounFollows(Context(), at_ + phrase.length) || SideFollows(Context(), at_ + phrase.length))) {
+        if (phrase.length > 1 && NounFollows(Context(), at_ + phrase.length)) {
           raw.role = RawTerm::Role::kEach;
         } else {
           BecomeReference(RefKind::kPronoun, phrase.lemma, raw);

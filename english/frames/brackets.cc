@@ -26,7 +26,7 @@ class BracketReader {
   Bracket Read() {
     const Token& first = tokens_[at_ + 1];
     // "Enough space (at least 0.6 m) behind": the bracket adds to what is said.
-    const bool adds = !IsDimension() && SpaceSpokenOf();
+    const bool adds = SpaceSpokenOf();
     const bool closed = end_ < tokens_.size() && tokens_[end_].IsMark(')');
     if (first.kind == Token::Kind::kLength && (!IsSize() || adds) && end_ <= at_ + 4 && closed) {
       return {Bracket::Kind::kOpened, at_ + 1, end_};
@@ -45,14 +45,11 @@ class BracketReader {
  private:
   bool Is(size_t i, std::string_view word) const { return i < tokens_.size() && tokens_[i].IsWord(word); }
 
-  // "(length)".
-  bool IsDimension() const { return end_ == at_ + 2 && IsOneOf(tokens_[at_ + 1], {"length", "width", "depth"}); }
-
   // "(1.5m)", "(2 m side)": how long a thing is.
   bool IsSize() const {
     const Token& first = tokens_[at_ + 1];
     const bool edge = end_ == at_ + 3 && IsOneOf(tokens_[at_ + 2], {"edge", "side", "each", "width", "length"});
-    return IsDimension() || (first.kind == Token::Kind::kLength && first.length.exact && (end_ == at_ + 2 || edge));
+    return first.kind == Token::Kind::kLength && first.length.exact && (end_ == at_ + 2 || edge);
   }
 
   bool Explains() const {

@@ -53,7 +53,7 @@ class Grouper {
           reference.side = in_[next].term.lemma;
           raw.term.end = in_[next].term.end;
           i = next;
-        } else if (Peek(next) && HasParts(reference) && IsFeature(in_[next]) && in_[next].part_of_furniture) {
+        } else if (Peek(next) && IsFeature(in_[next]) && in_[next].part_of_furniture) {
           reference.side = "front";
           raw.term.end = in_[next].term.end;
           i = next;
@@ -84,12 +84,6 @@ class Grouper {
     const size_t length = raw.term.end - raw.term.begin;
     return reference.kind == RefKind::kPronoun &&
            ((reference.name == "it" && length == 3) || (reference.name == "them" && length == 5));
-  }
-
-  // "The wardrobe's doors", "its door": of a piece that is named or spoken of.
-  static bool HasParts(const Reference& reference) {
-    return reference.kind == RefKind::kObjects ||
-           (reference.kind == RefKind::kPronoun && (reference.name == "it" || reference.name == "them"));
   }
 
   // "The doors of the wardrobe" are its front.

@@ -24,12 +24,6 @@ bool NounFollows(const TokenContext& context, size_t at) {
          Lexicon::Get().Find(context.tokens, at).word_class == v1::WORD_CLASS_FEATURE;
 }
 
-bool SideFollows(const TokenContext& context, size_t at) {
-  if (at >= context.tokens.size()) return false;
-  const Phrase phrase = Lexicon::Get().Find(context.tokens, at);
-  return phrase.length > 0 && phrase.word_class == v1::WORD_CLASS_SIDE;
-}
-
 Phrase FindPhrase(const TokenContext& context) {
   const Phrase phrase = Lexicon::Get().Find(context.tokens, context.at);
   // "0.6 m should be left open": kept so, it does not open.

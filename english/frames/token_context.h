@@ -26,9 +26,6 @@ bool VerbFollows(const TokenContext& context);
 // Whether a thing of the room, a door, a window or a socket is named at tokens[at].
 bool NounFollows(const TokenContext& context, size_t at);
 
-// Whether a side is named at tokens[at].
-bool SideFollows(const TokenContext& context, size_t at);
-
 // The phrase of the lexicon. "Any side tables" is not "any side" and "tables", "any wall sockets" not "any wall": a
 // name that begins within a phrase and ends after it cuts it short.
 Phrase FindPhrase(const TokenContext& context);
