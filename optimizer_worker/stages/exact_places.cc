@@ -10,8 +10,6 @@
 namespace flair::optimizer {
 namespace {
 
-// Of a blanket that is larger than its chair, this much lies on it.
-constexpr double kRests_m = 0.1;
 // Left between neighbours, so that rounding does not make touching an overlap.
 constexpr double kAir_m = 1e-7;
 constexpr double kRounding_m = 1e-9;
@@ -54,8 +52,8 @@ void Tidy(double least, double most, std::vector<double>& values) {
 // Middles of something `2 * half` long in `room` that touch its ends, stand at its quarters, or go with the others.
 std::vector<double> MiddlesIn(const Range& room, double half, double wanted, std::span<const Range> others) {
   const double slack = room.Half() - half, middle = room.Middle();
-  // What is larger than its place hangs over, but rests on it.
-  const double play = slack > -kRounding_m ? std::max(slack, 0.0) : room.Half() + half - std::min(kRests_m, half);
+  // What is larger than its place hangs over, but its middle lies on it.
+  const double play = slack > -kRounding_m ? std::max(slack, 0.0) : room.Half();
   const double least = middle - play, most = middle + play;
   std::vector<double> middles = {middle, std::clamp(wanted, least, most)};
   if (slack > 0) middles.insert(middles.end(), {least, most, middle - slack / 2, middle + slack / 2});

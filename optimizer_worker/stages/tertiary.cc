@@ -168,9 +168,14 @@ Vec2<double> PushOf(const Scene& scene, int first, int second, const Layout& lay
   return forward < backward ? forward * along : (-backward) * along;
 }
 
-// A blanket that is larger than its chair may slide off it, nothing else may.
+// What fits on a top, or hangs over it as a cloth does.
+bool Rests(const Scene& scene, int object, int carrier) {
+  return IsFlat(scene.objects[object]) || FitsOn(scene, object, carrier);
+}
+
+// A thick blanket that is larger than its chair may slide off it, nothing else may.
 int CarrierNow(const SolveInput& input, int object, int carrier, const PartialLayout& state) {
-  if (carrier < 0 || FitsOn(input.scene, object, carrier)) return carrier;
+  if (carrier < 0 || Rests(input.scene, object, carrier)) return carrier;
   return CarrierOf(input.scene, object, state);
 }
 
@@ -250,7 +255,13 @@ std::vector<int> CarriersOf(const SolveInput& input, const StageSpec& stage, con
 
 // Neighbours may have pushed an object off what it was put on: it goes back, unless it stands on what it belongs to.
 int CarrierToKeep(const SolveInput& input, int object, int meant, int now) {
-  if (meant < 0 || !FitsOn(input.scene, object, meant)) return now;
+  if (now < 0 && meant < 0 && IsFlat(input.scene.objects[object])) {
+    // A cloth that made way for what lies on it.
+    const auto solid = [&](int partner) { return IsSolid(input.scene.objects[partner]); };
+    const auto top = std::ranges::find_if(input.partners[object], solid);
+    return top == input.partners[object].end() ? -1 : *top;
+  }
+  if (meant < 0 || !Rests(input.scene, object, meant)) return now;
   const auto belongs = [&](int carrier) {
     const std::vector<int>& partners = input.partners[object];
     return std::find(partners.begin(), partners.end(), carrier) != partners.end();

@@ -24,6 +24,12 @@ inline int CarrierOf(const Scene& scene, int object, const PartialLayout& state)
   return flair::CarrierOf(scene, object, state.layout, state.placed);
 }
 
+// A cloth, a tray: others may lie on it.
+inline bool IsFlat(const Object& object) {
+  constexpr double kFlat_m = 0.05;
+  return object.kind == ObjectKind::kSurface && object.height_m <= kFlat_m;
+}
+
 // Whether an object is no larger than the top of `carrier`, one way round or the other.
 bool FitsOn(const Scene& scene, int object, int carrier);
 
@@ -55,7 +61,7 @@ struct PlaceContext {
 
 // On a wall: backs flush on every wall that is wide enough, inside it and off its openings; offsets from its ends and
 // middle, openings, partners, the others' edges and the wanted place. On a top: along it at its quarter turn and the
-// next, not beyond its edges unless the object is larger (then 0.1 m of it stays on); at its middle, quarters and
+// next, not beyond its edges unless the object is larger (then its middle stays on); at its middle, quarters and
 // edges, the others' edges and middles, the wanted place. Under the ceiling, and where nothing carries it: the
 // same with the room. Inside the room to
 // 1e-7 m. Places may still be in the way of others. Empty for objects that stand on the floor.

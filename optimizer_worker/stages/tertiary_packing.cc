@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kTouches_m = 1e-9;
-constexpr double kFlat_m = 0.05;
 // How many of an object's places are tried below each of the ones before it, and how many steps a search may take.
 constexpr size_t kBreadth = 4;
 constexpr int kSteps = 40;
@@ -21,8 +20,6 @@ constexpr int kStepsToFit = 100;
 constexpr int kMostSteps = 600;
 // What is further away than this from a cluster of overlapping objects is not in its way.
 constexpr double kNear_m = 0.5;
-
-bool IsFlat(const Object& object) { return object.kind == ObjectKind::kSurface && object.height_m <= kFlat_m; }
 
 // Of what is in each other's way; infinite for two of which neither can be in the other's.
 double GapOf(const Scene& scene, int a, int b, const Layout& layout) {
@@ -291,6 +288,8 @@ void SeparateClusters(const SolveInput& input, const StageSpec& stage, Problem& 
     given_up.clear();
     for (int object : left) {
       if (!clusters.Overlaps(object, {}) || pack({object}) || !IsTooLarge(input.scene, object, state)) continue;
+      // A cloth stays where it hangs over; things may lie on it.
+      if (strict && IsFlat(input.scene.objects[object])) continue;
       Packing(input, problem, state, {object}, given_up, strict, true).Run(steps_left, state);
     }
   }

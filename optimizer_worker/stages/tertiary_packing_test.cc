@@ -66,6 +66,19 @@ TEST(SeparateClusters, ABlanketLargerThanItsSeatLeavesTheCushionFree) {
   }
 }
 
+TEST(SeparateClusters, AThinBlanketStaysUnderTheCushion) {
+  const std::string things = ObjectText("cushion", "TERTIARY", "SURFACE", 0.5, 0.5) +
+                             R"(objects { id: "blanket" name: "blanket" role: OBJECT_ROLE_TERTIARY
+                                          kind: OBJECT_KIND_SURFACE zone_id: "sleeping"
+                                          width_m: 1 depth_m: 1.5 height_m: 0.02 })";
+  for (int seed : {0, 1, 2}) {
+    const std::string pin = "pinned_placements { object_id: \"stool\" x_m: 2 y_m: 2 }";
+    const v1::SolvedLayout layout =
+        Solve(Stool(0.6, things, OnTop("e1", "cushion") + OnTop("e2", "blanket") + pin), seed);
+    EXPECT_EQ(layout.metrics().findings_size(), 0) << layout.metrics().ShortDebugString();
+  }
+}
+
 TEST(SeparateClusters, LampsUnderTheCeilingHangBesideEachOther) {
   std::string things, edges;
   for (const char* id : {"l1", "l2", "l3"}) {
