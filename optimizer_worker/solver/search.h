@@ -64,6 +64,8 @@ class LayoutSearch {
   // Cost plus what bad walkability is worth.
   double Score();
   double Cost() { return problem_.Total(layout_); }
+  // What the ways through the present layout cost; kept until an object moves.
+  double WalkPenalty();
   const Layout& layout() const { return layout_; }
   void set_layout(const Layout& layout) { layout_ = layout; }
   Problem& problem() { return problem_; }
@@ -75,8 +77,6 @@ class LayoutSearch {
     double cost;
   };
   SolverReport DescendTogether(std::span<const int> objects, const SolverLimits& limits);
-  // What the ways through the present layout cost; kept until an object moves.
-  double WalkPenalty();
   // Tries the slides of `group` as one piece, its first object leading; true when one was taken.
   bool SettleGroup(std::span<const int> group);
   // The candidate poses of `object`, given all else, into candidates_.

@@ -134,7 +134,30 @@ class GroupFinder {
         const int first = groups_.all[a].objects[0], second = groups_.all[b].objects[0];
         return std::pair(scene_.objects[first].zone, first) < std::pair(scene_.objects[second].zone, second);
       });
+      Chain(pattern);
       if (pattern.size() >= kFewestAlike) groups_.patterns.push_back(std::move(pattern));
+    }
+  }
+
+  // Within a zone, from one end of a row to the other: each next to one that it is tied to.
+  void Chain(std::vector<int>& pattern) const {
+    const auto tie = [&](int a, int b) {
+      const int first = groups_.all[a].objects[0], second = groups_.all[b].objects[0];
+      return scene_.objects[first].zone == scene_.objects[second].zone ? input_.linked.TieOf(first, second) : 0.0;
+    };
+    for (size_t i = 0; i < pattern.size(); ++i) {
+      const auto ties = [&](int g) {
+        return std::count_if(pattern.begin() + static_cast<int>(i), pattern.end(), [&](int o) { return o != g && tie(g, o) > 0; });
+      };
+      const int zone = scene_.objects[groups_.all[pattern[i]].objects[0]].zone;
+      size_t next = i;
+      for (size_t k = i + 1; k < pattern.size(); ++k) {
+        if (scene_.objects[groups_.all[pattern[k]].objects[0]].zone != zone) break;
+        const double gain = i == 0 ? 0 : tie(pattern[i - 1], pattern[k]) - tie(pattern[i - 1], pattern[next]);
+        if (gain > 0 || (gain == 0 && ties(pattern[k]) < ties(pattern[next]))) next = k;
+      }
+      std::rotate(pattern.begin() + static_cast<int>(i), pattern.begin() + static_cast<int>(next),
+                  pattern.begin() + static_cast<int>(next) + 1);
     }
   }
 

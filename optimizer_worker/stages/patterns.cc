@@ -14,8 +14,8 @@ namespace {
 
 // Hard terms up to this are rounding.
 constexpr double kNoOverlap = 1e-9, kOverlap_m = 1e-6;
-// So many of the cheapest are also judged by how one can walk; so many of those become starts.
-constexpr size_t kWalked = 32, kStarts = 4;
+// So many of the best are kept for a closer look; so many of those become starts.
+constexpr size_t kKept = 12, kStarts = 4;
 // How often all pairs may change places.
 constexpr int kExchanges = 4;
 // Behind whoever sits there: what half a way takes, or less where that does not fit.
@@ -24,8 +24,6 @@ constexpr double kBehind_m[] = {0.3, 0.15, 0};
 constexpr size_t kArrangements = 2;
 // In line: this near, and turned no more than this.
 constexpr double kLine_m = 1e-3, kTurned_rad = 1e-3;
-// Members may stand off so much more or less where the pieces are not quite as large.
-constexpr double kAlike_m = 0.13;
 
 struct Pattern {
   std::vector<Pose<double>> poses;
@@ -49,19 +47,20 @@ class PatternPlacer {
   std::vector<PartialLayout> Place(const PartialLayout& before, size_t most) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input_.scene, before.placed, before.layout);
     const SceneCosts costs = BindCosts(input_, centers);
-    Problem problem = MakeProblem(input_, costs, {stage_.kind, stage_.zone, objects_}, before);
+    const SearchInput search_input{input_.scene,    input_.partners,   centers, input_.solver,
+                                   input_.keep_out, &input_.walk_grid, {},      nullptr};
+    LayoutSearch search(search_input, MakeProblem(input_, costs, {stage_.kind, stage_.zone, objects_}, before),
+                        before.layout);
+    Problem& problem = search.problem();
     HardCost hard(input_.scene, input_.keep_out, problem);
     hard.Prepare(input_.groups.all[groups_[0]].objects, problem, before.layout);
     for (int object : objects_) problem.SetPlaced(object, true);
     problem.Hold(objects_, before.layout, true);
-    Rank(problem, hard);
-    const SearchInput search_input{input_.scene,    input_.partners,   centers, input_.solver,
-                                   input_.keep_out, &input_.walk_grid, {},      nullptr};
-    LayoutSearch search(search_input, std::move(problem), before.layout);
+    Rank(search, hard);
     for (Pattern& pattern : best_) {
       Layout layout = before.layout;
       for (size_t k = 0; k < objects_.size(); ++k) layout[objects_[k]] = pattern.poses[k];
-      Exchange(search.problem(), layout);
+      Exchange(problem, layout);
       for (size_t k = 0; k < objects_.size(); ++k) pattern.poses[k] = layout[objects_[k]];
       search.set_layout(layout);
       pattern.cost = search.Score();
@@ -83,13 +82,13 @@ class PatternPlacer {
 
  private:
   // Among places with room behind the seats; without where there are none.
-  void Rank(Problem& problem, const HardCost& hard) {
+  void Rank(LayoutSearch& search, const HardCost& hard) {
     size_t arrangements = kArrangements;
     for (int g : groups_) arrangements = std::min(arrangements, input_.groups.all[g].arrangements.size());
     for (double room_m : kBehind_m) {
       for (size_t a = 0; a < arrangements; ++a) {
         ForEachPattern(input_.scene.room, Roomy(a, room_m), static_cast<int>(groups_.size()),
-                       [&](const auto& slots) { Try(slots, a, problem, hard); });
+                       [&](const auto& slots) { Try(slots, a, search, hard); });
       }
       if (!best_.empty()) return;
     }
@@ -143,7 +142,7 @@ class PatternPlacer {
   }
 
   // Takes the first of those slots that nothing is in the way of, as it would be for the first group.
-  void Try(const std::vector<Pose<double>>& slots, size_t arrangement, Problem& problem, const HardCost& hard) {
+  void Try(const std::vector<Pose<double>>& slots, size_t arrangement, LayoutSearch& search, const HardCost& hard) {
     const std::vector<Group>& all = input_.groups.all;
     free_.clear();
     for (size_t i = 0; i < slots.size() && free_.size() < groups_.size(); ++i) {
@@ -158,17 +157,25 @@ class PatternPlacer {
         PoseGroup(all[groups_[k]].arrangements[arrangement], free_[k], one_);
         all_.insert(all_.end(), one_.begin(), one_.end());
       }
-      Offer(all_, problem.AroundHeld(all_, best_.size() < kWalked ? HUGE_VAL : best_.back().cost));
+      Offer(search);
       std::reverse(free_.begin(), free_.end());
     }
   }
 
-  void Offer(const std::vector<Pose<double>>& poses, double cost) {
-    if (best_.size() == kWalked && cost >= best_.back().cost) return;
+  // Keeps all_ among the best by what it costs and how one can walk.
+  void Offer(LayoutSearch& search) {
+    const double limit = best_.size() < kKept ? HUGE_VAL : best_.back().cost;
+    double cost = search.problem().AroundHeld(all_, limit);
+    if (cost >= limit) return;
+    Layout layout = search.layout();
+    for (size_t k = 0; k < objects_.size(); ++k) layout[objects_[k]] = all_[k];
+    search.set_layout(layout);
+    cost += search.WalkPenalty();
+    if (cost >= limit) return;
     const auto place = std::upper_bound(best_.begin(), best_.end(), cost,
                                         [](double value, const Pattern& other) { return value < other.cost; });
-    best_.insert(place, {poses, cost});
-    if (best_.size() > kWalked) best_.pop_back();
+    best_.insert(place, {all_, cost});
+    if (best_.size() > kKept) best_.pop_back();
   }
 
   const SolveInput& input_;
@@ -193,22 +200,23 @@ double AreaOf(const SolveInput& input, const std::vector<int>& groups) {
   return area;
 }
 
-// Whether a group's objects stand to each other as those of `model` do.
-bool StandsAlike(const Group& group, const Group& model, const Layout& layout) {
-  const Frame<double> frame = FrameOf(layout[group.objects[0]]), other = FrameOf(layout[model.objects[0]]);
-  for (size_t k = 1; k < group.objects.size(); ++k) {
-    const Pose<double>&a = layout[group.objects[k]], &b = layout[model.objects[k]];
-    if (Distance(frame.ToObject(Center(a)), other.ToObject(Center(b))) > kAlike_m) return false;
-    const double turn = (a.theta_rad - layout[group.objects[0]].theta_rad) -
-                        (b.theta_rad - layout[model.objects[0]].theta_rad);
-    if (std::abs(WrapAngle(turn)) > kTurned_rad) return false;
-  }
-  return true;
+// Whether a group's objects stand to each other as in one of its arrangements.
+bool IsArranged(const Group& group, const Layout& layout) {
+  std::vector<Pose<double>> poses;
+  return std::any_of(group.arrangements.begin(), group.arrangements.end(), [&](const Arrangement& arrangement) {
+    PoseGroup(arrangement, layout[group.objects[0]], poses);
+    for (size_t k = 1; k < poses.size(); ++k) {
+      const Pose<double>& at = layout[group.objects[k]];
+      if (Distance(Center(poses[k]), Center(at)) > kLine_m || AngleBetween(poses[k].theta_rad, at.theta_rad) > kTurned_rad) {
+        return false;
+      }
+    }
+    return true;
+  });
 }
 
 bool InOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state) {
   const std::vector<Group>& all = input.groups.all;
-  const Group& model = all[groups[0]];
   for (int g : groups) {
     for (int object : all[g].objects) {
       if (!state.placed[object]) return false;
@@ -218,7 +226,7 @@ bool InOrder(const SolveInput& input, const std::vector<int>& groups, const Part
   const Frame<double> frame = FrameOf(first(groups[0]));
   for (int g : groups) {
     const double turn = WrapAngle(4 * (first(g).theta_rad - first(groups[0]).theta_rad)) / 4;
-    if (std::abs(turn) > kTurned_rad || !StandsAlike(all[g], model, state.layout)) return false;
+    if (std::abs(turn) > kTurned_rad || !IsArranged(all[g], state.layout)) return false;
     const bool in_line = std::any_of(groups.begin(), groups.end(), [&](int other) {
       const Vec2<double> apart = frame.ToObject(Center(first(other))) - frame.ToObject(Center(first(g)));
       return other != g && (std::abs(apart.x) < kLine_m || std::abs(apart.y) < kLine_m);
