@@ -31,8 +31,7 @@ constexpr Setting kSettings[] = {{false, false, false}, {true, false, false}, {f
 
 class GroupArranger {
  public:
-  GroupArranger(const SolveInput& input, const Group& group)
-      : input_(input), group_(group), scene_(input.scene) {
+  GroupArranger(const SolveInput& input, const Group& group) : input_(input), group_(group), scene_(input.scene) {
     for (int object : group.objects) reach_m_ += 2 * CircumscribedRadius(scene_.objects[object].footprint);
   }
 

@@ -14,8 +14,7 @@ namespace flair::optimizer {
 std::string CallText(const SolveInput& input, const Group& group, int edge);
 
 // Stands the group's first piece in an empty room, free or with its back or sides at walls, places the others by the
-// calls among them, and keeps what differs; exact, like a polished layout. When no room holds them, one
-// by one beside the first is all there is: empty.
+// calls among them, and keeps what differs; exact, like a polished layout. Empty when they cannot stand without overlap.
 std::vector<Arrangement> ArrangeGroup(const SolveInput& input, const Group& group);
 
 }  // namespace flair::optimizer

@@ -29,7 +29,8 @@ Make MakeOf(const Object& object) {
 
 class GroupFinder {
  public:
-  explicit GroupFinder(const SolveInput& input) : input_(input), scene_(input.scene), parent_(scene_.objects.size(), -1) {}
+  explicit GroupFinder(const SolveInput& input)
+      : input_(input), scene_(input.scene), parent_(scene_.objects.size(), -1) {}
 
   Groups Find() {
     FindParents();
@@ -65,7 +66,9 @@ class GroupFinder {
       for (size_t k = 0; k < i; ++k) {
         const double tie = input_.linked.TieOf(order_[k], object);
         const bool alike = MakeOf(scene_.objects[order_[k]]) == MakeOf(scene_.objects[object]);
-        if (tie <= most || (alike && common_[MakeOf(scene_.objects[object])] >= kFewestAlike) || members[root[order_[k]]] >= kMostMembers) continue;
+        if (tie <= most || (alike && common_[MakeOf(scene_.objects[object])] >= kFewestAlike) ||
+            members[root[order_[k]]] >= kMostMembers)
+          continue;
         most = tie;
         parent_[object] = order_[k];
       }
@@ -147,7 +150,8 @@ class GroupFinder {
     };
     for (size_t i = 0; i < pattern.size(); ++i) {
       const auto ties = [&](int g) {
-        return std::count_if(pattern.begin() + static_cast<int>(i), pattern.end(), [&](int o) { return o != g && tie(g, o) > 0; });
+        return std::count_if(pattern.begin() + static_cast<int>(i), pattern.end(),
+                             [&](int o) { return o != g && tie(g, o) > 0; });
       };
       const int zone = scene_.objects[groups_.all[pattern[i]].objects[0]].zone;
       size_t next = i;

@@ -32,8 +32,8 @@ struct Groups {
   // Groups (indices in `all`) that are alike, at least kFewest each.
   std::vector<std::vector<int>> patterns;
 
-  // The object that says in which stage and zone an object is placed: the first primary of its group or of those that are
-  // alike, else the first object.
+  // The object that says in which stage and zone an object is placed: the first primary of its group or of those that
+  // are alike, else the first object.
   int LeaderOf(const Scene& scene, int object) const;
 };
 

@@ -125,7 +125,8 @@ TEST(Groups, StayTogetherSquareAndInLineForEverySeed) {
       int in_line = 0;
       for (int other = 0; other < 6; ++other) {
         const v1::Placement& next = PlacementOf(layout, fmt::format("table_{}", other));
-        in_line += other != t && (std::abs(next.x_m() - table.x_m()) < 1e-3 || std::abs(next.y_m() - table.y_m()) < 1e-3);
+        in_line +=
+            other != t && (std::abs(next.x_m() - table.x_m()) < 1e-3 || std::abs(next.y_m() - table.y_m()) < 1e-3);
       }
       EXPECT_GT(in_line, 0) << table.object_id();
     }

@@ -106,7 +106,8 @@ class PatternPlacer {
       return sum;
     };
     const auto swap = [&](int a, int b) {
-      for (size_t k = 0; k < all[a].objects.size(); ++k) std::swap(layout[all[a].objects[k]], layout[all[b].objects[k]]);
+      for (size_t k = 0; k < all[a].objects.size(); ++k)
+        std::swap(layout[all[a].objects[k]], layout[all[b].objects[k]]);
     };
     bool better = true;
     for (int round = 0; better && round < kExchanges; ++round) {
@@ -207,7 +208,8 @@ bool IsArranged(const Group& group, const Layout& layout) {
     PoseGroup(arrangement, layout[group.objects[0]], poses);
     for (size_t k = 1; k < poses.size(); ++k) {
       const Pose<double>& at = layout[group.objects[k]];
-      if (Distance(Center(poses[k]), Center(at)) > kLine_m || AngleBetween(poses[k].theta_rad, at.theta_rad) > kTurned_rad) {
+      if (Distance(Center(poses[k]), Center(at)) > kLine_m ||
+          AngleBetween(poses[k].theta_rad, at.theta_rad) > kTurned_rad) {
         return false;
       }
     }
@@ -238,8 +240,7 @@ bool InOrder(const SolveInput& input, const std::vector<int>& groups, const Part
 
 }  // namespace
 
-std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage,
-                                         const PartialLayout& before) {
+std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before) {
   std::vector<PartialLayout> starts = {before};
   if (input.OutOfTime() || input.Cancelled()) return starts;
   std::vector<std::vector<int>> patterns = input.groups.patterns;
