@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "flair/handbook/v1/handbook.pb.h"
 
@@ -20,10 +22,17 @@ class Handbook {
  public:
   // `contents` must have passed CheckHandbook. `version` is the digest of the files it came from.
   Handbook(hb::Handbook contents, std::string version);
+  // As `base`, which must outlive it, with classes that only one brief has besides.
+  Handbook(const Handbook& base, std::vector<hb::Furniture> own);
   Handbook(const Handbook&) = delete;
   Handbook& operator=(const Handbook&) = delete;
 
-  const hb::Handbook& contents() const { return contents_; }
+  // Without the classes of a brief's own.
+  const hb::Handbook& contents() const { return *contents_; }
+  const std::vector<hb::Furniture>& own() const { return own_; }
+  bool IsOwn(const hb::Furniture& furniture) const {
+    return std::any_of(own_.begin(), own_.end(), [&](const hb::Furniture& one) { return &one == &furniture; });
+  }
   const std::string& version() const { return version_; }
 
   // Null when there is none of that name.
@@ -48,7 +57,8 @@ class Handbook {
     return found == index.end() ? nullptr : found->second;
   }
 
-  hb::Handbook contents_;
+  std::shared_ptr<const hb::Handbook> contents_;
+  std::vector<hb::Furniture> own_;
   std::string version_;
   Index<hb::Furniture> furniture_;
   Index<hb::Archetype> archetypes_;

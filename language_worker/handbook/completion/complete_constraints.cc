@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "language_worker/handbook/parts/furniture_index.h"
+#include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
 
 namespace flair::language {
@@ -163,8 +164,10 @@ class Completion {
 
 v1::ConstraintList CompleteConstraints(const ObjectsRequest& request, const v1::ObjectList& objects,
                                        const v1::ConstraintList& list, const Handbook& handbook) {
+  const absl::StatusOr<BriefFacts> facts = ReadBrief(request.brief, handbook);
+  const Handbook& all = facts.ok() ? facts->HandbookOr(handbook) : handbook;
   const absl::StatusOr<std::vector<UseSentence>> uses =
-      ListUses(request.brief, request.room, request.zones, ByClass(objects, handbook), objects, handbook);
+      ListUses(request.brief, request.room, request.zones, ByClass(objects, all), objects, handbook);
   if (!uses.ok()) {
     v1::ConstraintList same = list;
     AddDiagnostic(v1::SEVERITY_NOTE, "not_completed",

@@ -14,6 +14,7 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
 #include "language_worker/handbook/objects/fit_floor.h"
+#include "language_worker/handbook/objects/share_out.h"
 #include "language_worker/handbook/parts/brief_parts.h"
 #include "language_worker/handbook/program/essentials.h"
 #include "language_worker/handbook/program/room_program.h"
@@ -24,151 +25,6 @@
 
 namespace flair::language {
 namespace {
-
-// A tertiary to be made: its class and the floor object that it belongs to (null: the room itself).
-struct HostedPiece {
-  const ProgramItem* item = nullptr;
-  const v1::Object* host = nullptr;
-};
-
-// Share of a top that things on it may cover.
-constexpr double kMostCovered = 0.45;
-// Pieces up to this footprint need no more than a strip beside the largest, m2.
-constexpr double kSmallM2 = 0.025;
-
-bool IsRoomWord(const std::string& word) {
-  return word == "wall" || word == "ceiling" || word == "floor" || word == "window";
-}
-
-// Where a class may be put when the entry says nothing: its hosts, else the partners of its first sentence.
-std::vector<std::string> HostClasses(const ProgramItem& item, const RoomProgram& program) {
-  if (item.entry != nullptr && item.entry->hosts_size() > 0) return WithSubstitutes(item.entry->hosts(), program);
-  if (item.furniture->hosts_size() > 0) return WithSubstitutes(item.furniture->hosts(), program);
-  for (const hb::Relation& relation : item.furniture->relations()) {
-    if (relation.targets_size() > 0) return WithSubstitutes(relation.targets(), program);
-  }
-  return {};
-}
-
-class Sharer {
- public:
-  Sharer(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
-         const Handbook& handbook)
-      : program_(program), floor_objects_(floor_objects), handbook_(handbook) {
-    for (const v1::Opening& opening : room.openings()) windows_ += opening.kind() == v1::OPENING_KIND_WINDOW ? 1 : 0;
-  }
-
-  // The pieces of one line of the program.
-  std::vector<HostedPiece> Share(const ProgramItem& item) {
-    const hb::Furniture& furniture = *item.furniture;
-    std::vector<const v1::Object*> hosts;
-    if (!FindHosts(item, hosts)) return {};
-    int count = item.count;
-    if (item.entry != nullptr && item.entry->per_host() && !hosts.empty()) count *= static_cast<int>(hosts.size());
-    if (furniture.at_window()) count = windows_;
-    std::vector<HostedPiece> pieces;
-    for (int i = 0; i < count; ++i) {
-      const v1::Object* host = hosts.empty() ? nullptr : hosts[static_cast<std::size_t>(i) % hosts.size()];
-      if (furniture.kind() == hb::FURNITURE_KIND_SURFACE && !TakePlace(*host, furniture)) continue;
-      if (host != nullptr && HangsAbove(item) && !TakeWall(*host, furniture)) {
-        if (!item.requested && !MayHangAnywhere(item)) continue;
-        host = nullptr;
-      }
-      pieces.push_back({&item, host});
-    }
-    return pieces;
-  }
-
- private:
-  // False when the piece has nowhere to go. No hosts and true: it belongs to the room itself.
-  bool FindHosts(const ProgramItem& item, std::vector<const v1::Object*>& hosts) const {
-    const bool on_surface = item.furniture->kind() == hb::FURNITURE_KIND_SURFACE;
-    const std::vector<std::string> classes = HostClasses(item, program_);
-    for (const std::string& name : classes) {
-      if (IsRoomWord(name)) return !on_surface && (name != "window" || windows_ > 0);
-      for (const v1::Object& object : floor_objects_.objects()) {
-        if (object.name() == name) hosts.push_back(&object);
-      }
-      if (!hosts.empty()) return true;
-    }
-    if (!on_surface) return classes.empty() || item.requested;
-    if (!item.requested) return false;
-    for (const v1::Object& object : floor_objects_.objects()) {
-      const hb::Furniture* furniture = handbook_.FindFurniture(object.name());
-      if (furniture != nullptr && furniture->top_places() > 0) hosts.push_back(&object);
-    }
-    return !hosts.empty();
-  }
-
-  // What of a top is taken.
-  struct Top {
-    int count = 0;
-    double covered_m2 = 0;
-    // Of the piece that takes most.
-    double width_m = 0, depth_m = 0;
-  };
-
-  // Whether the largest piece leaves a strip of the top that a thing of that width fits into.
-  static bool LeavesStrip(const v1::Object& host, const Top& top, double width_m) {
-    return std::max(host.width_m() - top.width_m, host.depth_m() - top.depth_m) >= width_m;
-  }
-
-  // A top takes as many pieces as its class says, as long as a good part of it stays free.
-  bool TakePlace(const v1::Object& host, const hb::Furniture& piece) {
-    const hb::Furniture* furniture = handbook_.FindFurniture(host.name());
-    const int places = furniture == nullptr ? 1 : std::max(1, furniture->top_places());
-    const double width_m = piece.width_m().typical(), depth_m = piece.depth_m().typical();
-    const double area_m2 = width_m * depth_m;
-    Top& top = tops_[host.id()];
-    const bool full = area_m2 > kSmallM2 ? top.covered_m2 + area_m2 > kMostCovered * host.width_m() * host.depth_m()
-                                         : !LeavesStrip(host, top, std::min(width_m, depth_m));
-    if (top.count >= places || (top.count > 0 && full)) return false;
-    ++top.count;
-    top.covered_m2 += area_m2;
-    if (area_m2 > top.width_m * top.depth_m) top.width_m = width_m, top.depth_m = depth_m;
-    return true;
-  }
-
-  static bool HangsAbove(const ProgramItem& item) {
-    if (item.furniture->kind() != hb::FURNITURE_KIND_WALL) return false;
-    return item.entry == nullptr || item.entry->sentence().empty() ||
-           item.entry->sentence().find("above") != std::string::npos;
-  }
-
-  bool MayHangAnywhere(const ProgramItem& item) const {
-    const std::vector<std::string> classes = HostClasses(item, program_);
-    return std::find(classes.begin(), classes.end(), "wall") != classes.end();
-  }
-
-  // The wall above a piece takes one thing, and more only when they fit side by side.
-  bool TakeWall(const v1::Object& host, const hb::Furniture& piece) {
-    double& hung_m = hung_m_[host.id()];
-    if (hung_m > 0 && hung_m + piece.width_m().typical() > host.width_m()) return false;
-    hung_m += piece.width_m().typical();
-    return true;
-  }
-
-  const RoomProgram& program_;
-  const v1::ObjectList& floor_objects_;
-  const Handbook& handbook_;
-  int windows_ = 0;
-  std::map<std::string, Top> tops_;
-  std::map<std::string, double> hung_m_;
-};
-
-// Shares the tertiaries of a program out over the floor objects that can carry them, most wanted first, at most
-// `program.max_tertiaries` and every requested one. Pieces whose host is missing or full are left out.
-std::vector<HostedPiece> ShareOut(const RoomProgram& program, const v1::ObjectList& floor_objects, const v1::Room& room,
-                                  const Handbook& handbook) {
-  Sharer sharer(program, floor_objects, room, handbook);
-  std::vector<HostedPiece> pieces;
-  for (const ProgramItem& item : program.tertiary_items) {
-    const bool full = static_cast<int>(pieces.size()) >= program.max_tertiaries;
-    if (full && !item.requested && item.essential == 0) continue;
-    for (const HostedPiece& piece : sharer.Share(item)) pieces.push_back(piece);
-  }
-  return pieces;
-}
 
 double Clamp(double value, const hb::Extent& extent) { return std::clamp(value, LeastOf(extent), MostOf(extent)); }
 
@@ -191,20 +47,28 @@ class ObjectLister {
     TellPlaces(fitting);
   }
 
-  // What completes these floor objects, but nothing of a class that is `there` already.
+  // What completes these floor objects, but nothing of a class that is `there` already: shared out over what can carry
+  // it, most wanted first, at most `program.max_tertiaries` and every requested one. What has no host is left out.
   void ListTertiaries(const v1::ObjectList& floor_objects, const std::set<std::string>& there) {
-    const std::vector<HostedPiece> pieces = ShareOut(program_, floor_objects, room_, handbook_);
-    for (const HostedPiece& piece : pieces) {
-      if (!there.contains(piece.item->furniture->name())) AddTertiary(piece);
-    }
-    NameObjects();
+    v1::ObjectList pieces = floor_objects;
+    Sharer sharer(program_, pieces, room_, handbook_, facts_);
     std::vector<LeftOut> left_out;
-    for (const ProgramItem& item : program_.tertiary_items) {
-      const std::string& name = item.furniture->name();
-      const bool listed =
-          there.contains(name) ||
-          std::any_of(pieces.begin(), pieces.end(), [&](const HostedPiece& piece) { return piece.item == &item; });
-      if (item.requested && !listed) left_out.push_back({name, "nothing in the room can carry it", true});
+    int listed = 0;
+    for (const ProgramItem* item : CarriersFirst()) {
+      const std::string& name = item->furniture->name();
+      if (listed >= program_.max_tertiaries && !item->requested && item->essential == 0) continue;
+      const std::vector<HostedPiece> shared = sharer.Share(*item);
+      listed += static_cast<int>(shared.size());
+      if (shared.empty() && item->requested && !there.contains(name)) {
+        left_out.push_back({name, "nothing in the room can carry it", true});
+      }
+      if (there.contains(name)) continue;
+      for (std::size_t i = 0; i < shared.size(); ++i) {
+        v1::Object& object = AddTertiary(shared[i]);
+        const std::string id = IdOf(name);
+        object.set_id(IsListedTwice(*item, shared.size()) ? fmt::format("{}_{}", id, ++numbers_[name]) : id);
+        *pieces.add_objects() = object;
+      }
     }
     TellLeftOut(left_out);
   }
@@ -288,7 +152,33 @@ class ObjectLister {
     return object;
   }
 
-  void AddTertiary(const HostedPiece& piece) {
+  // In the order of the program, but what the brief puts on or beside another thing behind that one.
+  std::vector<const ProgramItem*> CarriersFirst() const {
+    constexpr int kMostOnEachOther = 4;
+    const auto depth_of = [&](const ProgramItem& item) {
+      int depth = 0;
+      const hb::Furniture* furniture = item.furniture;
+      for (const Place* place = CarriedAt(*furniture, facts_); place != nullptr && depth < kMostOnEachOther; ++depth) {
+        if (!Lists(program_.tertiary_items, place->target->name())) break;
+        place = CarriedAt(*place->target, facts_);
+      }
+      return depth;
+    };
+    std::vector<const ProgramItem*> order;
+    for (int depth = 0; depth <= kMostOnEachOther; ++depth) {
+      for (const ProgramItem& item : program_.tertiary_items) {
+        if (depth_of(item) == depth) order.push_back(&item);
+      }
+    }
+    return order;
+  }
+
+  // Whether there are several of the class, of one line of the program or of two.
+  bool IsListedTwice(const ProgramItem& item, std::size_t shared) const {
+    return shared > 1 || std::ranges::count(program_.tertiary_items, item.furniture, &ProgramItem::furniture) > 1;
+  }
+
+  v1::Object& AddTertiary(const HostedPiece& piece) {
     const hb::Furniture& furniture = *piece.item->furniture;
     v1::Object& object = AddObject(*piece.item, v1::OBJECT_ROLE_TERTIARY);
     object.set_width_m(furniture.width_m().typical());
@@ -312,6 +202,7 @@ class ObjectLister {
     object.set_height_m(std::min(asked.height_m.value_or(object.height_m()), room_.height_m()));
     FitToRoom(object);
     object.set_elevation_m(ElevationOf(furniture, piece.host, object));
+    return object;
   }
 
   static void SizeByHost(const HostedPiece& piece, v1::Object& object) {
@@ -335,7 +226,7 @@ class ObjectLister {
     object.set_depth_m(std::min(object.depth_m(), std::max(0.3, floor.depth_m - 0.4)));
   }
 
-  double ElevationOf(const hb::Furniture& furniture, const v1::Object* host, const v1::Object& object) const {
+  double ElevationOf(const hb::Furniture& furniture, const v1::Object* host, v1::Object& object) const {
     const double most_m = std::max(0.0, room_.height_m() - object.height_m());
     switch (furniture.kind()) {
       case hb::FURNITURE_KIND_CEILING:
@@ -347,20 +238,28 @@ class ObjectLister {
                   : furniture.elevation_m();
         return std::min(wanted_m, std::max(0.0, most_m - 0.05));
       }
+      case hb::FURNITURE_KIND_SURFACE: {
+        const Place* place = host == nullptr ? nullptr : CarriedAt(furniture, facts_);
+        if (place == nullptr) return 0;
+        // "On the bookshelf" is on one of its shelves, unless it says "on top".
+        const bool on_a_shelf = place->asked->carried() == hb::CARRIED_ON && host->category() == "bookshelf" &&
+                                place->said.find("top") == std::string::npos;
+        return on_a_shelf || place->asked->carried() == hb::CARRIED_IN ? LevelWithin(*host, object) : 0;
+      }
       default:
         return 0;
     }
   }
 
-  // Numbers tertiaries of which there are several.
-  void NameObjects() {
-    std::map<std::string, int> total, number;
-    for (const v1::Object& object : list_.objects()) ++total[object.name()];
-    for (v1::Object& object : *list_.mutable_objects()) {
-      if (!object.id().empty()) continue;
-      const std::string id = IdOf(object.name());
-      object.set_id(total[object.name()] > 1 ? fmt::format("{}_{}", id, ++number[object.name()]) : id);
-    }
+  // Of what is on a shelf of its host, or in it: from the host's top down. On the top where it is too large for that.
+  static double LevelWithin(const v1::Object& host, v1::Object& object) {
+    constexpr double kShelf = 0.45, kLeastM = 0.25, kBoardM = 0.03;  // where the middle shelf is, of the height
+    if (host.kind() == v1::OBJECT_KIND_SURFACE || host.height_m() < kLeastM) return 0;
+    const double above_m = (1 - kShelf) * host.height_m() - kBoardM, below_m = host.height_m() - 2 * kBoardM;
+    object.set_width_m(std::min(object.width_m(), host.width_m() - 2 * kBoardM));
+    object.set_depth_m(std::min(object.depth_m(), host.depth_m() - kBoardM));
+    if (object.height_m() <= above_m) return -above_m - kBoardM;
+    return object.height_m() <= below_m ? -below_m - kBoardM : 0;
   }
 
   const v1::Room& room_;
@@ -370,6 +269,7 @@ class ObjectLister {
   const RoomProgram program_;
   const BriefFacts& facts_;
   v1::ObjectList list_;
+  std::map<std::string, int> numbers_;  // of tertiaries of a class so far
   int drawn_ = 0;
 };
 
@@ -379,7 +279,7 @@ absl::StatusOr<v1::ObjectList> Listed(const v1::Brief& brief, const v1::Room& ro
                                       const Handbook& handbook, const List& list) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  ObjectLister lister(facts, room, zones, handbook, choice);
+  ObjectLister lister(facts, room, zones, facts.HandbookOr(handbook), choice);
   list(lister);
   return std::move(lister.list());
 }
@@ -398,7 +298,8 @@ absl::StatusOr<v1::ObjectList> ListObjects(const v1::Brief& brief, const v1::Roo
 absl::Status TellMissing(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook, v1::ObjectList& list) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  TellMissingEssentials(MakeRoomProgram(facts, handbook, FloorArea(room), choice), handbook, list);
+  const Handbook& all = facts.HandbookOr(handbook);
+  TellMissingEssentials(MakeRoomProgram(facts, all, FloorArea(room), choice), all, list);
   return absl::OkStatus();
 }
 

@@ -7,6 +7,7 @@
 namespace flair::language {
 
 FurnitureIndex::FurnitureIndex(const Handbook& handbook) {
+  for (const hb::Furniture& furniture : handbook.own()) by_word_.emplace(PlainName(furniture.name()), &furniture);
   // Names before synonyms: a word may be one class's name and another's synonym.
   for (const hb::Furniture& furniture : handbook.contents().furniture()) {
     by_word_.emplace(PlainName(furniture.name()), &furniture);

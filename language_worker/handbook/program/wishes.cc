@@ -19,11 +19,13 @@ class WishMaker {
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
     RemoveRefusals();
     CountPeople();
+    KeepCounts();
     if (facts_.nothing_else) KeepWishesOnly();
   }
 
  private:
   void Add(const Wish& wish) {
+    TakePlaceOfKin(*wish.furniture);
     if (AddToWhatIsThere(wish, program_.floor_items) || AddToWhatIsThere(wish, program_.tertiary_items)) return;
     ReplaceAlike(*wish.furniture);
     if (!IsFloorPiece(*wish.furniture)) {
@@ -51,6 +53,49 @@ class WishMaker {
       auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
       list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
     }
+  }
+
+  // A "gaming desk" comes instead of the usual desk, and what is said of desks holds for it.
+  void TakePlaceOfKin(const hb::Furniture& furniture) {
+    const auto base = facts_.base_of_own.find(furniture.name());
+    const hb::Furniture* kin = base == facts_.base_of_own.end() ? nullptr : handbook_.FindFurniture(base->second);
+    if (kin == nullptr) return;
+    program_.substitutes.emplace_back(kin->name(), furniture.name());
+    for (hb::ZoneSpec& zone : program_.zones) {
+      if (Includes(zone.primaries(), kin->name())) zone.add_primaries(furniture.name());
+    }
+    if (IsWished(*kin)) return;
+    for (auto* items : {&program_.floor_items, &program_.tertiary_items}) {
+      for (ProgramItem& item : *items) {
+        if (item.furniture == kin && !item.requested) item.furniture = &furniture;
+      }
+    }
+  }
+
+  // Of what the brief counts there is that number, and no other of its kind: "a chair" is one chair in all, "a ceiling
+  // lamp" the only one. Seats stay at tables that nobody asked for.
+  void KeepCounts() {
+    for (const Wish& wish : facts_.wishes) {
+      if (!wish.counted || wish.optional) continue;
+      const auto is_another = [&](const ProgramItem& item) {
+        const hb::Furniture& furniture = *item.furniture;
+        const bool by_noun = wish.noun != nullptr && furniture.kind() != hb::FURNITURE_KIND_CEILING &&
+                             std::ranges::any_of(wish.noun->options(), [&](const hb::NounOption& option) {
+                               return option.furniture() == furniture.name();
+                             });
+        const bool alike = furniture.category() == wish.furniture->category() && furniture.category() != "box" &&
+                           furniture.kind() == wish.furniture->kind() && !IsFloorPiece(furniture);
+        return !item.requested && (alike || (by_noun && !IsSeatOfAnother(item)));
+      };
+      std::erase_if(program_.tertiary_items, is_another);
+      std::erase_if(program_.floor_items, is_another);
+    }
+  }
+
+  bool IsSeatOfAnother(const ProgramItem& seat) const {
+    return std::ranges::any_of(program_.floor_items, [&](const ProgramItem& host) {
+      return host.zone == seat.zone && !host.requested && SeatOf(*host.furniture, handbook_) == seat.furniture;
+    });
   }
 
   // A blackboard hangs where the usual whiteboard would.

@@ -2,6 +2,7 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "language_worker/handbook/reading/furniture_reader.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/other_words.h"
+#include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/room_kind.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -22,12 +24,11 @@ namespace {
 // "green room" for no greenhouse.
 class BriefReader {
  public:
-  BriefReader(const Handbook& handbook, std::string_view text) : handbook_(handbook), tokens_(TokensOf(text)) {
-    if (ReadsAsEnglish(tokens_)) facts_.corrections = handbook.vocabulary().speller.Correct(tokens_);
-    used_.resize(tokens_.size());
-  }
+  BriefReader(const Handbook& handbook, const std::vector<Token>& tokens)
+      : handbook_(handbook), tokens_(tokens), used_(tokens.size()) {}
 
-  absl::StatusOr<BriefFacts> Read() {
+  // With the classes that it takes for what was left over, if asked.
+  absl::StatusOr<BriefFacts> Read(std::vector<OwnClass>* own = nullptr) {
     ASSIGN_OR_RETURN(facts_.size, ReadSize(tokens_, handbook_, used_));
     const std::vector<bool> size_words = std::exchange(used_, std::vector<bool>(tokens_.size()));
     ReadArchetype();
@@ -39,6 +40,7 @@ class BriefReader {
     ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
     ReadThemesAndStyles();
     ReadNeeds();
+    if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
@@ -131,6 +133,36 @@ class BriefReader {
         most = hints;
         facts_.archetype = &archetype;
       }
+    }
+    if (most == 0) GuessByFurniture();
+  }
+
+  // The kind that most of the pieces that are named belong to, the first of them above all: of "a trestle table with
+  // two benches" a dining room.
+  void GuessByFurniture() {
+    constexpr int kFirst = 4, kMainPiece = 2;
+    std::vector<std::string> named;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const auto [furniture, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
+      if (furniture == nullptr) continue;
+      named.push_back(furniture->name());
+      i += length - 1;
+    }
+    int most = 0;
+    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
+      if (archetype.fallback() || archetype.zones().empty()) continue;
+      int score = 0;
+      bool any_main = false;
+      for (const std::string& name : named) {
+        const auto& usual = archetype.bands(archetype.bands_size() / 2).objects();
+        const bool is_usual = std::ranges::find(usual, name, &hb::ObjectEntry::furniture) != usual.end();
+        const int worth = Includes(archetype.zones(0).primaries(), name) ? kMainPiece : is_usual ? 1 : 0;
+        any_main = any_main || worth == kMainPiece;
+        score += worth * (&name == &named.front() ? kFirst : 1);
+      }
+      if (!any_main || score <= most) continue;
+      most = score;
+      facts_.archetype = &archetype;
     }
   }
 
@@ -237,7 +269,7 @@ class BriefReader {
   }
 
   const Handbook& handbook_;
-  std::vector<Token> tokens_;
+  const std::vector<Token>& tokens_;
   std::vector<bool> used_;
   RoomKind kind_;
   BriefFacts facts_;
@@ -246,7 +278,37 @@ class BriefReader {
 }  // namespace
 
 absl::StatusOr<BriefFacts> ReadBrief(const v1::Brief& brief, const Handbook& handbook) {
-  return BriefReader(handbook, brief.text()).Read();
+  std::vector<Token> tokens = TokensOf(brief.text());
+  std::vector<Correction> corrections;
+  if (ReadsAsEnglish(tokens)) corrections = handbook.vocabulary().speller->Correct(tokens);
+  std::vector<OwnClass> own;
+  ASSIGN_OR_RETURN(BriefFacts facts, BriefReader(handbook, tokens).Read(&own));
+  const auto read_with_own = [&]() -> absl::StatusOr<BriefFacts> {
+    std::vector<hb::Furniture> classes;
+    for (const OwnClass& one : own) classes.push_back(one.furniture);
+    const auto with_own = std::make_shared<const Handbook>(handbook, std::move(classes));
+    ASSIGN_OR_RETURN(BriefFacts read, BriefReader(*with_own, tokens).Read());
+    read.own_handbook = with_own;
+    for (const OwnClass& one : own) read.base_of_own[one.furniture.name()] = one.base;
+    return read;
+  };
+  // Which of them have a place shows when all of them are read.
+  if (std::ranges::any_of(own, &OwnClass::unplaced)) {
+    ASSIGN_OR_RETURN(const BriefFacts tried, read_with_own());
+    own = Placed(std::move(own), tried, handbook);
+  }
+  if (!own.empty()) {
+    ASSIGN_OR_RETURN(facts, read_with_own());
+  }
+  if (const std::vector<OwnClass> otherwise = OtherwiseCarried(facts); !otherwise.empty()) {
+    for (const OwnClass& one : otherwise) {
+      std::erase_if(own, [&](const OwnClass& other) { return other.furniture.name() == one.furniture.name(); });
+      own.push_back(one);
+    }
+    ASSIGN_OR_RETURN(facts, read_with_own());
+  }
+  facts.corrections = std::move(corrections);
+  return facts;
 }
 
 }  // namespace flair::language

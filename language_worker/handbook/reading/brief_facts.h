@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +25,8 @@ struct Wish {
   bool counted = true;    // false: a plural without a number, so that `count` is the least
   bool optional = false;  // "if there is room"
   PieceSize size = {};    // of each; within what the class can be
+  // The word for several classes that it was named by, such as "chair"; null for a class's own name.
+  const hb::Noun* noun = nullptr;
 };
 
 // Where the brief wants a piece.
@@ -34,6 +38,7 @@ struct Place {
   std::string side;                       // of a wall or corner, which: "north", "far left"; empty for any
   int which = -1;                         // of several pieces the first, the second; -1 for all
   std::string said;                       // the words of the brief
+  std::string called;                     // its words for the piece
 };
 
 // A kind of room that the room is besides its first: "kitchen/living/dining", "a bedroom with a home office".
@@ -66,6 +71,7 @@ struct BriefFacts {
   std::vector<const hb::Style*> styles;         // named directly: "scandinavian"
   std::vector<const hb::NamedColour*> colours;  // of the room
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
+  std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table"
   std::optional<int> people;
   std::string room_words;               // what it calls the room; where no kind is named, its first words
   std::vector<std::string> unheard;     // other words of which nothing was made: "of solid oak"
@@ -73,6 +79,12 @@ struct BriefFacts {
   std::vector<std::string> not_known;   // things asked for that the handbook has no word for: "proofing cabinet"
   std::vector<Correction> corrections;  // of misspelt words
   bool reads_as_english = true;         // false: most likely another language
+
+  // The handbook with the classes that only this brief has; null when it has none.
+  std::shared_ptr<const Handbook> own_handbook;
+  std::map<std::string, std::string> base_of_own;  // the handbook's class that each of them is a kind of, by names
+
+  const Handbook& HandbookOr(const Handbook& other) const { return own_handbook ? *own_handbook : other; }
 };
 
 // Reads a brief. The same text and handbook give the same facts. Errors as ReadSize.

@@ -9,138 +9,12 @@
 #include <utility>
 
 #include "english/quantities.h"
+#include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 namespace {
-
-// Adjectives may stand between a modifier and its noun: "two-seat green velvet sofa".
-constexpr std::size_t kMostAdjectives = 3;
-
-enum Rank { kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
-
-double AreaOf(const BriefFacts& facts) {
-  if (facts.size.area_m2) return *facts.size.area_m2;
-  const hb::Archetype& room = *facts.archetype;
-  return facts.size.width_m.value_or(room.width_m().typical()) * facts.size.depth_m.value_or(room.depth_m().typical());
-}
-
-bool EndsNounPhrase(const Token& token) {
-  if (token.kind == Token::Kind::kSign) return token.text != "-" && token.text != "'";
-  return IsIn("noun_phrase_ends", token.text);
-}
-
-// Whether what stands before a noun leaves open which one it is.
-bool SaysLooks(const Token& token) {
-  return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
-         IsIn("looks", token.text) || IsIn("piece_measures", token.text);
-}
-
-// What words for several classes mean in one kind of room: the "chair" of an office is none of a dining room. The
-// handbook must outlive it.
-class NounBook {
- public:
-  // `facts` must know the kind of room, and its size if the brief says it.
-  NounBook(const Handbook& handbook, const BriefFacts& facts)
-      : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
-    const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
-    for (const hb::Furniture& furniture : handbook.contents().furniture()) {
-      for (const hb::ZoneSpec& zone : room_.zones()) {
-        if (Includes(furniture.zone_hints(), zone.name())) raise(furniture.name(), kOfAZone);
-      }
-    }
-    const hb::Band& usual = BandFor(room_, AreaOf(facts));
-    for (const hb::Band& band : room_.bands()) {
-      for (const hb::ObjectEntry& entry : band.objects())
-        raise(entry.furniture(), &band == &usual ? kListed : kOfAZone);
-    }
-    for (const hb::ObjectEntry& entry : room_.tertiaries()) raise(entry.furniture(), kListed);
-    raise(room_.per_person(), kOnePerPerson);
-  }
-
-  // Every word that names a class, words for several of them before the others.
-  const std::vector<Saying<hb::Furniture>>& names() const { return vocabulary_.names; }
-
-  // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
-  int RankOf(const hb::Furniture& furniture) const {
-    const auto rank = ranks_.find(furniture.name());
-    return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
-  }
-
-  // The same for a class that is named at a token, by a noun that may mean another one in this kind of room.
-  int RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
-    const int rank = RankOf(furniture);
-    const auto here = [&](const hb::NounOption& option) {
-      return option.furniture() == furniture.name() && Includes(option.rooms(), room_.name());
-    };
-    std::size_t longest = 0;
-    bool meant = false;
-    for (const Vocabulary::Head& head : vocabulary_.heads) {
-      for (const Phrase& word : head.words) {
-        const std::size_t length = word.MatchAt(tokens, i);
-        if (length <= longest) continue;
-        longest = length;
-        meant = std::ranges::any_of(head.noun->options(), here);
-      }
-    }
-    return meant ? std::max<int>(rank, kOfTheRoom) : rank;
-  }
-
-  // The class that the words before a noun make of it: of "a comfy leather chair" an armchair, of "a two-seat sofa" a
-  // loveseat. The noun is `length` tokens at `noun`; `named` where nothing is said, null where it is a thing that
-  // nobody knows: "a proofing cabinet".
-  const hb::Furniture* Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
-                                const hb::Furniture* named) const {
-    const Vocabulary::Head* head = HeadAt(tokens, noun, length);
-    if (head == nullptr) return named;
-    for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
-      --at;
-      if (EndsNounPhrase(tokens[at])) break;
-      for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
-        const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
-        if (said > 0 && at + said <= noun) return modifier.furniture;
-      }
-    }
-    return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
-  }
-
-  // Number of tokens of a name with the nouns that only repeat it: "sectional" is followed by "sofa", "wingback" by
-  // "chair". `length` where there are none.
-  std::size_t LengthWithHead(const std::vector<Token>& tokens, std::size_t start, std::size_t length,
-                             const hb::Furniture& furniture) const {
-    const std::size_t end = start + length;
-    if (length == 0 || end >= tokens.size() || HeadAt(tokens, start, length) != nullptr) return length;
-    for (const Vocabulary::Head& head : vocabulary_.heads) {
-      if (!Includes(head.options, &furniture)) continue;
-      for (const Phrase& word : head.words) {
-        if (const std::size_t more = word.MatchAt(tokens, end); more > 0) return length + more;
-      }
-    }
-    return length;
-  }
-
-  // Number of tokens of a thing that only sounds like a class: "luggage rack"; 0 when there is none.
-  std::size_t OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const {
-    std::size_t longest = 0;
-    for (const Phrase& thing : vocabulary_.other_things) longest = std::max(longest, thing.MatchAt(tokens, start));
-    return longest;
-  }
-
- private:
-  const Vocabulary::Head* HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
-    for (const Vocabulary::Head& head : vocabulary_.heads) {
-      for (const Phrase& word : head.words) {
-        if (length > 0 && word.MatchAt(tokens, i) == length) return &head;
-      }
-    }
-    return nullptr;
-  }
-
-  const Vocabulary& vocabulary_;
-  const hb::Archetype& room_;
-  std::map<std::string_view, int> ranks_;  // of a class by its name
-};
 
 class FurnitureReader {
  public:
@@ -155,7 +29,7 @@ class FurnitureReader {
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i] || IsMeasure(tokens_, i)) continue;
+      if (used_[i] || IsMeasure(tokens_, i) || IsAVerb(i)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
       const bool seats = SeatsFollow(tokens_, i + 1);
@@ -166,18 +40,27 @@ class FurnitureReader {
         // Between two seats stands something small.
         constexpr double kSmallM = 0.6;
         const bool small = beside && between && furniture.width_m().typical() <= kSmallM;
-        return nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) + (small ? 32 : 0) + (table ? 128 : 0);
+        return (handbook_.IsOwn(furniture) ? 4096 : 0) + nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) +
+               (small ? 32 : 0) + (table ? 128 : 0);
       };
-      const auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
-      if (const std::size_t other = TakeOtherThing(i, name_length); other > 0) {
+      auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
+      TakeOverlapping(i, named, name_length);
+      const bool own = named != nullptr && handbook_.IsOwn(*named);
+      if (const std::size_t other = TakeOtherThing(i, name_length + (own ? 1 : 0)); other > 0) {
         i += other - 1;
+        continue;
+      }
+      if (named != nullptr && named->named_as_said() && !own &&
+          (IsOfAPurpose(i) || AnyAt(i + name_length) != nullptr)) {
+        i += name_length - 1;
         continue;
       }
       const bool refused = IsRefused(tokens_, i);
       for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && refused; ++k) {
         if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
       }
-      const hb::Furniture* furniture = nouns_.Modified(tokens_, i, name_length, named);
+      const hb::Furniture* furniture = own ? named : nouns_.Modified(tokens_, i, name_length, named);
+      if (furniture != nullptr) furniture = handbook_.FindFurniture(furniture->name());
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
       if (length == 0) {
         if (tokens_[i].kind == Token::Kind::kWord && refused) used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
@@ -189,11 +72,12 @@ class FurnitureReader {
         last_.reset();
       } else if (const Wish* meant = MeantBefore(i, length)) {
         mentions_.push_back({meant->furniture, i, i + length, meant->count});
-      } else {
+      } else if (!IsSaidTwice(*furniture, i, length)) {
         Wishing(*furniture, i, length);
       }
       Use(i, length);
       i += length - 1;
+      if (!mentions_.empty() && mentions_.back().end == i + 1) mentions_.back().end = BehindParts(i + 1);
     }
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
     std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
@@ -210,6 +94,64 @@ class FurnitureReader {
     std::size_t end = 0;
     bool seat = false;
   };
+
+  // Of "futon sofa bed", a futon sofa and a sofa bed, the latter.
+  void TakeOverlapping(std::size_t i, const hb::Furniture*& named, std::size_t& length) {
+    for (std::size_t k = i + 1; k < i + length; ++k) {
+      const auto [later, later_length] = LongestAt(names_, tokens_, k, /*plural=*/true);
+      if (later == nullptr || k + later_length <= i + length) continue;
+      named = later;
+      length = k + later_length - i;
+      return;
+    }
+  }
+
+  // Two names right behind each other are one piece: "king size platform bed"; of two kinds, "storage chest", the
+  // second is it.
+  bool IsSaidTwice(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
+    if (mentions_.empty() || mentions_.back().end != i) return false;
+    Mention& before = mentions_.back();
+    if (furniture.category() == before.furniture->category()) {
+      before.end = i + length;
+      return true;
+    }
+    if (facts_.wishes.empty() || facts_.wishes.back().furniture != before.furniture) return false;
+    facts_.wishes.pop_back();
+    mentions_.pop_back();
+    last_.reset();
+    return false;
+  }
+
+  // "The office showcases a desk".
+  bool IsAVerb(std::size_t i) const {
+    const BriefText text(tokens_);
+    return text.Is(i, "verbs_of_having") && (text.Is(i + 1, "thing_articles") || NumberWord(text.At(i + 1)));
+  }
+
+  // "with sliding doors", "without a headboard": words for a part of the piece before them.
+  std::size_t BehindParts(std::size_t end) const {
+    constexpr std::size_t kMostOfAPart = 4;
+    const BriefText text(tokens_);
+    if (!text.Says(end, {"with", "without"})) return end;
+    for (std::size_t i = end + 1; i < tokens_.size() && i <= end + kMostOfAPart; ++i) {
+      if (IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
+      if (!text.IsWord(i) && !text.IsHyphen(i) && !text.IsNumber(i)) break;
+    }
+    return end;
+  }
+
+  // "hooks for hats", "a desk for writing letters": small things by which another piece's use is told.
+  bool IsOfAPurpose(std::size_t i) const {
+    constexpr std::size_t kMostBack = 4;
+    const BriefText text(tokens_);
+    for (std::size_t back = 1; back <= kMostBack && back <= i; ++back) {
+      const std::size_t at = i - back;
+      if (text.Says(at, {"for", "of", "to", "like"})) return true;
+      if (text.IsSign(at) || text.Is(at, "thing_articles") || NumberWord(text.At(at)) || text.Is(at, "thing_ends"))
+        break;
+    }
+    return false;
+  }
 
   // "a luggage rack": its last word is a class, but the thing is none.
   std::size_t TakeOtherThing(std::size_t i, std::size_t piece_length) {
@@ -251,10 +193,16 @@ class FurnitureReader {
   // words ask for another one.
   const Wish* MeantBefore(std::size_t i, std::size_t length) const {
     if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - 1].text)) return nullptr;
+    const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
+    const auto among = [&](const std::string& name) {
+      return noun != nullptr && std::ranges::any_of(noun->options(), [&](const hb::NounOption& option) {
+               return option.furniture() == name;
+             });
+    };
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
       const std::string last = LastWord(wish->furniture->name());
       const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
-      if (MatchesWord(tokens_[i].text, last) || compound) return &*wish;
+      if (MatchesWord(tokens_[i].text, last) || compound || among(wish->furniture->name())) return &*wish;
     }
     return nullptr;
   }
@@ -285,6 +233,8 @@ class FurnitureReader {
     }
     if (SeatsTheLast(furniture, count, i, length)) return;
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(tokens_, used_, i, i + length)};
+    wish.noun = nouns_.NounAt(tokens_, i, length);
+    if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
     if (!furniture.companions().empty()) wish.seats = SeatsAfter(tokens_, i + length);
     if (wish.seats > 0) Use(i + length, 2);  // these are the table's, not the room's
     if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
@@ -292,6 +242,11 @@ class FurnitureReader {
     Mentioned(furniture, i, length, count);
     last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
     TakeColourBefore(i, furniture);
+    TakeMaterialBefore(i, furniture);
+    if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", tokens_, i)) {
+      if (furniture.kind() == hb::FURNITURE_KIND_WALL)
+        Use(*at, *BriefText(tokens_).BehindPhrase(*at, "wall_mounted") - *at);
+    }
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
@@ -300,7 +255,7 @@ class FurnitureReader {
     Wish& host = facts_.wishes[last_->wish];
     const hb::Furniture* usual = SeatOf(*host.furniture, handbook_);
     if (usual == nullptr || host.seats > 0) return false;
-    const bool any = length == 1 && (seat.category() == usual->category() || IsSeat(seat));
+    const bool any = length == 1 && seat.category() == usual->category();
     if (usual != &seat && !any) return false;
     const bool each = i + length < tokens_.size() && tokens_[i + length].text == "each";
     Mentioned(*host.furniture, i, length, {host.count});
@@ -333,7 +288,8 @@ class FurnitureReader {
       there.seats = std::max(there.seats, wish.seats);
       return i;
     }
-    facts_.wishes.push_back({wish.furniture, count, wish.seats, wish.counted, wish.optional});
+    facts_.wishes.push_back(wish);
+    facts_.wishes.back().count = count;
     return facts_.wishes.size() - 1;
   }
 
@@ -360,6 +316,20 @@ class FurnitureReader {
       }
       facts_.object_colours.emplace_back(&furniture, colour);
       Use(i - back, length);
+      return;
+    }
+  }
+
+  // "a glass coffee table", "an oak and steel desk": the first of them.
+  void TakeMaterialBefore(std::size_t i, const hb::Furniture& furniture) {
+    constexpr std::size_t kMostBack = 4;
+    for (std::size_t at = i; at > 0 && at + kMostBack > i; --at) {
+      const Token& token = tokens_[at - 1];
+      const bool material = token.kind == Token::Kind::kWord && IsIn("materials", token.text);
+      if (!material && (EndsNounPhrase(token) || NumberWord(token.text))) return;
+      if (!material || used_[at - 1]) continue;
+      facts_.object_materials.emplace_back(&furniture, token.text == "wooden" ? "wood" : token.text);
+      Use(at - 1, 1);
       return;
     }
   }
@@ -391,10 +361,23 @@ void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, cons
                 std::vector<bool>& used, BriefFacts& facts) {
   const NounBook nouns(handbook, facts);
   const auto rank = [&](const hb::Furniture& furniture) {
-    const bool wished = std::ranges::any_of(facts.wishes, [&](const Wish& one) { return one.furniture == &furniture; });
-    return nouns.RankOf(furniture) + (wished ? 1024 : 0);
+    // What is wished for first is most often what is spoken of again.
+    constexpr std::ptrdiff_t kMost = 200;
+    const auto wish = std::ranges::find(facts.wishes, &furniture, &Wish::furniture);
+    const auto after = std::min(kMost, wish - facts.wishes.begin());
+    const bool wished = wish != facts.wishes.end();
+    return nouns.RankOf(furniture) + (wished ? static_cast<int>(1024 + 2 * (kMost - after)) : 0);
   };
-  ReadPlaces(handbook, tokens, nouns.names(), mentions, rank, used, facts);
+  // "The sofa" is also a corner sofa that was asked for.
+  std::vector<Saying<hb::Furniture>> names = nouns.names();
+  for (const Wish& wish : facts.wishes) names.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
+  for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
+    for (const Wish& wish : facts.wishes) {
+      if (!Includes(head.options, wish.furniture)) continue;
+      for (const Phrase& word : head.words) names.push_back({word, wish.furniture});
+    }
+  }
+  ReadPlaces(handbook, tokens, names, mentions, rank, used, facts);
 }
 
 }  // namespace flair::language

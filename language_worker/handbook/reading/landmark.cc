@@ -74,6 +74,10 @@ Landmark LandmarkReader::Noun(std::size_t start) const {
       landmark.end = i + length;
       const auto any = [](const hb::Furniture&) { return 0; };
       landmark.plural = BestAt(names_, tokens_, i, /*plural=*/false, any).second < length;
+      // "The desk surface", "the table's edge".
+      std::size_t part = landmark.end;
+      if (text_.At(part) == "'s") ++part;
+      if (text_.Is(part, "parts_of_pieces")) landmark.end = part + 1;
       return landmark;
     }
     // "The window wall": the last of several nouns counts.
@@ -136,6 +140,12 @@ void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
     if (door) add(opposite || farthest ? "far" : how == "with" ? "door" : "blank");
     if (window) add(opposite || farthest ? "across window" : how == "with" ? "window" : "blank");
     if (door || window) landmark.end = at + 1;
+  }
+  // "The wall opposite", of what was spoken of before.
+  if (how == "opposite" && how.data() == text_.At(landmark.end).data() &&
+      (landmark.end + 1 >= text_.size() || text_.IsSign(landmark.end + 1))) {
+    add("opposite");
+    ++landmark.end;
   }
   for (const Phrase& phrase : PhrasesOf("of_the_room"))
     landmark.end += phrase.MatchAt(tokens_, landmark.end, /*plural=*/false);

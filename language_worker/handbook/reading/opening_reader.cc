@@ -199,9 +199,8 @@ class OpeningReader {
 
   void NoteOverhead(const OpeningNoun& noun) {
     if (!noun.none) {
-      openings_.not_read.push_back(
-          fmt::format("\"{}\" is in the ceiling, which has no openings here; it was left out.",
-                      Quote(noun.begin, noun.end)));
+      openings_.not_read.push_back(fmt::format("\"{}\" is in the ceiling, which has no openings here; it was left out.",
+                                               Quote(noun.begin, noun.end)));
     }
     Use(noun.begin, noun.end);
   }

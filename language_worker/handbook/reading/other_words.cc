@@ -233,7 +233,7 @@ std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const st
   const auto asks = [&](std::size_t i) {
     const bool people = CountsPeople(text.At(i)) && !IsFormIn("seats_and_places", text.At(i));
     if (people || text.IsNumber(i) || text.Is(i, "asking_words")) return true;
-    const bool idle = text.At(i).size() < kShortestName || IsIdle(text.At(i)) || vocabulary.speller.Knows(text.At(i));
+    const bool idle = text.At(i).size() < kShortestName || IsIdle(text.At(i)) || vocabulary.speller->Knows(text.At(i));
     return text.IsWord(i) && (names(i) || !idle);
   };
   const auto ends = [&](std::size_t i) { return text.IsSign(i) && !text.IsHyphen(i); };

@@ -49,6 +49,17 @@ bool AsksForFew(const std::vector<Token>& tokens, std::size_t i) {
   return false;
 }
 
+std::optional<std::size_t> PhraseBefore(std::string_view list, const std::vector<Token>& tokens, std::size_t i) {
+  constexpr std::size_t kMostBack = 7;
+  const BriefText text(tokens);
+  for (std::size_t at = i; at > 0 && at + kMostBack > i; --at) {
+    if (text.IsSign(at - 1) && !text.IsHyphen(at - 1)) break;
+    if (text.Is(at - 1, "thing_articles") || text.Says(at - 1, {"the", "and", "with"})) break;
+    if (const auto end = text.BehindPhrase(at - 1, list); end && *end <= i) return at - 1;
+  }
+  return std::nullopt;
+}
+
 bool IsFurther(const std::vector<Token>& tokens, std::size_t i) {
   for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
     const std::string& word = tokens[i - back].text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,9 @@ bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i);
 
 // Of "a table for eight", "a table for 8 people": eight. 0 when nothing of the kind stands there.
 int SeatsAfter(const std::vector<Token>& tokens, std::size_t i);
+
+// Where a phrase of a list begins among the words for the looks of the noun at `i`: "a wall-mounted flat screen".
+std::optional<std::size_t> PhraseBefore(std::string_view list, const std::vector<Token>& tokens, std::size_t i);
 
 bool IsArticle(std::string_view word);
 

@@ -2,7 +2,6 @@
 #include "language_worker/handbook/reading/place_reader.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,21 +10,23 @@
 #include "fmt/format.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/mention_list.h"
+#include "language_worker/handbook/reading/own_classes.h"
+#include "language_worker/handbook/reading/place_patterns.h"
+#include "language_worker/handbook/reading/target_finder.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 namespace {
 
-// Whether the sentence of a place speaks of that slot: "{target}".
-bool AskedNames(const hb::AskedPlace& asked, std::string_view slot) {
-  return asked.relation().text().find(slot) != std::string::npos;
-}
-
 constexpr std::size_t kMostPlacesNotKnown = 8;
 
-// Kinds that a place is for; pieces that stand on the floor when it does not say.
-bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture) {
-  const bool floor = furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED || furniture.kind() == hb::FURNITURE_KIND_FLOOR;
+// Whether a place is for pieces of the class's kind: for those that stand on the floor when it does not say; or, where
+// `otherwise`, for a kind that it can be as well; see Carried.
+bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool otherwise) {
+  if (IsOfAnyKind(furniture)) return true;
+  const bool floor = IsOnTheFloor(furniture);
+  if (otherwise) return MayBeCarriedOtherwise(furniture, asked);
   if (asked.kinds().empty()) return floor && (!furniture.walk_over() || !AskedNames(asked, "under the {target}"));
   return std::ranges::find(asked.kinds(), static_cast<int>(furniture.kind())) != asked.kinds().end() &&
          (!floor || furniture.walk_over());
@@ -36,42 +37,26 @@ class PlaceReader {
   PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens,
               const std::vector<Saying<hb::Furniture>>& names, const std::vector<Mention>& mentions,
               std::function<int(const hb::Furniture&)> rank, std::vector<bool>& used, BriefFacts& facts)
-      : handbook_(handbook),
-        tokens_(tokens),
+      : tokens_(tokens),
         text_(tokens),
         mentions_(mentions),
         used_(used),
         facts_(facts),
         landmarks_(tokens, names, std::move(rank)),
-        mention_at_(tokens.size(), mentions.size()),
-        by_landmark_(mentions.size(), false) {
-    for (std::size_t m = 0; m < mentions.size(); ++m) {
-      for (std::size_t i = mentions[m].begin; i < mentions[m].end; ++i) mention_at_[i] = m;
-    }
-    AddPatterns();
-  }
+        patterns_(handbook, tokens, landmarks_),
+        named_(tokens, mentions),
+        by_landmark_(mentions.size(), false),
+        targets_(mentions, named_, by_landmark_) {}
 
   void Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const bool piece = mention_at_[i] < mentions_.size();
-      if (i < read_to_ || used_[i] || piece || tokens_[i].kind != Token::Kind::kWord) continue;
+      if (i < read_to_ || used_[i] || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
   }
 
  private:
-  // Words for a place, without what follows them, and what follows.
-  struct Pattern {
-    Phrase words;
-    std::string slot;  // "door", "window", "wall", "corner", "target", "targets"; empty when nothing follows
-    const hb::AskedPlace* asked = nullptr;
-  };
-  struct Match {
-    const Pattern* pattern = nullptr;
-    Landmark landmark;
-    std::size_t length = 0;  // of the words alone
-    std::size_t end = 0;
-  };
+  using Match = PlacePatterns::Match;
   // Whose place is told.
   struct Subject {
     const hb::Furniture* furniture = nullptr;
@@ -84,76 +69,6 @@ class PlaceReader {
     std::size_t end = 0;
   };
 
-  void AddPatterns() {
-    for (const hb::AskedPlace& asked : handbook_.contents().asked_places()) {
-      for (const std::string& words : asked.words()) {
-        const std::size_t brace = std::min(words.find('{'), words.size());
-        std::string slot = brace < words.size() ? words.substr(brace + 1, words.size() - brace - 2) : "";
-        const std::string first = words.substr(0, words.find(' '));
-        // "Not" may stand apart from the rest: "must not be placed near the door".
-        const std::size_t from = first == "not" ? first.size() : 0;
-        patterns_[first].push_back({Phrase(words.substr(from, brace - from)), std::move(slot), &asked});
-      }
-    }
-  }
-
-  // The longest first; of equally long ones those that say by what.
-  std::vector<Match> MatchesAt(std::size_t i) const {
-    std::vector<Match> matches;
-    const bool negated = Denies(i);
-    const auto found = patterns_.find(negated ? "not" : tokens_[i].text);
-    if (found == patterns_.end()) return matches;
-    std::size_t start = i + (negated ? 1 : 0);
-    while (negated && start < i + 4 && IsIn("place_fillers", text_.At(start))) ++start;
-    for (const Pattern& pattern : found->second) {
-      Match match{&pattern, {}, pattern.words.MatchAt(tokens_, start, /*plural=*/false), 0};
-      if (match.length == 0) continue;
-      match.end = start + match.length;
-      if (pattern.slot.empty()) {
-        const bool needs_piece = AskedNames(*pattern.asked, "{target}") || AskedNames(*pattern.asked, "{first}");
-        if (needs_piece && !EndsPhrase(match.end)) continue;
-      } else {
-        match.landmark = landmarks_.Read(match.end);
-        if (!Fits(pattern, match.landmark)) continue;
-        match.end = match.landmark.end;
-      }
-      matches.push_back(match);
-    }
-    std::ranges::stable_sort(matches, [](const Match& a, const Match& b) {
-      return a.length != b.length ? a.length > b.length : a.end > b.end;
-    });
-    return matches;
-  }
-
-  bool Denies(std::size_t i) const { return text_.Says(i, {"not", "never"}); }
-
-  bool IsDenied(std::size_t i) const {
-    constexpr std::size_t kMostWords = 4;
-    for (std::size_t at = i; at > 0 && at + kMostWords > i; --at) {
-      if (Denies(at - 1)) return true;
-      if (!IsIn("place_fillers", text_.At(at - 1))) return false;
-    }
-    return false;
-  }
-
-  // Whether no noun follows that a place could be told by.
-  bool EndsPhrase(std::size_t i) const {
-    return i >= tokens_.size() || tokens_[i].kind == Token::Kind::kSign || IsIn("place_ends", text_.At(i));
-  }
-
-  bool Fits(const Pattern& pattern, const Landmark& landmark) const {
-    using Kind = Landmark::Kind;
-    const std::string& slot = pattern.slot;
-    const Kind kind = landmark.kind;
-    for (const auto& [name, feature] : {std::pair("door", Kind::kDoor), std::pair("window", Kind::kWindow),
-                                        std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
-      if (slot == name) return kind == feature;
-    }
-    const bool piece = kind == Kind::kPiece || kind == Kind::kPronoun;
-    const bool two = landmark.second != nullptr || landmark.plural;
-    return piece && (slot == "target" || (slot == "targets" && two));
-  }
-
   Subject SubjectOf(std::size_t mention, int which) const { return {mentions_[mention].furniture, mention, which}; }
 
   // What stands right before the place, over verbs, commas and what was said of its place before.
@@ -162,10 +77,10 @@ class PlaceReader {
     bool joined = false;
     for (std::size_t at = i; at > 0 && at + kMostFillers > i; --at) {
       if (last_ && last_->end == at) {
-        const std::optional<std::size_t> m = MentionEndingAt(at);
+        const std::optional<std::size_t> m = named_.EndingAt(at);
         if (!m || joined) return last_->subject;
       }
-      if (const std::optional<std::size_t> m = MentionEndingAt(at)) return SubjectOf(*m, mentions_[*m].which);
+      if (const std::optional<std::size_t> m = named_.EndingAt(at)) return SubjectOf(*m, mentions_[*m].which);
       const Token& before = tokens_[at - 1];
       const std::optional<std::size_t> earlier = LastMentionBefore(at - 1);
       const bool other = before.text == "other" || before.text == "another" || before.text == "second";
@@ -179,6 +94,7 @@ class PlaceReader {
       joined = joined || before.text == "," || before.text == "and" || before.text == "but";
       const bool sign = before.kind == Token::Kind::kSign && !text_.EndsSentence(at - 1) && before.text != "(";
       const bool filler = IsIn("place_fillers", before.text) || IsIn("group_fillers", before.text) ||
+                          before.text.ends_with("ed") || before.text.ends_with("ing") || before.text.ends_with("ly") ||
                           before.text == "and" || before.text == "but" || before.text == "the" || before.text == "of";
       if (!sign && !filler && before.kind != Token::Kind::kNumber) return std::nullopt;
     }
@@ -195,16 +111,15 @@ class PlaceReader {
     int others = 0;
     bool noun_phrase = false;
     for (std::size_t i = end; i < tokens_.size() && i < end + kMostBetween; ++i) {
-      if (mention_at_[i] < mentions_.size()) {
-        const std::size_t m = mention_at_[i];
+      if (const std::optional<std::size_t> m = named_.At(i)) {
         if (!first && !noun_phrase) return std::nullopt;
-        return SubjectOf(m, mentions_[m].which);
+        return SubjectOf(*m, mentions_[*m].which);
       }
       const Token& token = tokens_[i];
       if (token.kind == Token::Kind::kSign && !((first || aside) && token.text == ",")) return std::nullopt;
       if (token.text == "and" || token.text == "with" || token.text == "or") return std::nullopt;
-      const bool known =
-          IsIn("before_subjects", token.text) || token.kind == Token::Kind::kSign || NumberWord(token.text);
+      const bool known = IsIn("before_subjects", token.text) || IsIn("place_fillers", token.text) ||
+                         token.kind == Token::Kind::kSign || NumberWord(token.text);
       noun_phrase = noun_phrase || NumberWord(token.text) || token.text == "the" || token.kind == Token::Kind::kNumber;
       // Words for its looks.
       if (!known && (!noun_phrase || ++others > 2)) return std::nullopt;
@@ -217,7 +132,7 @@ class PlaceReader {
     constexpr std::size_t kMostWords = 12;
     for (std::size_t at = i; at > 0 && at + kMostWords > i; --at) {
       if (text_.EndsSentence(at - 1)) return std::nullopt;
-      if (const std::optional<std::size_t> m = MentionEndingAt(at)) {
+      if (const std::optional<std::size_t> m = named_.EndingAt(at)) {
         if (by_landmark_[*m]) return std::nullopt;
         return SubjectOf(*m, mentions_[*m].which);
       }
@@ -231,11 +146,6 @@ class PlaceReader {
     return std::nullopt;
   }
 
-  std::optional<std::size_t> MentionEndingAt(std::size_t end) const {
-    if (end == 0 || mention_at_[end - 1] == mentions_.size()) return std::nullopt;
-    return mention_at_[end - 1];
-  }
-
   std::optional<std::size_t> LastMentionBefore(std::size_t i) const {
     for (std::size_t m = mentions_.size(); m-- > 0;) {
       if (mentions_[m].end <= i && !by_landmark_[m]) return m;
@@ -243,82 +153,141 @@ class PlaceReader {
     return std::nullopt;
   }
 
-  // Finds what the landmark stands for; false when there is no such thing.
-  bool Resolve(const Subject& subject, const Match& match, Place& place) const {
-    const hb::AskedPlace& asked = *match.pattern->asked;
-    place.side = match.landmark.side;
-    if (AskedNames(asked, "{first}")) return TakePair(subject, match, place);
-    if (!AskedNames(asked, "{target}")) return true;
-    if (match.landmark.kind != Landmark::Kind::kPiece) return TakePronoun(subject, match.landmark.plural, place);
-    place.target = match.landmark.piece;
-    return place.target != subject.furniture;
-  }
-
-  // "between the sofa and the fireplace", "between the armchairs", "between them".
-  bool TakePair(const Subject& subject, const Match& match, Place& place) const {
-    const Landmark& landmark = match.landmark;
-    if (landmark.kind == Landmark::Kind::kPiece) {
-      place.target = landmark.piece;
-      place.other = landmark.second != nullptr ? landmark.second : landmark.piece;
-      return place.target != subject.furniture && place.other != subject.furniture;
-    }
-    // The two that were named last before it, those first that do not only tell where others go.
-    for (const bool landmarks_too : {false, true}) {
-      place.target = place.other = nullptr;
-      for (std::size_t m = subject.mention; m-- > 0;) {
-        const Mention& mention = mentions_[m];
-        if (mention.furniture == subject.furniture || mention.furniture == place.other) continue;
-        if (by_landmark_[m] && !landmarks_too) continue;
-        if (place.other == nullptr && mention.count > 1) {
-          place.target = place.other = mention.furniture;
-          return true;
-        }
-        (place.other == nullptr ? place.other : place.target) = mention.furniture;
-        if (place.target != nullptr) return true;
-      }
+  bool TakePlace(std::size_t i) {
+    if (patterns_.IsDenied(i) || IsByDoing(i)) return false;
+    for (const bool otherwise : {false, true}) {
+      if (TakePlace(i, otherwise)) return true;
     }
     return false;
   }
 
-  // "next to it": the piece that was named before.
-  bool TakePronoun(const Subject& subject, bool plural, Place& place) const {
-    for (std::size_t m = subject.mention; m-- > 0;) {
-      const Mention& mention = mentions_[m];
-      if (mention.furniture == subject.furniture) continue;
-      if (place.target == nullptr || (plural && mention.count > 1)) place.target = mention.furniture;
-      if (!plural || mention.count > 1) break;
-    }
-    return place.target != nullptr;
+  // "Accompanied by four chairs" is no place; "placed by the window" is.
+  bool IsByDoing(std::size_t i) const {
+    return text_.At(i) == "by" && i > 0 && text_.At(i - 1).ends_with("ed") && !text_.Is(i - 1, "place_fillers");
   }
 
-  bool TakePlace(std::size_t i) {
-    if (IsDenied(i)) return false;
-    for (Match& match : MatchesAt(i)) {
-      std::optional<Subject> subject = SubjectAfter(i, match.end);
-      if (!subject) subject = SubjectBefore(i);
-      if (!subject) subject = LooseSubjectBefore(i);
-      if (!subject || !IsFor(*match.pattern->asked, *subject->furniture)) continue;
-      Place place;
-      place.furniture = subject->furniture;
-      place.asked = match.pattern->asked;
-      place.which = subject->which;
-      if (!Resolve(*subject, match, place)) continue;
-      place.said = text_.Quote(i, match.end);
-      facts_.places.push_back(place);
-      NoteLoosely(place, i, i + match.length);
-      // "A lamp on either side" makes two of one.
-      for (Wish& wish : facts_.wishes) {
-        const int least = match.pattern->asked->relation().condition().min_count();
-        if (wish.furniture == subject->furniture) wish.count = std::max(wish.count, least);
-      }
+  bool TakePlace(std::size_t i, bool otherwise) {
+    for (const Match& match : patterns_.MatchesAt(i)) {
+      const std::vector<Subject> subjects = SubjectsOf(match, i, otherwise);
+      bool any = false;
+      for (const Subject& subject : subjects) any = Put(subject, match, i, otherwise) || any;
+      if (!any) continue;
       std::fill(used_.begin() + static_cast<std::ptrdiff_t>(i), used_.begin() + static_cast<std::ptrdiff_t>(match.end),
                 true);
       for (std::size_t k = i; k < match.end; ++k) {
-        if (mention_at_[k] < mentions_.size()) by_landmark_[mention_at_[k]] = true;
+        if (const std::optional<std::size_t> m = named_.At(k)) by_landmark_[*m] = true;
       }
-      last_ = Last{*subject, match.end};
+      last_ = Last{subjects.front(), match.end};
       read_to_ = match.end;
       return true;
+    }
+    return false;
+  }
+
+  // Whose place it is: one piece, or several small things that are named together.
+  std::vector<Subject> SubjectsOf(const Match& match, std::size_t i, bool otherwise) const {
+    if (match.asked->target_first()) {
+      const std::optional<std::size_t> first = named_.From(match.end);
+      return first ? Together(*first, +1, *match.asked) : std::vector<Subject>();
+    }
+    std::optional<Subject> after = SubjectAfter(i, match.end), before;
+    if (!after) before = SubjectBefore(i);
+    if (!after && !before) before = LooseSubjectBefore(i);
+    std::optional<Subject>& subject = after ? after : before;
+    if (subject && !after && !IsFor(*match.asked, *subject->furniture, otherwise)) subject = HolderOf(*subject);
+    if (!subject || !IsFor(*match.asked, *subject->furniture, otherwise)) return {};
+    const bool along = match.asked->carried() == hb::CARRIED_ALONG;
+    if (along || !IsOnATop(*subject->furniture)) return {*subject};
+    std::vector<Subject> all = Together(subject->mention, after ? +1 : -1, *match.asked);
+    all.front() = *subject;
+    return all;
+  }
+
+  // "A table with a lamp on it by the window": what stands by the window is the table.
+  std::optional<Subject> HolderOf(const Subject& held) const {
+    const std::optional<std::size_t> holder = named_.HolderOf(held.mention);
+    return holder ? std::optional(SubjectOf(*holder, mentions_[*holder].which)) : std::nullopt;
+  }
+
+  // Whether the place of what is listed before or behind it is its place, too: small things that have none of their
+  // own.
+  bool GoesWithOthers(std::size_t m, int step, const hb::AskedPlace& asked) const {
+    const hb::Furniture& furniture = *mentions_[m].furniture;
+    const bool carried = asked.carried() != hb::CARRIED_UNSPECIFIED;
+    if (!IsFor(asked, furniture, false) && !(carried && IsFor(asked, furniture, true))) return false;
+    if (!carried && !IsOnATop(furniture)) return false;
+    const bool placed = std::ranges::any_of(facts_.places, [&](const Place& place) {
+      return place.furniture == &furniture && place.asked->carried() != hb::CARRIED_UNSPECIFIED;
+    });
+    // One that its own place follows has that.
+    std::size_t end = mentions_[m].end;
+    while (end < tokens_.size() && text_.Is(end, "place_fillers")) ++end;
+    return !placed && !(step > 0 && end < tokens_.size() && !patterns_.MatchesAt(end).empty());
+  }
+
+  // The mention and its neighbours to one side that are listed with it: "a vase, a wooden tray and two candles".
+  std::vector<Subject> Together(std::size_t mention, int step, const hb::AskedPlace& asked) const {
+    std::vector<Subject> all;
+    for (std::size_t m = mention; m < mentions_.size(); m += static_cast<std::size_t>(step)) {
+      const std::size_t first = step > 0 ? m - 1 : m, second = first + 1;
+      if (m != mention && (by_landmark_[m] || !named_.AreListed(first, second) || !GoesWithOthers(m, step, asked)))
+        break;
+      all.push_back(SubjectOf(m, mentions_[m].which));
+      if (step < 0 && m == 0) break;
+    }
+    return all;
+  }
+
+  // Whether the piece got the place.
+  bool Put(const Subject& subject, const Match& match, std::size_t i, bool otherwise) {
+    const hb::AskedPlace& asked = *match.asked;
+    if (!IsFor(asked, *subject.furniture, otherwise)) return false;
+    Place place;
+    place.furniture = subject.furniture;
+    place.asked = &asked;
+    place.which = subject.which;
+    if (!(asked.target_first() ? TakeCarrier(i, place) : targets_.Find(subject.mention, match, place))) {
+      // Seats that are counted with their table stand there anyway.
+      return asked.target_first() && place.target == place.furniture;
+    }
+    const std::size_t m = subject.mention;
+    if (m > 0 && mentions_[m].count == 1 && named_.AreListed(m - 1, m)) {
+      TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
+    }
+    TakeWhatHangs(patterns_, place);
+    place.said = text_.Quote(i, match.end);
+    place.called = text_.Quote(mentions_[subject.mention].begin, mentions_[subject.mention].end);
+    facts_.places.push_back(place);
+    NoteLoosely(place, i, i + match.length);
+    // "A lamp on either side" makes two of one.
+    for (Wish& wish : facts_.wishes) {
+      const int least = std::max(place.asked->relation().condition().min_count(), OneForEach(place, i, match.end));
+      if (wish.furniture == subject.furniture) wish.count = std::max(wish.count, least);
+    }
+    return true;
+  }
+
+  // "A chest at the foot of each bed": as many as there are beds.
+  int OneForEach(const Place& place, std::size_t begin, std::size_t end) const {
+    bool each = false;
+    for (std::size_t i = begin; i < end; ++i) each = each || text_.Says(i, {"each", "every"});
+    const auto target = std::ranges::find(facts_.wishes, place.target, &Wish::furniture);
+    return each && place.target != nullptr && target != facts_.wishes.end() ? target->count : 0;
+  }
+
+  // What stands before "holds": right before it, else the last in the sentence that is no thing on a top itself.
+  bool TakeCarrier(std::size_t i, Place& place) const {
+    std::optional<Subject> before = SubjectBefore(i);
+    if (last_ && last_->end == i && before && by_landmark_[before->mention]) before = last_->subject;
+    if (before) {
+      place.target = before->furniture;
+      return place.target != place.furniture;
+    }
+    for (std::size_t at = i; at > 0 && !text_.EndsSentence(at - 1); --at) {
+      const std::optional<std::size_t> m = named_.EndingAt(at);
+      if (!m || IsOnATop(*mentions_[*m].furniture)) continue;
+      place.target = mentions_[*m].furniture;
+      return place.target != place.furniture;
     }
     return false;
   }
@@ -326,6 +295,11 @@ class PlaceReader {
   // Directions that the sentence does not have: of "to the left of the window" only "near the window" is left.
   void NoteLoosely(const Place& place, std::size_t begin, std::size_t end) {
     const std::string& text = place.asked->relation().text();
+    // Which wall something hangs on cannot be asked for.
+    if (text.find("hangs on the wall in") != std::string::npos && !place.side.empty()) {
+      facts_.places_loosely_kept.push_back(
+          fmt::format("\"{} {}\": it hangs on a wall", place.furniture->name(), place.said));
+    }
     for (std::size_t k = begin; k < end; ++k) {
       if (!IsIn("exact_directions", text_.At(k)) || text.find(text_.At(k)) != std::string::npos) continue;
       facts_.places_loosely_kept.push_back(
@@ -373,16 +347,16 @@ class PlaceReader {
     return corner || IsIn("sure_places", text_.At(i));
   }
 
-  const Handbook& handbook_;
   const std::vector<Token>& tokens_;
   const BriefText text_;
   const std::vector<Mention>& mentions_;
   std::vector<bool>& used_;
   BriefFacts& facts_;
   const LandmarkReader landmarks_;
-  std::map<std::string, std::vector<Pattern>, std::less<>> patterns_;  // by their first word
-  std::vector<std::size_t> mention_at_;  // of a token: the mention that covers it, or mentions_.size()
-  std::vector<bool> by_landmark_;        // of a mention: it only tells where another one goes
+  const PlacePatterns patterns_;
+  const MentionList named_;
+  std::vector<bool> by_landmark_;  // of a mention: it only tells where another one goes
+  const TargetFinder targets_;
   std::optional<Last> last_;
   std::size_t read_to_ = 0;
 };

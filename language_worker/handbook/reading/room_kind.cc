@@ -62,7 +62,7 @@ class RoomKindReader {
       }
       if (found.room.archetype == nullptr || IsADoor(found.room)) continue;
       found.within = within;
-      found.outside = IsOutside(found.room);
+      found.outside = IsOutside(found.room) || IsOfAPiece(found.room);
       found.closed = Closes(found.room.end);
       found.had = found.within && IsHad(i);
       const bool open_plan = !found_.empty() && IsOpenPlan(found_.back().room, found.room);
@@ -111,6 +111,15 @@ class RoomKindReader {
     std::size_t at = room.begin;
     while (at > 0 && words_.Is(at - 1, "before_a_room")) --at;
     return at > 0 && words_.Is(at - 1, "on_the_way_to");
+  }
+
+  // The "bar" of a grab bar or a bar stool.
+  bool IsOfAPiece(const NamedRoom& room) const {
+    for (std::size_t i = room.begin - std::min<std::size_t>(room.begin, 2); i <= room.begin; ++i) {
+      const std::size_t end = i + LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true).second;
+      if (end >= room.end && end - i > room.end - room.begin) return true;
+    }
+    return false;
   }
 
   bool Closes(std::size_t i) const {

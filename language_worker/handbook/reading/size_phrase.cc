@@ -37,6 +37,12 @@ class SizeOwner {
     return false;
   }
 
+  // "A desk 1.8 x 0.9 m": sides right behind a thing, one of them shorter than a room's.
+  bool IsRightBehindAThing(std::size_t start, double shorter_m) const {
+    constexpr double kLeastSideM = 1.5;
+    return shorter_m < kLeastSideM && IsBehindAThing(start, shorter_m);
+  }
+
   // The same for a word of size, such as "large": "a large wardrobe", "with large windows", "for a little girl", and
   // the "grand" of a grand piano.
   bool IsWordOfAThing(std::size_t start, std::size_t end) const {
@@ -170,7 +176,9 @@ class SizeReader {
     for (std::size_t i = 0; i < text_.size() && !size_.in_numbers(); ++i) {
       if (const std::optional<SidePair> sides = PairAt(text_, i)) {
         // There is one room: "140 x 70 cm each" is said of pieces.
-        if (owner_.IsOfAThing(i, sides->end) || text_.Says(sides->end, {"each", "apiece"})) {
+        const double shorter_m = std::min(sides->width_m, sides->depth_m);
+        if (owner_.IsOfAThing(i, sides->end) || owner_.IsRightBehindAThing(i, shorter_m) ||
+            text_.Says(sides->end, {"each", "apiece"})) {
           i = sides->end - 1;
           continue;
         }
@@ -346,7 +354,8 @@ PieceSize ReadPieceSize(const std::vector<Token>& tokens, std::size_t begin, std
     if (!free(size) || size.end > begin || begin - size.end > kMostAdjectives) continue;
     bool adjectives = true;
     for (std::size_t k = size.end; k < begin; ++k) {
-      adjectives = adjectives && !taken[k] && (text.IsHyphen(k) || (text.IsWord(k) && !text.Is(k, "noun_phrase_ends")));
+      adjectives = adjectives && (!taken[k] || text.Is(k, "materials")) &&
+                   (text.IsHyphen(k) || (text.IsWord(k) && !text.Is(k, "noun_phrase_ends")));
     }
     if (adjectives) return size;
   }

@@ -40,8 +40,8 @@ Speller::Speller(const hb::Handbook& handbook) {
     for (const std::string& phrase : phrases) Learn(phrase, corrects);
   };
   for (const hb::Furniture& furniture : handbook.furniture()) {
-    Learn(furniture.name(), true);
-    learn(furniture.synonyms(), true);
+    Learn(furniture.name(), !furniture.named_as_said());
+    learn(furniture.synonyms(), !furniture.named_as_said());
   }
   for (const hb::Archetype& archetype : handbook.archetypes()) {
     Learn(archetype.name(), true);
@@ -67,6 +67,7 @@ Speller::Speller(const hb::Handbook& handbook) {
   for (const hb::AskedPlace& place : handbook.asked_places()) learn(place.words(), false);
   learn(handbook.other_things(), false);
   learn(handbook.common_words(), false);
+  for (const char* list : {"adjectives", "materials", "thing_ends", "not_pieces"}) learn(WordsOf(list), false);
 }
 
 void Speller::Learn(std::string_view phrase, bool corrects) {
@@ -123,7 +124,7 @@ std::vector<Correction> Speller::Correct(std::vector<Token>& tokens) const {
   return corrections;
 }
 
-Vocabulary::Vocabulary(const Handbook& handbook) : speller(handbook.contents()) {
+Vocabulary::Vocabulary(const Handbook& handbook) : speller(std::make_shared<const Speller>(handbook.contents())) {
   for (const hb::Noun& noun : handbook.contents().nouns()) {
     Head head{.noun = &noun, .words = {}, .options = {}, .modifiers = {}};
     for (const std::string& word : noun.words()) head.words.emplace_back(word);
@@ -147,6 +148,13 @@ Vocabulary::Vocabulary(const Handbook& handbook) : speller(handbook.contents()) 
     AddSayings(colour.name(), colour.synonyms(), colour, colours);
   }
   for (const std::string& words : handbook.contents().other_things()) other_things.emplace_back(words);
+}
+
+Vocabulary::Vocabulary(const Vocabulary& base, const std::vector<hb::Furniture>& own) : Vocabulary(base) {
+  std::vector<Saying<hb::Furniture>> all;
+  for (const hb::Furniture& furniture : own) AddSayings(furniture.name(), furniture.synonyms(), furniture, all);
+  all.insert(all.end(), names.begin(), names.end());
+  names = std::move(all);
 }
 
 }  // namespace flair::language

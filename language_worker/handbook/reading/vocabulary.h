@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -98,13 +99,15 @@ struct Vocabulary {
 
   // `handbook` must outlive it and have its look-up tables.
   explicit Vocabulary(const Handbook& handbook);
+  // With the words of further classes, which come first and must outlive it.
+  Vocabulary(const Vocabulary& base, const std::vector<hb::Furniture>& own);
 
   std::vector<Saying<hb::Furniture>> names;  // every word that names a class, words for several of them first
   std::vector<Saying<hb::Archetype>> rooms;  // but for the fallback
   std::vector<Saying<hb::NamedColour>> colours;
   std::vector<Head> heads;
   std::vector<Phrase> other_things;
-  Speller speller;
+  std::shared_ptr<const Speller> speller;
 };
 
 }  // namespace flair::language

@@ -11,7 +11,7 @@
 namespace flair::language {
 namespace {
 
-const Speller& TheSpeller() { return TheHandbook().vocabulary().speller; }
+const Speller& TheSpeller() { return *TheHandbook().vocabulary().speller; }
 
 TEST(IsOneEditAway, LettersLeftOutPutInChangedOrSwapped) {
   for (const char* word : {"kichen", "kiitchen", "kitchan", "ktichen", "itchen", "kitche", "kitchens"}) {

@@ -172,9 +172,9 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
 absl::StatusOr<v1::ZonePlan> PlanZones(const v1::Brief& brief, const v1::Room& room, const Handbook& handbook) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  const RoomProgram program = MakeRoomProgram(facts, handbook, FloorArea(room), choice);
+  const RoomProgram program = MakeRoomProgram(facts, facts.HandbookOr(handbook), FloorArea(room), choice);
   std::vector<LeftOut> left_out;
-  const std::vector<SizedItem> fitting = FitFloor(program, handbook, ExtentOf(room), left_out);
+  const std::vector<SizedItem> fitting = FitFloor(program, facts.HandbookOr(handbook), ExtentOf(room), left_out);
   v1::ZonePlan plan;
   for (const hb::ZoneSpec& spec : program.zones) {
     // A zone whose furniture does not fit is none; the first one stays whatever happens.

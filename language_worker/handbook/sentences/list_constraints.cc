@@ -60,6 +60,9 @@ class PlaceWriter {
     }
     if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
     if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorner(place, subjects);
+    if (PlaceNames(place, "{wall}") && place.said.ends_with("walls") && subjects.size() == 2) {
+      return WriteOpposite(place, subjects);
+    }
     Slots further;
     if (PlaceNames(place, "{wall}")) {
       const std::optional<int> wall = WallOf(room_, place.side);
@@ -67,6 +70,9 @@ class PlaceWriter {
       further["wall"] = wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
     }
     hb::Relation relation = place.asked->relation();
+    const hb::Carried carried = place.asked->carried();
+    if ((carried == hb::CARRIED_ON || carried == hb::CARRIED_IN) && !writer_.IsCentral(*subjects.front()))
+      relation.set_text("The {object} is on the {corner} corner of the {target}.");
     if (place.target != nullptr) relation.add_targets(place.target->name());
     return writer_.Write(relation, subjects, further);
   }
@@ -97,6 +103,18 @@ class PlaceWriter {
       if (!seats.empty()) break;
     }
     return seats.empty() ? std::vector<v1::Sentence>() : writer_.Write(relation, seats);
+  }
+
+  // "Two beds against opposite walls".
+  std::vector<v1::Sentence> WriteOpposite(const Place& place, const Group& group) const {
+    std::vector<v1::Sentence> sentences;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const std::optional<int> wall = WallOf(room_, i == 0 ? "left" : "right");
+      if (!wall) return {};
+      sentences.push_back(
+          writer_.WriteOne(place.asked->relation(), {group[i]}, {}, i, {{"wall", TheWall(room_, *wall)}}));
+    }
+    return sentences;
   }
 
   std::vector<v1::Sentence> WriteBetween(const Place& place, const Group& group) const {
@@ -377,7 +395,7 @@ absl::StatusOr<v1::ConstraintList> ListConstraints(const v1::Brief& brief, const
                                                    const Handbook& handbook) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  return ConstraintLister(facts, room, zones, objects, handbook, choice).List();
+  return ConstraintLister(facts, room, zones, objects, facts.HandbookOr(handbook), choice).List();
 }
 
 absl::StatusOr<std::vector<UseSentence>> ListUses(const v1::Brief& brief, const v1::Room& room,
@@ -385,7 +403,7 @@ absl::StatusOr<std::vector<UseSentence>> ListUses(const v1::Brief& brief, const 
                                                   const v1::ObjectList& spoken, const Handbook& handbook) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  return ConstraintLister(facts, room, zones, objects, handbook, choice, &spoken).Uses();
+  return ConstraintLister(facts, room, zones, objects, facts.HandbookOr(handbook), choice, &spoken).Uses();
 }
 
 }  // namespace flair::language

@@ -45,6 +45,9 @@ class SentenceWriter {
   v1::Sentence WriteOne(const hb::Relation& relation, const Group& subjects, const Group& targets, std::size_t number,
                         const Slots& further = {}) const;
 
+  // Whether it takes the middle of its top, see above.
+  bool IsCentral(const v1::Object& object) const { return TakesCentre(objects_, object); }
+
   // "nightstand", or "second nightstand" when there are several.
   std::string NameOf(const v1::Object& object) const;
   // Objects as what a placeholder stands for.

@@ -50,6 +50,7 @@ StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, cons
     : handbook_(handbook),
       choice_(choice),
       object_colours_(facts.object_colours),
+      object_materials_(facts.object_materials),
       style_(PickStyle(facts, handbook, choice)) {
   palette_ = Pick(style_->palettes(), choice, "style.palette");
   wall_ = Pick(style_->walls(), choice, "style.wall");
@@ -79,6 +80,23 @@ const hb::MaterialChoice* StyleChoice::MaterialOf(const std::string& group) cons
   return nullptr;
 }
 
+// The material that the brief names, in the colour that it has in a style that has such a thing.
+void StyleChoice::TakeAskedMaterial(const hb::Furniture& furniture, Look& look) const {
+  const auto asked =
+      std::ranges::find_if(object_materials_, [&](const auto& one) { return one.first->name() == furniture.name(); });
+  if (asked == object_materials_.end()) return;
+  look.material = asked->second;
+  const auto has_it = [&](const hb::MaterialChoice& one) {
+    return one.material().find(asked->second) != std::string::npos && one.colours_size() > 0;
+  };
+  for (const hb::Style& style : handbook_.contents().styles()) {
+    const auto found = std::ranges::find_if(style.materials(), has_it);
+    if (found == style.materials().end()) continue;
+    look.colour = found->colours(0);
+    return;
+  }
+}
+
 StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number) const {
   Look look;
   const hb::MaterialChoice* material = MaterialOf(furniture.material_group());
@@ -88,6 +106,7 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
   const auto& colours = material != nullptr && material->colours_size() > 0 ? material->colours() : palette_.colours();
   look.colour =
       colours[static_cast<int>(choice_.Index("colour." + furniture.name(), static_cast<std::size_t>(colours.size())))];
+  TakeAskedMaterial(furniture, look);
   if (const hb::NamedColour* fixed = handbook_.FindColour(furniture.fixed_colour())) look.colour = *fixed;
   for (const auto& [piece, colour] : object_colours_) {
     if (piece->name() == furniture.name()) look.colour = *colour;
@@ -197,7 +216,8 @@ absl::StatusOr<v1::StyleSheet> ChooseStyle(const v1::Brief& brief, const v1::Roo
                                            const Handbook& handbook) {
   ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, handbook));
   const Choice choice(brief.seed(), brief.text());
-  const StyleChoice style(facts, handbook, choice);
+  const Handbook& all = facts.HandbookOr(handbook);
+  const StyleChoice style(facts, all, choice);
   v1::StyleSheet sheet;
   sheet.set_name(style.title());
   sheet.set_summary(Summary(style, room, choice));
@@ -208,7 +228,7 @@ absl::StatusOr<v1::StyleSheet> ChooseStyle(const v1::Brief& brief, const v1::Roo
   for (const v1::Object& object : objects.objects()) {
     hb::Furniture unknown;
     unknown.set_name(object.name());
-    const hb::Furniture* furniture = handbook.FindFurniture(object.name());
+    const hb::Furniture* furniture = all.FindFurniture(object.name());
     const StyleChoice::Look look = style.LookOf(furniture != nullptr ? *furniture : unknown, 0);
     v1::ObjectStyle& entry = *sheet.add_objects();
     entry.set_subject_id(object.id());
@@ -216,7 +236,7 @@ absl::StatusOr<v1::StyleSheet> ChooseStyle(const v1::Brief& brief, const v1::Roo
     *entry.mutable_colour() = ToColour(look.colour);
     entry.set_description(object.description());
   }
-  const hb::OpeningRules& rules = EffectiveArchetype(facts, handbook).openings();
+  const hb::OpeningRules& rules = EffectiveArchetype(facts, all).openings();
   for (const v1::Opening& opening : room.openings()) AddOpening(opening, rules, style, choice, sheet);
   return sheet;
 }

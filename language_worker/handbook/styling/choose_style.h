@@ -48,10 +48,12 @@ class StyleChoice {
 
  private:
   const hb::MaterialChoice* MaterialOf(const std::string& group) const;
+  void TakeAskedMaterial(const hb::Furniture& furniture, Look& look) const;
 
   const Handbook& handbook_;
   const Choice& choice_;
   const std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours_;
+  const std::vector<std::pair<const hb::Furniture*, std::string>> object_materials_;
   const hb::Style* style_ = nullptr;
   std::string title_;
   hb::Palette palette_;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "language_worker/handbook/reading/place_reader.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+// Where a brief names its pieces, and which of them it names together. Mentions are told by their index; the arguments
+// must outlive it.
+class MentionList {
+ public:
+  MentionList(const std::vector<Token>& tokens, const std::vector<Mention>& mentions);
+
+  // The mention that covers a token, that ends right before one.
+  std::optional<std::size_t> At(std::size_t token) const;
+  std::optional<std::size_t> EndingAt(std::size_t end) const { return end == 0 ? std::nullopt : At(end - 1); }
+
+  // The first from a token on, over words for its looks.
+  std::optional<std::size_t> From(std::size_t token) const;
+
+  // Whether between two there are only a comma or "and", and words for the looks of the second: "a vase, a wooden
+  // tray".
+  bool AreListed(std::size_t first, std::size_t second) const;
+
+  // "A table with a vase and a lamp": the table, of the lamp.
+  std::optional<std::size_t> HolderOf(std::size_t held) const;
+
+ private:
+  bool Describes(std::size_t token) const;
+
+  const BriefText text_;
+  const std::vector<Mention>& mentions_;
+  std::vector<std::size_t> at_;  // of a token; the number of mentions for none
+};
+
+}  // namespace flair::language

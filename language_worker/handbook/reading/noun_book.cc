@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/noun_book.h"
+
+#include <algorithm>
+
+namespace flair::language {
+namespace {
+
+// Adjectives may stand between a modifier and its noun: "two-seat green velvet sofa".
+constexpr std::size_t kMostAdjectives = 3;
+
+enum Rank { kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
+
+double AreaOf(const BriefFacts& facts) {
+  if (facts.size.area_m2) return *facts.size.area_m2;
+  const hb::Archetype& room = *facts.archetype;
+  return facts.size.width_m.value_or(room.width_m().typical()) * facts.size.depth_m.value_or(room.depth_m().typical());
+}
+
+// Whether what stands before a noun leaves open which one it is.
+bool SaysLooks(const Token& token) {
+  return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
+         IsIn("looks", token.text) || IsIn("materials", token.text) || IsIn("adjectives", token.text) ||
+         IsIn("piece_measures", token.text);
+}
+
+}  // namespace
+
+bool EndsNounPhrase(const Token& token) {
+  if (token.kind == Token::Kind::kSign) return token.text != "-" && token.text != "'";
+  return IsIn("noun_phrase_ends", token.text);
+}
+
+NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
+    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
+  const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
+  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
+    for (const hb::ZoneSpec& zone : room_.zones()) {
+      if (Includes(furniture.zone_hints(), zone.name())) raise(furniture.name(), kOfAZone);
+    }
+  }
+  const hb::Band& usual = BandFor(room_, AreaOf(facts));
+  for (const hb::Band& band : room_.bands()) {
+    for (const hb::ObjectEntry& entry : band.objects()) raise(entry.furniture(), &band == &usual ? kListed : kOfAZone);
+  }
+  for (const hb::ObjectEntry& entry : room_.tertiaries()) raise(entry.furniture(), kListed);
+  raise(room_.per_person(), kOnePerPerson);
+}
+
+int NounBook::RankOf(const hb::Furniture& furniture) const {
+  const auto rank = ranks_.find(furniture.name());
+  return rank == ranks_.end() ? kNotOfTheRoom : rank->second;
+}
+
+int NounBook::RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
+  const int rank = RankOf(furniture);
+  const auto here = [&](const hb::NounOption& option) {
+    return option.furniture() == furniture.name() && Includes(option.rooms(), room_.name());
+  };
+  std::size_t longest = 0;
+  bool meant = false;
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    for (const Phrase& word : head.words) {
+      const std::size_t length = word.MatchAt(tokens, i);
+      if (length <= longest) continue;
+      longest = length;
+      meant = std::ranges::any_of(head.noun->options(), here);
+    }
+  }
+  return meant ? std::max<int>(rank, kOfTheRoom) : rank;
+}
+
+const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
+                                        const hb::Furniture* named) const {
+  const Vocabulary::Head* head = HeadAt(tokens, noun, length);
+  if (head == nullptr) return named;
+  for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
+    --at;
+    if (EndsNounPhrase(tokens[at])) break;
+    for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
+      const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
+      if (said > 0 && at + said <= noun) return modifier.furniture;
+    }
+  }
+  return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
+}
+
+const hb::Noun* NounBook::NounAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
+  const Vocabulary::Head* head = HeadAt(tokens, i, length);
+  return head == nullptr ? nullptr : head->noun;
+}
+
+std::size_t NounBook::LengthWithHead(const std::vector<Token>& tokens, std::size_t start, std::size_t length,
+                                     const hb::Furniture& furniture) const {
+  const std::size_t end = start + length;
+  if (length == 0 || end >= tokens.size() || HeadAt(tokens, start, length) != nullptr) return length;
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    if (!Includes(head.options, &furniture)) continue;
+    for (const Phrase& word : head.words) {
+      if (const std::size_t more = word.MatchAt(tokens, end); more > 0) return length + more;
+    }
+  }
+  return length;
+}
+
+std::size_t NounBook::OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const {
+  std::size_t longest = 0;
+  for (const Phrase& thing : vocabulary_.other_things) longest = std::max(longest, thing.MatchAt(tokens, start));
+  return longest;
+}
+
+const Vocabulary::Head* NounBook::HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {
+  for (const Vocabulary::Head& head : vocabulary_.heads) {
+    for (const Phrase& word : head.words) {
+      if (length > 0 && word.MatchAt(tokens, i) == length) return &head;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace flair::language

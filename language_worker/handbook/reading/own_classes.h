@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Things that a brief names and the handbook has no class for: each gets a class that only this brief has, after the
+// class that its last word names ("reagent cabinet"), else after the handbook's plain thing of its kind.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/place_reader.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+struct OwnClass {
+  hb::Furniture furniture;
+  std::string base;       // name of the handbook's class that it is a kind of; empty for none
+  bool unplaced = false;  // is a piece only if the brief says where it goes
+};
+
+// The classes for what a reading of the brief left over: `used` are the tokens that it understood. None of them for a
+// thing that only sets a mood ("a touch of gold"), a part of the room, or a word for people.
+std::vector<OwnClass> OwnClassesOf(const Handbook& handbook, const std::vector<Token>& tokens,
+                                   const std::vector<Mention>& mentions, const std::vector<bool>& used);
+
+// Of those the ones that are pieces, as `facts`, read with all of them, tell by the places that they have: each with
+// what carries it.
+std::vector<OwnClass> Placed(std::vector<OwnClass> classes, const BriefFacts& facts, const Handbook& handbook);
+
+// Classes for pieces that the brief puts where their class does not belong: a potted plant on a table, a sculpture in a
+// corner of the room, a television on the wall. Each is the class, carried otherwise.
+std::vector<OwnClass> OtherwiseCarried(const BriefFacts& facts);
+
+// Whether a piece can be carried as a place asks for, though its class usually is not.
+bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace& asked);
+
+inline bool IsOnTheFloor(const hb::Furniture& furniture) {
+  return furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED;
+}
+
+// The handbook's plain thing of that kind: what has no words of its own and is named as said.
+const hb::Furniture* PlainThing(hb::FurnitureKind kind, const Handbook& handbook);
+
+// Whether a class is only for a reading that finds out what carries it.
+inline bool IsOfAnyKind(const hb::Furniture& furniture) { return furniture.category().empty(); }
+
+}  // namespace flair::language

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+// Whether the sentence of a place speaks of that slot: "{target}".
+inline bool AskedNames(const hb::AskedPlace& asked, std::string_view slot) {
+  return asked.relation().text().find(slot) != std::string::npos;
+}
+
+// Finds the handbook's words for places in a brief. The arguments must outlive it.
+class PlacePatterns {
+ public:
+  PlacePatterns(const Handbook& handbook, const std::vector<Token>& tokens, const LandmarkReader& landmarks);
+
+  struct Match {
+    const hb::AskedPlace* asked = nullptr;
+    Landmark landmark;       // of kind kNone where the words need none
+    std::size_t length = 0;  // of the words alone
+    std::size_t end = 0;
+  };
+
+  // Those that begin at a token: the longest first; of equally long ones those that say by what.
+  std::vector<Match> MatchesAt(std::size_t i) const;
+
+  // What these words ask for: "next to {target}". Null when the handbook has no such place.
+  const hb::AskedPlace* Find(std::string_view words, hb::FurnitureKind kind) const;
+
+  // "not near the door": whether a place that begins at a token is denied, over words that say nothing.
+  bool IsDenied(std::size_t i) const;
+
+ private:
+  // Words for a place, without what follows them, and what follows: "door", "window", "wall", "corner", "target",
+  // "targets", or the "pieces" themselves; empty when nothing does.
+  struct Pattern {
+    Phrase words;
+    std::string slot;
+    const hb::AskedPlace* asked = nullptr;
+  };
+
+  bool Denies(std::size_t i) const { return text_.Says(i, {"not", "never"}); }
+  bool EndsPhrase(std::size_t i) const;
+  bool Complete(const Pattern& pattern, Match& match) const;
+
+  const Handbook& handbook_;
+  const std::vector<Token>& tokens_;
+  const BriefText text_;
+  const LandmarkReader& landmarks_;
+  std::map<std::string, std::vector<Pattern>, std::less<>> patterns_;  // by their first word
+};
+
+// "A washing machine and a dryer side by side": what is said of several of a kind, of a piece and the `other` listed
+// before it, is that the piece stands by the other.
+void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& place);
+
+// "A dresser under a mirror", "a table under the lamp": what hangs there is above the other.
+void TakeWhatHangs(const PlacePatterns& patterns, Place& place);
+
+}  // namespace flair::language
