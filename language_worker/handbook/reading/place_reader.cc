@@ -300,6 +300,11 @@ class PlaceReader {
       facts_.places_loosely_kept.push_back(
           fmt::format("\"{} {}\": it hangs on a wall", place.furniture->name(), place.said));
     }
+    if (place.asked->carried() == hb::CARRIED_ALONG) {
+      facts_.places_loosely_kept.push_back(
+          fmt::format("\"{} {}\": it stands on the same top", place.furniture->name(), place.said));
+      return;
+    }
     for (std::size_t k = begin; k < end; ++k) {
       if (!IsIn("exact_directions", text_.At(k)) || text.find(text_.At(k)) != std::string::npos) continue;
       facts_.places_loosely_kept.push_back(

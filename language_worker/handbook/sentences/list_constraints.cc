@@ -71,9 +71,11 @@ class PlaceWriter {
     }
     hb::Relation relation = place.asked->relation();
     const hb::Carried carried = place.asked->carried();
-    if ((carried == hb::CARRIED_ON || carried == hb::CARRIED_IN) && !writer_.IsCentral(*subjects.front()))
+    const bool on_a_top = carried != hb::CARRIED_UNSPECIFIED && subjects.front()->kind() == v1::OBJECT_KIND_SURFACE;
+    if (on_a_top && !writer_.IsCentral(*subjects.front()))
       relation.set_text("The {object} is on the {corner} corner of the {target}.");
-    if (place.target != nullptr) relation.add_targets(place.target->name());
+    // What stands beside a thing stands on that one's host.
+    if (place.target != nullptr && carried != hb::CARRIED_ALONG) relation.add_targets(place.target->name());
     return writer_.Write(relation, subjects, further);
   }
 
