@@ -39,4 +39,7 @@ if(FLAIR_CCACHE)
   # Paths relative to the build folder, so that several build folders share one cache.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=/ CCACHE_NOHASHDIR=1
       CCACHE_SLOPPINESS=pch_defines,time_macros ${FLAIR_CCACHE})
+  # For precompiled headers: ccache's preprocessor would read the old one where it stands and take it for the headers' content.
+  set(FLAIR_PRECOMPILE_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=/ CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${FLAIR_CCACHE})
 endif()

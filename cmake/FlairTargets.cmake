@@ -121,6 +121,7 @@ function(flair_shared_headers)
   target_link_libraries(flair_library_headers PRIVATE flair_protos absl::statusor absl::time fmt::fmt)
   if(FLAIR_PRECOMPILE)
     target_precompile_headers(flair_library_headers PRIVATE ${FLAIR_LIBRARY_HEADERS})
+    set_target_properties(flair_library_headers PROPERTIES CXX_COMPILER_LAUNCHER "${FLAIR_PRECOMPILE_LAUNCHER}")
   endif()
 
   # A program, because tests are: a precompiled header serves only code that is compiled in the same way.
@@ -132,5 +133,6 @@ function(flair_shared_headers)
     target_precompile_headers(
       flair_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <absl/status/statusor.h> <fmt/format.h> <functional> <memory>
       <string> <string_view> <vector> <flair/v1/layout_graph.pb.h> <flair/v1/solved_layout.pb.h>)
+    set_target_properties(flair_test_headers PROPERTIES CXX_COMPILER_LAUNCHER "${FLAIR_PRECOMPILE_LAUNCHER}")
   endif()
 endfunction()
