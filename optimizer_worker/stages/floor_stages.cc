@@ -73,6 +73,7 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
   }
   RestartResult result{restart, score, search.evaluations(), before};
   for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
+  result.score += DisorderOf(input, result.state);
   return result;
 }
 
@@ -268,6 +269,7 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
     result.evaluations += search.evaluations();
     for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
   }
+  result.score += DisorderOf(input, result.state);
   return result;
 }
 

@@ -22,6 +22,10 @@ constexpr int kExchanges = 4;
 constexpr double kBehind_m[] = {0.3, 0.15, 0};
 // How many arrangements of a group are tried.
 constexpr size_t kArrangements = 2;
+// Up to so many objects in patterns, restarts without them are affordable.
+constexpr size_t kMostApart = 50;
+// What the order of a pattern is worth; a missed constraint costs about 1.
+constexpr double kDisorder = 4;
 // In line: this near, and turned no more than this.
 constexpr double kLine_m = 1e-3, kTurned_rad = 1e-3;
 
@@ -217,13 +221,16 @@ bool IsArranged(const Group& group, const Layout& layout) {
   });
 }
 
+bool ArePlaced(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state) {
+  return std::all_of(groups.begin(), groups.end(), [&](int g) {
+    const std::vector<int>& objects = input.groups.all[g].objects;
+    return std::all_of(objects.begin(), objects.end(), [&](int o) { return state.placed[o] != 0; });
+  });
+}
+
 bool InOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state) {
   const std::vector<Group>& all = input.groups.all;
-  for (int g : groups) {
-    for (int object : all[g].objects) {
-      if (!state.placed[object]) return false;
-    }
-  }
+  if (!ArePlaced(input, groups, state)) return false;
   const auto first = [&](int g) -> const Pose<double>& { return state.layout[all[g].objects[0]]; };
   const Frame<double> frame = FrameOf(first(groups[0]));
   for (int g : groups) {
@@ -242,6 +249,7 @@ bool InOrder(const SolveInput& input, const std::vector<int>& groups, const Part
 
 std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before) {
   std::vector<PartialLayout> starts = {before};
+  size_t in_patterns = 0;
   if (input.OutOfTime() || input.Cancelled()) return starts;
   std::vector<std::vector<int>> patterns = input.groups.patterns;
   std::stable_sort(patterns.begin(), patterns.end(),
@@ -261,8 +269,18 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
       std::move(placed.begin(), placed.end(), std::back_inserter(next));
     }
     starts = std::move(next);
+    in_patterns += pattern.size() * input.groups.all[pattern[0]].objects.size();
   }
+  if (in_patterns > 0 && in_patterns <= kMostApart) starts.push_back(before);
   return starts;
+}
+
+double DisorderOf(const SolveInput& input, const PartialLayout& state) {
+  double cost = 0;
+  for (const std::vector<int>& pattern : input.groups.patterns) {
+    if (ArePlaced(input, pattern, state) && !InOrder(input, pattern, state)) cost += kDisorder;
+  }
+  return cost;
 }
 
 std::vector<int> InPattern(const SolveInput& input, const PartialLayout& state) {
