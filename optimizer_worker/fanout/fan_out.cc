@@ -226,6 +226,7 @@ v1::SolveRestartsRequest RequestFor(const SolveInput& input, const v1::SolveOpti
   request.set_request_id("fan-out");
   *request.mutable_layout_graph() = input.graph;
   *request.mutable_options() = options;
+  if (!input.settings.groups) request.mutable_options()->set_groups(v1::GROUP_POLICY_OFF);
   request.set_stage(std::string(StageName(stage.kind)));
   if (stage.zone >= 0) request.set_zone_id(input.scene.zones[stage.zone].id);
   // The poses as they are: MakePlacements would tidy -0 and headings, which this process does not do.

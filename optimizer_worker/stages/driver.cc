@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "optimizer_worker/stages/floor_stages.h"
+#include "optimizer_worker/stages/patterns.h"
 #include "optimizer_worker/stages/stage.h"
 #include "worker_runtime/executor/parallel.h"
 #include "worker_runtime/status/status_macros.h"
@@ -15,6 +16,8 @@ namespace {
 
 // How many of the best, distinct primary layouts are furnished to the end; with variants so many more than asked for.
 constexpr size_t kBeam = 3;
+// With groups the best so many of those with and of those without; of no more floor objects than this.
+constexpr size_t kBeamOfEach = 2, kMostOneByOne = 60;
 constexpr size_t kSpareVariants = 2;
 // Primary layouts nearer than this (sum over objects) are the same when only one layout is wanted.
 constexpr double kSame_m = 0.3;
@@ -33,6 +36,13 @@ double DistanceOf(const StageSpec& stage, const PartialLayout& a, const PartialL
            (1 - std::cos(a.layout[object].theta_rad - b.layout[object].theta_rad));
   }
   return sum;
+}
+
+SolveInput WithoutGroups(const SolveInput& input) {
+  SolveInput alone = input;
+  alone.groups = {};
+  alone.settings.groups = false;
+  return alone;
 }
 
 }  // namespace
@@ -93,6 +103,23 @@ absl::StatusOr<std::vector<Branch>> Driver::Starts() const {
   // Far enough apart that no two branches share a restart.
   for (size_t i = 0; i < branches.size(); ++i) branches[i].first_restart = static_cast<int>(i) * kRestartsPerBranch;
   return branches;
+}
+
+absl::Status Driver::AddOneByOne(std::vector<Branch>& starts) const {
+  if (input_.groups.all.empty() || wants_variants() || input_.OutOfTime() ||
+      FreeStage(input_, StageKind::kPolish).objects.size() > kMostOneByOne) {
+    return absl::OkStatus();
+  }
+  const SolveInput alone = WithoutGroups(input_);
+  ASSIGN_OR_RETURN(std::vector<Branch> more, Driver(alone, runner_).Starts());
+  for (std::vector<Branch>* branches : {&starts, &more}) {
+    if (branches->size() > kBeamOfEach) branches->resize(kBeamOfEach, branches->front());
+  }
+  for (Branch& branch : more) {
+    branch.one_by_one = true;
+    starts.push_back(std::move(branch));
+  }
+  return absl::OkStatus();
 }
 
 absl::Status Driver::Extend(const SolveInput& input, Branch& branch, StageKind kind, int zone) const {
@@ -205,9 +232,14 @@ absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> st
   const absl::Status status =
       ForBranches(starts, 0, starts.size(), [&](const SolveInput& input, Branch& branch, size_t i) {
         bool gives_up = false;
-        const absl::Status furnished = Furnish(input, branch, i > 0, gives_up);
+        if (branch.one_by_one) {
+          RETURN_IF_ERROR(Furnish(WithoutGroups(input), branch, i > 0, gives_up));
+          branch.score += DisorderOf(input, branch.state);
+        } else {
+          RETURN_IF_ERROR(Furnish(input, branch, i > 0, gives_up));
+        }
         gave_up[i] = gives_up;
-        return furnished;
+        return absl::OkStatus();
       });
   if (!status.ok()) return status;
   std::vector<Branch> furnished;
@@ -235,6 +267,7 @@ absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> st
 
 absl::StatusOr<std::vector<Branch>> Driver::Run() const {
   ASSIGN_OR_RETURN(std::vector<Branch> starts, Starts());
+  RETURN_IF_ERROR(AddOneByOne(starts));
   return FurnishEnough(std::move(starts));
 }
 

@@ -37,6 +37,8 @@ struct Branch {
   int first_restart = 0;
   // Has all stages, tertiaries too.
   bool complete = false;
+  // Furnished without groups, in the paper's order.
+  bool one_by_one = false;
   std::vector<LeftOut> left_out = {};
   // Where everything stood before the polish.
   PartialLayout unpolished = state;
@@ -58,6 +60,9 @@ class Driver {
               absl::Time started) const;
   // All ways to begin that are worth furnishing, best first.
   absl::StatusOr<std::vector<Branch>> Starts() const;
+  // Adds starts without groups to those with them: where calls order the pieces better than a group or pattern can, the
+  // paper's order wins. Not for variants, nor where many pieces would take it seconds.
+  absl::Status AddOneByOne(std::vector<Branch>& starts) const;
   absl::StatusOr<std::vector<Branch>> Primaries(const StageSpec& stage) const;
   absl::Status Extend(const SolveInput& input, Branch& branch, StageKind kind, int zone) const;
   absl::Status Furnish(const SolveInput& input, Branch& branch, bool may_give_up, bool& gave_up) const;

@@ -73,7 +73,6 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
   }
   RestartResult result{restart, score, search.evaluations(), before};
   for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
-  result.score += DisorderOf(input, result.state);
   return result;
 }
 

@@ -22,8 +22,6 @@ constexpr int kExchanges = 4;
 constexpr double kBehind_m[] = {0.3, 0.15, 0};
 // How many arrangements of a group are tried.
 constexpr size_t kArrangements = 2;
-// Up to so many objects in patterns, restarts without them are affordable.
-constexpr size_t kMostApart = 50;
 // What the order of a pattern is worth; a missed constraint costs about 1.
 constexpr double kDisorder = 4;
 // In line: this near, and turned no more than this.
@@ -249,7 +247,6 @@ bool InOrder(const SolveInput& input, const std::vector<int>& groups, const Part
 
 std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before) {
   std::vector<PartialLayout> starts = {before};
-  size_t in_patterns = 0;
   if (input.OutOfTime() || input.Cancelled()) return starts;
   std::vector<std::vector<int>> patterns = input.groups.patterns;
   std::stable_sort(patterns.begin(), patterns.end(),
@@ -269,9 +266,7 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
       std::move(placed.begin(), placed.end(), std::back_inserter(next));
     }
     starts = std::move(next);
-    in_patterns += pattern.size() * input.groups.all[pattern[0]].objects.size();
   }
-  if (in_patterns > 0 && in_patterns <= kMostApart) starts.push_back(before);
   return starts;
 }
 

@@ -12,8 +12,8 @@
 namespace flair::optimizer {
 
 // Layouts in which the patterns of a stage are placed and the rest is as in `before`, best first: one for a few of its
-// restarts each. A pattern without a place where nothing overlaps is left to the groups. Last comes `before` itself, for
-// calls that order the pieces better than any pattern, unless there are so many pieces that this would take seconds.
+// restarts each. A pattern without a place where nothing overlaps is left to the groups. Just `before` when there is
+// none.
 std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before);
 
 // What `state` is charged for patterns that it has placed in no order: as much as a few missed constraints.
