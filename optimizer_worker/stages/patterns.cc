@@ -22,8 +22,8 @@ constexpr int kExchanges = 4;
 constexpr double kBehind_m[] = {0.3, 0.15, 0};
 // How many arrangements of a group are tried.
 constexpr size_t kArrangements = 2;
-// What the order of a pattern is worth; a missed constraint costs about 1.
-constexpr double kDisorder = 4;
+// What it is worth that one of the groups of a pattern stands in order; a missed constraint costs about 1.
+constexpr double kDisorder = 1;
 // In line: this near, and turned no more than this.
 constexpr double kLine_m = 1e-3, kTurned_rad = 1e-3;
 
@@ -273,7 +273,8 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
 double DisorderOf(const SolveInput& input, const PartialLayout& state) {
   double cost = 0;
   for (const std::vector<int>& pattern : input.groups.patterns) {
-    if (ArePlaced(input, pattern, state) && !InOrder(input, pattern, state)) cost += kDisorder;
+    if (!ArePlaced(input, pattern, state) || InOrder(input, pattern, state)) continue;
+    cost += kDisorder * static_cast<double>(pattern.size());
   }
   return cost;
 }

@@ -16,7 +16,8 @@ namespace flair::optimizer {
 // none.
 std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before);
 
-// What `state` is charged for patterns that it has placed in no order: as much as a few missed constraints.
+// What `state` is charged for patterns that it has placed in no order: about a missed constraint for
+// each of their groups.
 double DisorderOf(const SolveInput& input, const PartialLayout& state);
 
 // The objects that stand in a pattern: their groups are arranged alike, look along the same axes, and each
