@@ -123,6 +123,11 @@ class Options(unittest.TestCase):
         self.assertEqual(fault_of_wish(wish_of(check, fields)), "")
         return checks.holds(plan, wish_of(check, fields))
 
+    def test_a_thing_is_near_to_what_it_stands_on(self) -> None:
+        plan = room(piece("lamp", 1, 1, width_m=0.1, depth_m=0.1), piece("desk", 1, 1))
+        self.assertTrue(self.holds(plan, "near", of="lamp", to="desk", within_m=0.05))
+        self.assertTrue(self.holds(plan, "near", of="desk", to="lamp", within_m=0.05))
+
     def test_numbers_bound_how_many_pieces_meet_a_check(self) -> None:
         two = room(piece("desk", 1, 0.3), piece("desk", 3, 2))
         at_south = {"of": "desk", "wall": "south"}

@@ -45,10 +45,10 @@ def gap_to_segment_m(piece: Piece, segment: Segment) -> float:
 
 def gap_m(one: Piece, other: Piece) -> float:
     """Between the outlines of two pieces; 0 when they touch or one stands in the other."""
-    corners = one.corners_m()
-    if any(_holds(corners, corner) for corner in other.corners_m()):
+    mine, theirs = one.corners_m(), other.corners_m()
+    if any(_holds(mine, corner) for corner in theirs) or any(_holds(theirs, corner) for corner in mine):
         return 0.0
-    return min(gap_to_segment_m(one, edge) for edge in _edges(other.corners_m()))
+    return min(gap_to_segment_m(one, edge) for edge in _edges(theirs))
 
 
 def off_front_deg(piece: Piece, p: Point) -> float:

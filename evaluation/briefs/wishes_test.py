@@ -30,10 +30,10 @@ class Files(unittest.TestCase):
         return read_exam(self.file)
 
     def test_the_sets_of_this_folder_can_be_read(self) -> None:
-        names = ("development", "second", "third")
-        development, second, third = sets = [read_exam(HERE / f"{name}.jsonl") for name in names]
+        names = ("development", "second", "third", "fourth")
+        development, second, third, fourth = sets = [read_exam(HERE / f"{name}.jsonl") for name in names]
         self.assertFalse(development.misses_hidden)
-        self.assertTrue(second.misses_hidden and third.misses_hidden)
+        self.assertTrue(second.misses_hidden and third.misses_hidden and fourth.misses_hidden)
         self.assertGreaterEqual(sum(len(exam.briefs) for exam in sets), 100)
         asked = {wish["check"] for exam in sets for brief in exam.briefs for wish in brief.wishes}
         self.assertEqual(asked, set(checks.CHECKS), "every check is asked for somewhere")

@@ -273,7 +273,7 @@ TEST(Handbook, SaysWhatItDidNotUnderstand) {
     for (const v1::Diagnostic& remark : a.room.diagnostics()) codes.insert(remark.code());
     return codes;
   };
-  EXPECT_TRUE(codes(Ask("A bedroom, 4m x 5m, with a zither.")).contains("words_not_known"));
+  EXPECT_TRUE(codes(Ask("A bedroom, 4m x 5m, with a zither.")).contains("thing_made_plain"));
   EXPECT_TRUE(codes(Ask("A dining room, 9m x 9m, with a hundred stools.")).contains("too_many_asked"));
   EXPECT_TRUE(codes(Ask("Ein Schlafzimmer mit einem Doppelbett, 4 m x 5 m.")).contains("language_not_known"));
   EXPECT_EQ(codes(Ask("A bedroom that is 4m x 5m with a desk and two nightstands.")), std::set<std::string>());

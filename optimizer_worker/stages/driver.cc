@@ -166,6 +166,32 @@ absl::Status Driver::ForBranches(std::vector<Branch>& branches, size_t first, si
   return absl::OkStatus();
 }
 
+double Driver::LackOf(const PartialLayout& state) const {
+  double lack = DisorderOf(input_, state);
+  std::vector<Pose<double>> poses;
+  for (const Term& term : BindCosts(input_, state).terms) {
+    const bool there =
+        std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
+    if (!there || (term.edge < 0 && !term.hard)) continue;
+    poses.clear();
+    for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
+    const double cost = term.cost->Value(poses);
+    lack += term.weight * (term.robust ? RobustLoss(cost) : cost);
+  }
+  return lack;
+}
+
+void Driver::KeepBetterOrder(std::vector<Branch>& branches) const {
+  const Branch* best[2] = {nullptr, nullptr};
+  for (const Branch& branch : branches) {
+    const Branch*& kept = best[branch.one_by_one ? 1 : 0];
+    if (kept == nullptr || branch.score < kept->score) kept = &branch;
+  }
+  if (best[0] == nullptr || best[1] == nullptr) return;
+  const bool one_by_one = LackOf(best[1]->state) < LackOf(best[0]->state);
+  std::erase_if(branches, [&](const Branch& branch) { return branch.one_by_one != one_by_one; });
+}
+
 std::vector<Branch> Driver::Distinct(std::vector<Branch> branches) const {
   const std::vector<int> leading = LeadingObjects(input_);
   const size_t most = wants_variants() ? input_.settings.variant_count : branches.size();
@@ -247,6 +273,7 @@ absl::StatusOr<std::vector<Branch>> Driver::FurnishEnough(std::vector<Branch> st
     if (!gave_up[i]) furnished.push_back(std::move(starts[i]));
   }
   const bool any_gave_up = furnished.size() < starts.size();
+  KeepBetterOrder(furnished);
   std::vector<Branch> best = Distinct(furnished);
   if (best.size() < wanted && furnished.size() > best.size()) {
     RETURN_IF_ERROR(HoldApart(furnished));

@@ -75,6 +75,11 @@ class Driver {
   absl::Status HoldApart(std::vector<Branch>& branches) const;
   // Furnishes `starts`, the best first, until enough of them differ.
   absl::StatusOr<std::vector<Branch>> FurnishEnough(std::vector<Branch> starts) const;
+  // What a furnished floor lacks: calls, what collides, order. The whole-room terms of the score lead the search, but no
+  // balance is worth a chair that is not at its table.
+  double LackOf(const PartialLayout& state) const;
+  // Leaves those that were furnished with groups, or those without, whichever lack less.
+  void KeepBetterOrder(std::vector<Branch>& branches) const;
   std::vector<Branch> Distinct(std::vector<Branch> branches) const;
 
   const SolveInput& input_;

@@ -22,10 +22,8 @@ constexpr int kExchanges = 4;
 constexpr double kBehind_m[] = {0.3, 0.15, 0};
 // How many arrangements of a group are tried.
 constexpr size_t kArrangements = 2;
-// What it is worth that one of the groups of a pattern stands in order; a missed constraint costs about 1.
+// What it is worth that one of the groups of a pattern stands in order: about a missed constraint.
 constexpr double kDisorder = 1;
-// In line: this near, and turned no more than this.
-constexpr double kLine_m = 1e-3, kTurned_rad = 1e-3;
 
 struct Pattern {
   std::vector<Pose<double>> poses;
@@ -203,15 +201,23 @@ double AreaOf(const SolveInput& input, const std::vector<int>& groups) {
   return area;
 }
 
+// How exactly things have to stand to be in order.
+struct Tolerance {
+  double near_m;
+  double turned_rad;
+};
+// What a pattern is placed with, and what people see.
+constexpr Tolerance kAsPlaced{1e-3, 1e-3}, kAsSeen{0.1, 0.1};
+
 // Whether a group's objects stand to each other as in one of its arrangements.
-bool IsArranged(const Group& group, const Layout& layout) {
+bool IsArranged(const Group& group, const Layout& layout, const Tolerance& tolerance) {
   std::vector<Pose<double>> poses;
   return std::any_of(group.arrangements.begin(), group.arrangements.end(), [&](const Arrangement& arrangement) {
     PoseGroup(arrangement, layout[group.objects[0]], poses);
     for (size_t k = 1; k < poses.size(); ++k) {
       const Pose<double>& at = layout[group.objects[k]];
-      if (Distance(Center(poses[k]), Center(at)) > kLine_m ||
-          AngleBetween(poses[k].theta_rad, at.theta_rad) > kTurned_rad) {
+      if (Distance(Center(poses[k]), Center(at)) > tolerance.near_m ||
+          AngleBetween(poses[k].theta_rad, at.theta_rad) > tolerance.turned_rad) {
         return false;
       }
     }
@@ -226,21 +232,20 @@ bool ArePlaced(const SolveInput& input, const std::vector<int>& groups, const Pa
   });
 }
 
-bool InOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state) {
+// How many of `groups`, all placed, are not arranged, look along other axes than the first, or are in line with none.
+int OutOfOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state,
+               const Tolerance& tolerance) {
   const std::vector<Group>& all = input.groups.all;
-  if (!ArePlaced(input, groups, state)) return false;
   const auto first = [&](int g) -> const Pose<double>& { return state.layout[all[g].objects[0]]; };
   const Frame<double> frame = FrameOf(first(groups[0]));
-  for (int g : groups) {
+  return static_cast<int>(std::count_if(groups.begin(), groups.end(), [&](int g) {
     const double turn = WrapAngle(4 * (first(g).theta_rad - first(groups[0]).theta_rad)) / 4;
-    if (std::abs(turn) > kTurned_rad || !IsArranged(all[g], state.layout)) return false;
-    const bool in_line = std::any_of(groups.begin(), groups.end(), [&](int other) {
+    if (std::abs(turn) > tolerance.turned_rad || !IsArranged(all[g], state.layout, tolerance)) return true;
+    return std::none_of(groups.begin(), groups.end(), [&](int other) {
       const Vec2<double> apart = frame.ToObject(Center(first(other))) - frame.ToObject(Center(first(g)));
-      return other != g && (std::abs(apart.x) < kLine_m || std::abs(apart.y) < kLine_m);
+      return other != g && (std::abs(apart.x) < tolerance.near_m || std::abs(apart.y) < tolerance.near_m);
     });
-    if (!in_line) return false;
-  }
-  return true;
+  }));
 }
 
 }  // namespace
@@ -273,8 +278,7 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
 double DisorderOf(const SolveInput& input, const PartialLayout& state) {
   double cost = 0;
   for (const std::vector<int>& pattern : input.groups.patterns) {
-    if (!ArePlaced(input, pattern, state) || InOrder(input, pattern, state)) continue;
-    cost += kDisorder * static_cast<double>(pattern.size());
+    if (ArePlaced(input, pattern, state)) cost += kDisorder * OutOfOrder(input, pattern, state, kAsSeen);
   }
   return cost;
 }
@@ -282,7 +286,7 @@ double DisorderOf(const SolveInput& input, const PartialLayout& state) {
 std::vector<int> InPattern(const SolveInput& input, const PartialLayout& state) {
   std::vector<int> held;
   for (const std::vector<int>& pattern : input.groups.patterns) {
-    if (!InOrder(input, pattern, state)) continue;
+    if (!ArePlaced(input, pattern, state) || OutOfOrder(input, pattern, state, kAsPlaced) > 0) continue;
     for (int g : pattern) {
       const std::vector<int>& objects = input.groups.all[g].objects;
       held.insert(held.end(), objects.begin(), objects.end());

@@ -143,6 +143,8 @@ class Composer {
   Placed PieceFor(const Placed& placed) const;
   // Chosen only after the sentences about floor objects are written: nothing there can be placed by it.
   bool ChosenLater(int object) const;
+  // The furniture that a small thing stands on: who looks at the television looks at its stand. -1 when there is none.
+  int CarrierOf(int object) const;
   // Whether a type would place furniture, or the rug as if it were furniture, in a sentence about a rug.
   bool IsBesideTheRug(const std::string& type) const;
   // Whether the call tells of a small thing only in what part of the room it is, or on what other small thing.

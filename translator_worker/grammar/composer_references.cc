@@ -30,6 +30,16 @@ bool Composer::ChosenLater(int index) const {
          object(index).kind() != v1::OBJECT_KIND_FLOOR;
 }
 
+int Composer::CarrierOf(int index) const {
+  const v1::Object& thing = object(index);
+  if (thing.kind() != v1::OBJECT_KIND_SURFACE || thing.host_id().empty()) return -1;
+  const auto& objects = request_.object_list().objects();
+  const auto host =
+      std::find_if(objects.begin(), objects.end(), [&](const v1::Object& one) { return one.id() == thing.host_id(); });
+  const int carrier = host == objects.end() ? -1 : static_cast<int>(host - objects.begin());
+  return carrier >= 0 && !ChosenLater(carrier) ? carrier : -1;
+}
+
 std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<Placed>& movers, bool first_of_either) {
   std::vector<Target> result;
   partners_.clear();
@@ -163,6 +173,11 @@ std::vector<Placed> Composer::Resolve(const Reference& reference, const std::vec
   for (const int index : objects) {
     const bool too_early = target && !movers.empty() && ChosenLater(index) && !ChosenLater(movers.front().object) &&
                            reference.kind == RefKind::kObjects;
+    const int carrier = too_early ? CarrierOf(index) : -1;
+    if (carrier >= 0 && !Contains(movers, carrier)) {
+      result.push_back({carrier, reference.side});
+      continue;
+    }
     if (too_early) {
       Refuse("names_absent_object", fmt::format("\"{}\" is chosen later and cannot place furniture", reference.name));
       continue;

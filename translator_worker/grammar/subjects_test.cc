@@ -99,6 +99,17 @@ TEST(Subjects, ThatNameNoChairTakeThoseOfTheirZoneOrTheirOwn) {
             "surround(center=table, objects=[\"chair_2\",\"chair_3\"])");
 }
 
+TEST(Subjects, LookAtWhatCarriesAThingThatIsPlacedLater) {
+  v1::TranslateRequest request = Office();
+  v1::Object& television = AddSeat("television", "television", "meeting", *request.mutable_object_list());
+  television.set_role(v1::OBJECT_ROLE_TERTIARY);
+  television.set_kind(v1::OBJECT_KIND_SURFACE);
+  EXPECT_EQ(CallsOf(request, "The first stool faces the television.", {"stool_1"}), "");
+  request.mutable_object_list()->mutable_objects()->rbegin()->set_host_id("table");
+  EXPECT_EQ(CallsOf(request, "The first stool faces the television.", {"stool_1"}),
+            "facing(object=stool_1, target=table)");
+}
+
 TEST(Subjects, OfAnotherNameForASeatAreMeantByChairs) {
   EXPECT_EQ(CallsOf(Office(), "The chairs surround the table.", {"table", "stool_1", "stool_2"}),
             "surround(center=table, objects=[\"stool_1\",\"stool_2\"])");

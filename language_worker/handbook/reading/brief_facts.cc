@@ -289,7 +289,10 @@ absl::StatusOr<BriefFacts> ReadBrief(const v1::Brief& brief, const Handbook& han
     const auto with_own = std::make_shared<const Handbook>(handbook, std::move(classes));
     ASSIGN_OR_RETURN(BriefFacts read, BriefReader(*with_own, tokens).Read());
     read.own_handbook = with_own;
-    for (const OwnClass& one : own) read.base_of_own[one.furniture.name()] = one.base;
+    for (const OwnClass& one : own) {
+      read.base_of_own[one.furniture.name()] = one.base;
+      if (one.plain) read.made_plain.push_back(one.furniture.name());
+    }
     return read;
   };
   // Which of them have a place shows when all of them are read.

@@ -77,6 +77,7 @@ struct BriefFacts {
   std::vector<std::string> unheard;     // other words of which nothing was made: "of solid oak"
   std::vector<std::size_t> told;        // tokens that a remark quotes already
   std::vector<std::string> not_known;   // things asked for that the handbook has no word for: "proofing cabinet"
+  std::vector<std::string> made_plain;  // of these what is made all the same, without knowing more than the name
   std::vector<Correction> corrections;  // of misspelt words
   bool reads_as_english = true;         // false: most likely another language
 

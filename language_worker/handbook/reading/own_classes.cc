@@ -97,7 +97,8 @@ class OwnFinder {
     const bool in_a_list = named_before && text_.Is(i, "listing") && text_.IsWord(i + 1) &&
                            !text_.Is(i + 1, "thing_articles") && !NumberWord(text_.At(i + 1));
     const bool listed = in_a_list || (listed_to > 0 && (i == listed_to || i == listed_to + 1) &&
-                                      text_.Is(i, "listing") && !text_.Is(i + 1, "thing_articles"));
+                                      text_.Is(i, "listing") && !text_.Is(i + 1, "thing_articles") &&
+                                      !NumberWord(text_.At(i + 1)) && !text_.IsNumber(i + 1));
     const bool held = text_.Is(i, "holding_words") && !text_.Is(i + 1, "thing_articles");
     if (!article && !listed && !held) return std::nullopt;
     NounPhrase phrase{i + 1, i + 1};
@@ -193,7 +194,17 @@ class OwnFinder {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
       if (length > 0 && i + length == phrase.end && !IsOtherThing(phrase)) return AddClass(*kin, name, false);
     }
-    if (const hb::Furniture* thing = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_)) AddClass(*thing, name, true);
+    const hb::Furniture* const thing = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_);
+    if (thing == nullptr) return;
+    const std::size_t before = found_.size();
+    AddClass(*thing, name, true);
+    if (found_.size() > before) found_.back().listed = IsListed(phrase);
+  }
+
+  // "With a honey extractor, two kick wheels": not "for a farm", nor "a slice of life".
+  bool IsListed(const NounPhrase& phrase) const {
+    return phrase.begin >= 2 && text_.Is(phrase.begin - 2, "listing") && text_.At(phrase.end) != "of" &&
+           !text_.At(phrase.end - 1).ends_with("ing");
   }
 
   void AddClass(const hb::Furniture& kin, const std::string& name, bool unplaced) {
@@ -250,7 +261,9 @@ std::vector<OwnClass> Placed(std::vector<OwnClass> classes, const BriefFacts& fa
     if (own.unplaced) {
       const auto place = std::ranges::find_if(
           facts.places, [&](const Place& one) { return one.furniture->name() == own.furniture.name(); });
-      const hb::Furniture* thing = place == facts.places.end() ? nullptr : PlainThing(KindOf(*place), handbook);
+      own.plain = place == facts.places.end();
+      if (own.plain && !own.listed) continue;
+      const hb::Furniture* thing = PlainThing(own.plain ? hb::FURNITURE_KIND_FLOOR : KindOf(*place), handbook);
       if (thing == nullptr) continue;
       const std::string name = own.furniture.name(), plural = own.furniture.plural();
       own.furniture = *thing;

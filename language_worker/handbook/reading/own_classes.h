@@ -16,7 +16,9 @@ namespace flair::language {
 struct OwnClass {
   hb::Furniture furniture;
   std::string base;       // name of the handbook's class that it is a kind of; empty for none
-  bool unplaced = false;  // is a piece only if the brief says where it goes
+  bool unplaced = false;  // is a piece only if the brief lists it or says where it goes
+  bool listed = false;    // among what the room is to have: "with a honey extractor, two kick wheels and ..."
+  bool plain = false;     // nobody knows what it looks like or where it stands
 };
 
 // The classes for what a reading of the brief left over: `used` are the tokens that it understood. None of them for a
@@ -24,8 +26,8 @@ struct OwnClass {
 std::vector<OwnClass> OwnClassesOf(const Handbook& handbook, const std::vector<Token>& tokens,
                                    const std::vector<Mention>& mentions, const std::vector<bool>& used);
 
-// Of those the ones that are pieces, as `facts`, read with all of them, tell by the places that they have: each with
-// what carries it.
+// Of those the ones that are pieces: what is listed, and what has a place in `facts`, which were read with all of them.
+// Each with what carries it.
 std::vector<OwnClass> Placed(std::vector<OwnClass> classes, const BriefFacts& facts, const Handbook& handbook);
 
 // Classes for pieces that the brief puts where their class does not belong: a potted plant on a table, a sculpture in a

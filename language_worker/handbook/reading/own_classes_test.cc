@@ -40,10 +40,17 @@ TEST(OwnClasses, AThingThatIsPutSomewhereIsMade) {
   EXPECT_EQ(KindIn("A study with a zither hanging from the ceiling.", "zither"), hb::FURNITURE_KIND_CEILING);
 }
 
+TEST(OwnClasses, AThingThatIsListedIsMadeAndTheBriefIsTold) {
+  const std::string text = "A workshop with a zither, two gloops and a touch of gold.";
+  EXPECT_THAT(OwnOf(text), ElementsAre("zither", "gloop"));
+  EXPECT_EQ(KindIn(text, "gloop"), hb::FURNITURE_KIND_FLOOR);
+  EXPECT_THAT(FactsOf(text).made_plain, ElementsAre("zither", "gloop"));
+}
+
 TEST(OwnClasses, MoodsPeopleAndPartsOfTheRoomAreNoPieces) {
   for (const char* text :
-       {"A living room with a touch of gold in the corner.", "A bedroom with a view over the garden.",
-        "A study for a writer by the window.", "A living room with a zither.",
+       {"A living room for a zither.", "A living room with a slice of life.", "A living room with a touch of gold in the corner.", "A bedroom with a view over the garden.",
+        "A study for a writer by the window.",
         "A bedroom with a high ceiling and a feature wall behind the bed."}) {
     EXPECT_THAT(OwnOf(text), IsEmpty()) << text;
   }

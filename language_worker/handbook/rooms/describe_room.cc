@@ -110,6 +110,12 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
     Remark(v1::SEVERITY_NOTE, "word_corrected", fmt::format("Read \"{}\" as {}.", correction.written, correction.read),
            room);
   }
+  if (!facts.made_plain.empty()) {
+    Remark(v1::SEVERITY_NOTE, "thing_made_plain",
+           fmt::format("The handbook does not know \"{}\": drawn as a plain block, of a size that may be wrong.",
+                       fmt::join(facts.made_plain, "\", \"")),
+           room);
+  }
   if (!facts.not_known.empty()) {
     Remark(v1::SEVERITY_WARNING, "words_not_known",
            fmt::format("The handbook does not know \"{}\"; it was left out. A language model may know it.",
