@@ -201,10 +201,14 @@ class OwnFinder {
     if (found_.size() > before) found_.back().listed = IsListed(phrase);
   }
 
-  // "With a honey extractor, two kick wheels": not "for a farm", nor "a slice of life".
+  // "With a honey extractor, two kick wheels": not "for a farm", "a slice of life", "a piano we love" or "3 metres".
   bool IsListed(const NounPhrase& phrase) const {
+    const auto known = mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin);
+    const bool holds_a_piece =
+        std::any_of(known, mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.end), [](auto* at) { return at; });
+    const std::string_view noun = text_.At(phrase.end - 1);
     return phrase.begin >= 2 && text_.Is(phrase.begin - 2, "listing") && text_.At(phrase.end) != "of" &&
-           !text_.At(phrase.end - 1).ends_with("ing");
+           !holds_a_piece && !IsFormIn("unit_words", noun) && !noun.ends_with("ing");
   }
 
   void AddClass(const hb::Furniture& kin, const std::string& name, bool unplaced) {
