@@ -18,6 +18,8 @@ namespace {
 constexpr size_t kBeam = 3;
 // With groups the best so many of those with and of those without; of no more floor objects than this.
 constexpr size_t kBeamOfEach = 2, kMostOneByOne = 60;
+// What one order must lack less than the other to be preferred for that alone, and not by the score: half a missed call.
+constexpr double kWorthAnOrder = 0.5;
 constexpr size_t kSpareVariants = 2;
 // Primary layouts nearer than this (sum over objects) are the same when only one layout is wanted.
 constexpr double kSame_m = 0.3;
@@ -188,7 +190,8 @@ void Driver::KeepBetterOrder(std::vector<Branch>& branches) const {
     if (kept == nullptr || branch.score < kept->score) kept = &branch;
   }
   if (best[0] == nullptr || best[1] == nullptr) return;
-  const bool one_by_one = LackOf(best[1]->state) < LackOf(best[0]->state);
+  const double gain = LackOf(best[0]->state) - LackOf(best[1]->state);
+  const bool one_by_one = gain > kWorthAnOrder || (gain > -kWorthAnOrder && best[1]->score < best[0]->score);
   std::erase_if(branches, [&](const Branch& branch) { return branch.one_by_one != one_by_one; });
 }
 

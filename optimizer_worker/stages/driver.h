@@ -78,7 +78,8 @@ class Driver {
   // What a furnished floor lacks: calls, what collides, order. The whole-room terms of the score lead the search, but no
   // balance is worth a chair that is not at its table.
   double LackOf(const PartialLayout& state) const;
-  // Leaves those that were furnished with groups, or those without, whichever lack less.
+  // Leaves those that were furnished with groups, or those without, whichever lack less; where both lack about the same,
+  // those of the better score.
   void KeepBetterOrder(std::vector<Branch>& branches) const;
   std::vector<Branch> Distinct(std::vector<Branch> branches) const;
 
