@@ -37,9 +37,9 @@ class Innocent {
   explicit Innocent(const std::string& address)
       : done_(std::async(std::launch::async, [this, address] {
           while (!stop_) {
-            // As all callers of ours, again when it was not the call's fault: its connection may go as it comes.
+            // Three attempts, as a job has: a connection may go as it comes, which is not the call's fault.
             absl::Status status = AskWho(address, {});
-            if (absl::IsUnavailable(status)) status = AskWho(address, {});
+            for (int attempt = 1; attempt < 3 && absl::IsUnavailable(status); ++attempt) status = AskWho(address, {});
             if (status.ok()) {
               ++answered_;
             } else {
