@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/sentences/place_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "language_worker/handbook/rooms/walls.h"
+#include "language_worker/handbook/sentences/fill.h"
+
+namespace flair::language {
+namespace {
+
+bool PlaceNames(const Place& place, std::string_view slot) {
+  return place.asked->relation().text().find(slot) != std::string::npos;
+}
+
+// A wall as what "{wall}" stands for.
+Slot TheWall(const v1::Room& room, int wall) {
+  const std::string& name = room.walls(wall).name();
+  v1::Participant participant;
+  participant.set_wall(name);
+  return {name.starts_with("wall") ? name : fmt::format("the {} wall", name), {participant}};
+}
+
+bool HasOpenings(const v1::Room& room, int wall) {
+  return std::ranges::any_of(room.openings(),
+                             [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
+}
+
+}  // namespace
+
+std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& group) const {
+  const Group subjects = SubjectsOf(place, group);
+  if (subjects.empty()) return {};
+  if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk") {
+    const std::vector<v1::Sentence> sentences = WriteOfDesks(place, subjects);
+    if (!sentences.empty()) return sentences;
+  }
+  if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
+  if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorner(place, subjects);
+  if (PlaceNames(place, "{wall}") && place.said.ends_with("walls") && subjects.size() == 2) {
+    return WriteOpposite(place, subjects);
+  }
+  Slots further;
+  if (PlaceNames(place, "{wall}")) {
+    const std::optional<int> wall = WallOf(room_, place.side);
+    if (!wall && !place.side.empty()) return {};
+    further["wall"] = wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
+  }
+  hb::Relation relation = place.asked->relation();
+  const hb::Carried carried = place.asked->carried();
+  const bool on_a_top = carried != hb::CARRIED_UNSPECIFIED && subjects.front()->kind() == v1::OBJECT_KIND_SURFACE;
+  if (on_a_top && !writer_.IsCentral(*subjects.front()))
+    relation.set_text("The {object} is on the {corner} corner of the {target}.");
+  // What stands beside a thing stands on that one's host.
+  if (place.target != nullptr && carried != hb::CARRIED_ALONG) relation.add_targets(place.target->name());
+  return writer_.Write(relation, subjects, further);
+}
+
+Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
+  if (place.which < 0) return group;
+  const Group& all = writer_.groups().at(group.front()->name());
+  const auto at = static_cast<std::size_t>(place.which);
+  if (at >= all.size() || std::ranges::find(group, all[at]) == group.end()) return {};
+  return {all[at]};
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, const Group& group) const {
+  hb::Relation relation = place.asked->relation();
+  relation.set_text(place.asked->text_of_desks());
+  if (place.target != nullptr) relation.add_targets(place.target->name());
+  if (relation.text().find("{seat}") == std::string::npos) return writer_.Write(relation, group);
+  relation.set_text(Fill(relation.text(), {{"seat", "{object}"}}));
+  Group seats;
+  for (const auto& [name, objects] : writer_.groups()) {
+    for (const v1::Object* one : objects) {
+      const bool here = one->zone_id() == group.front()->zone_id() && one->role() != v1::OBJECT_ROLE_TERTIARY;
+      if (one->category() == "chair" && here && seats.size() < group.size()) seats.push_back(one);
+    }
+    if (!seats.empty()) break;
+  }
+  return seats.empty() ? std::vector<v1::Sentence>() : writer_.Write(relation, seats);
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const Group& group) const {
+  std::vector<v1::Sentence> sentences;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const std::optional<int> wall = WallOf(room_, i == 0 ? "left" : "right");
+    if (!wall) return {};
+    sentences.push_back(
+        writer_.WriteOne(place.asked->relation(), {group[i]}, {}, i, {{"wall", TheWall(room_, *wall)}}));
+  }
+  return sentences;
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteBetween(const Place& place, const Group& group) const {
+  std::vector<v1::Sentence> sentences;
+  for (const v1::Object* object : group) {
+    const v1::Object* first = Neighbour(*place.target, *object, nullptr);
+    const v1::Object* second = first == nullptr ? nullptr : Neighbour(*place.other, *object, first);
+    if (second == nullptr) continue;
+    v1::Sentence sentence =
+        writer_.WriteOne(place.asked->relation(), {object}, {}, 0,
+                         {{"first", writer_.SlotOf({first})}, {"second", writer_.SlotOf({second})}});
+    sentence.add_subject_ids(first->id());
+    sentence.add_subject_ids(second->id());
+    sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
+    sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Group& group) const {
+  const std::optional<int> corner = CornerOf(room_, place.side);
+  if (!corner) return writer_.Write(place.asked->relation(), group);
+  const int after = *corner, before = (*corner + room_.walls_size() - 1) % room_.walls_size();
+  // The back leaves windows and doors free where it can. Along a wall that begins in the corner the left side meets
+  // the other one, along a wall that ends there the right side.
+  const bool on_after = HasOpenings(room_, before) || !HasOpenings(room_, after);
+  hb::Relation back = place.asked->relation(), side = back;
+  back.set_text("The {object}'s back is against {wall}.");
+  side.set_text(fmt::format("The {{object}}'s {} side is against {{wall}}.", on_after ? "left" : "right"));
+  std::vector<v1::Sentence> sentences =
+      writer_.Write(back, {group.front()}, {{"wall", TheWall(room_, on_after ? after : before)}});
+  for (v1::Sentence& sentence :
+       writer_.Write(side, {group.front()}, {{"wall", TheWall(room_, on_after ? before : after)}})) {
+    sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+const v1::Object* PlaceWriter::Neighbour(const hb::Furniture& furniture, const v1::Object& object, const v1::Object* other) const {
+  google::protobuf::RepeatedPtrField<std::string> classes;
+  *classes.Add() = furniture.name();
+  const v1::Object* best = nullptr;
+  for (const std::string& name : WithSubstitutes(classes, program_)) {
+    const auto found = writer_.groups().find(name);
+    if (found == writer_.groups().end()) continue;
+    for (const v1::Object* one : found->second) {
+      if (one == &object || one == other) continue;
+      if (best == nullptr || (best->zone_id() != object.zone_id() && one->zone_id() == object.zone_id())) best = one;
+    }
+  }
+  return best;
+}
+
+}  // namespace flair::language

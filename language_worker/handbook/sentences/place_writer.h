@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sentences of what a brief says about the places of its pieces.
+#pragma once
+
+#include <vector>
+
+#include "flair/v1/constraint_list.pb.h"
+#include "flair/v1/room.pb.h"
+#include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/sentences/sentence_writer.h"
+
+namespace flair::language {
+
+// Writes what a brief says of the places of its pieces, for the walls and pieces that the room has. The arguments must
+// outlive it.
+class PlaceWriter {
+ public:
+  PlaceWriter(const v1::Room& room, const RoomProgram& program, const SentenceWriter& writer)
+      : room_(room), program_(program), writer_(writer) {}
+
+  // The sentences about those of `group` whose place it is, without ids; empty when the room has none of what the place
+  // is told by.
+  std::vector<v1::Sentence> Write(const Place& place, const Group& group) const;
+
+ private:
+  // "One desk by the door": the group may be a part of all that have the name.
+  Group SubjectsOf(const Place& place, const Group& group) const;
+  // Whoever sits at a desk looks over its back.
+  std::vector<v1::Sentence> WriteOfDesks(const Place& place, const Group& group) const;
+  // "Two beds against opposite walls".
+  std::vector<v1::Sentence> WriteOpposite(const Place& place, const Group& group) const;
+  std::vector<v1::Sentence> WriteBetween(const Place& place, const Group& group) const;
+  // Into the one corner that is meant: its back on one wall, a side on the other.
+  std::vector<v1::Sentence> WriteCorner(const Place& place, const Group& group) const;
+  // One of that class, or of what came in its place: of the object's own zone first, and not `other`.
+  const v1::Object* Neighbour(const hb::Furniture& furniture, const v1::Object& object, const v1::Object* other) const;
+
+  const v1::Room& room_;
+  const RoomProgram& program_;
+  const SentenceWriter& writer_;
+};
+
+}  // namespace flair::language
