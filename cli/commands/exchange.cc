@@ -89,7 +89,6 @@ struct ImportAnswersArguments : Options {
   using Options::Options;
   std::string& room = Required("ROOM", "The room's .json, of the released implementation");
   std::string& out = Required("-o,--out DIR", "Folder for the answers and their brief; created if missing");
-  bool& no_calls = Flag("--no-calls", "Leave the translation to the grammar: design with --stand-in then");
 };
 
 constexpr char kBriefFile[] = "brief.json";
@@ -143,11 +142,8 @@ absl::Status CheckFolder(const ImportAnswersArguments& arguments, const language
 
 // Asks the translation's questions too, so that the folder has all answers of a design.
 absl::Status ImportTranslation(const language::RecordedRoom& room, const language::Handbook& handbook,
-                               const ImportAnswersArguments& arguments, const std::string& folder,
-                               language::ImportedAnswers& imported) {
-  const auto translation =
-      arguments.no_calls ? language::RecordedTranslation::kRefused : language::RecordedTranslation::kCalls;
-  auto recorded = std::make_unique<language::RecordedRoomClient>(room, handbook, translation);
+                               const std::string& folder, language::ImportedAnswers& imported) {
+  auto recorded = std::make_unique<language::RecordedRoomClient>(room, handbook);
   const language::RecordedRoomClient& client = *recorded;
   ASSIGN_OR_RETURN(std::unique_ptr<llm::LlmClient> recording, llm::MakeRecordingClient(std::move(recorded), folder));
   ASSIGN_OR_RETURN(const auto translator,
@@ -159,7 +155,6 @@ absl::Status ImportTranslation(const language::RecordedRoom& room, const languag
   *request.mutable_object_list() = imported.objects;
   *request.mutable_constraint_list() = imported.completed;
   *request.mutable_catalog() = optimizer::MakeCatalog();
-  request.mutable_model_options()->set_stand_in_allowed(arguments.no_calls);
   runtime::CallContext call;
   ASSIGN_OR_RETURN(const v1::TranslateResponse response, translator->Translate(request, call));
   imported.calls.insert(imported.calls.end(), response.model_calls().begin(), response.model_calls().end());
@@ -198,8 +193,7 @@ void ShowEnd(const ImportAnswersArguments& arguments, const language::ImportedAn
                Counted(conversion.lines, "recorded call belongs", "recorded calls belong"));
   }
   fmt::print(stderr, "{}, about {}\n", Counted(std::ssize(imported.calls), "question"), Counted(tokens, "token"));
-  fmt::print(stderr, "next       flair design --brief {0}/{1} --replay {0}{2} --out DIR\n", arguments.out, kBriefFile,
-             arguments.no_calls ? " --stand-in" : "");
+  fmt::print(stderr, "next       flair design --brief {0}/{1} --replay {0} --out DIR\n", arguments.out, kBriefFile);
 }
 
 absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
@@ -215,7 +209,7 @@ absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
   WorkFolder work;
   RETURN_IF_ERROR(work.Make());
   ASSIGN_OR_RETURN(language::ImportedAnswers imported, language::ImportAnswers(*room, *handbook, prompts, work.path()));
-  RETURN_IF_ERROR(ImportTranslation(*room, *handbook, arguments, work.path(), imported));
+  RETURN_IF_ERROR(ImportTranslation(*room, *handbook, work.path(), imported));
   ASSIGN_OR_RETURN(std::vector<OutputFile> files, work.Files());
   files.push_back({kBriefFile, ToJson(room->brief)});
   files.push_back({kRemarksFile, RemarksText(imported)});

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "language_worker/model/model_tools.h"
-#include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/import_answers.h"
+#include "language_worker/recorded/recorded_text.h"
 #include "language_worker/recorded/testing/test_room.h"
 
 namespace flair::language {

@@ -87,14 +87,6 @@ std::string ToJson(const model::v1::CallsAnswer& answer) {
   return json{{"sentences", lines}}.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-std::string ToJson(const model::v1::CleaningAnswer& answer) {
-  json lines = json::array();
-  for (const model::v1::ChangeAnswer& change : answer.changes()) {
-    for (const std::string& text : change.to()) lines.push_back(fmt::format("{}: {}", change.from(), text));
-  }
-  return json{{"changes", lines}}.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
 // The first message of the user: the question. Repairs have another one behind it.
 std::string QuestionOf(const llm::ChatRequest& request) {
   for (const llm::Message& message : request.messages) {
@@ -151,13 +143,11 @@ absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, 
   if (step == "objects.tertiary") return keep(answers_.Tertiaries(question, conversion));
   if (step == "constraints.intra") return keep(answers_.Intra(question, conversion));
   if (step == "constraints.inter") return keep(answers_.Inter(question, conversion));
-  if (step == "cleaning") return keep(answers_.Cleaning(question));
+  // The sentences are those that the recorded model had cleaned.
+  if (step == "cleaning") return keep(model::v1::CleaningAnswer());
   const json schema = json::parse(request.schema, nullptr, /*allow_exceptions=*/false);
   if (step == "style") return keep(answers_.Style(FindChoices(schema, "of")));
-  if (step.starts_with("translation.")) {
-    if (translation_ == RecordedTranslation::kRefused) return "I have no calls for these sentences.";
-    return keep(FindCalls(room_, step, question, conversion));
-  }
+  if (step.starts_with("translation.")) return keep(FindCalls(room_, step, question, conversion));
   return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
 }
 

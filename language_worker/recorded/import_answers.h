@@ -40,24 +40,13 @@ struct ImportedAnswers {
 absl::StatusOr<ImportedAnswers> ImportAnswers(const RecordedRoom& room, const Handbook& handbook,
                                               const llm::PromptLibrary& prompts, const std::string& folder);
 
-// How the questions of the translation are answered.
-enum class RecordedTranslation {
-  // With the calls that the recorded model translated its own sentences to, as far as they can be told to belong to
-  // one.
-  kCalls,
-  // With a refusal in prose, so that the grammar stands in where that is allowed.
-  kRefused,
-};
-
 // A model that answers the steps of the language phase and of the translation with what another model wrote when a room
 // was recorded, as typed answers. Repairs get the same answer again: that is what was recorded. Other steps are
 // NOT_FOUND. Usage is estimated from the lengths of messages, schema and answer. Thread-safe.
 class RecordedRoomClient final : public llm::LlmClient {
  public:
   // Both must outlive it.
-  RecordedRoomClient(const RecordedRoom& room, const Handbook& handbook,
-                     RecordedTranslation translation = RecordedTranslation::kCalls)
-      : room_(room), answers_(room, handbook), translation_(translation) {}
+  RecordedRoomClient(const RecordedRoom& room, const Handbook& handbook) : room_(room), answers_(room, handbook) {}
 
   absl::StatusOr<llm::ChatAnswer> Ask(const llm::ChatRequest& request, runtime::CallContext& call) override;
   // Names the recording: another one gives other answers to the same brief.
@@ -71,7 +60,6 @@ class RecordedRoomClient final : public llm::LlmClient {
 
   const RecordedRoom& room_;
   const RecordedAnswers answers_;
-  const RecordedTranslation translation_;
   mutable std::mutex mutex_;
   std::map<std::string, Conversion> conversions_;
 };

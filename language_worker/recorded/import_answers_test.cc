@@ -87,7 +87,7 @@ TEST_F(ImportAnswersTest, SentencesBelongToTheirObjectsAndAreCleanedAsRecorded) 
   EXPECT_THAT(Sentences(imported.constraints, v1::SENTENCE_SCOPE_INTRA),
               ElementsAre("desk: Must not block the window.", "desk: Must not block the door.",
                           "desk: Should be against a wall.", "desk: Near a power socket.",
-                          "armchair: The front should be accessible.", "armchair: Avoid placement near Doors",
+                          "armchair: The front should be accessible.", "armchair: Avoid placement near doors.",
                           "desk_chair: Should be accessible from the back.", "bookshelf: Should be against a wall.",
                           "bookshelf_2: Should be in a corner."));
   EXPECT_THAT(Sentences(imported.constraints, v1::SENTENCE_SCOPE_INTER),
@@ -104,7 +104,7 @@ TEST_F(ImportAnswersTest, WhatHasNoPlaceIsToldWithItsLine) {
     EXPECT_LE(conversion.converted, conversion.lines) << step;
     for (const ConversionRemark& remark : conversion.remarks) remarks.push_back(remark.source + ": " + remark.text);
   }
-  EXPECT_THAT(remarks, ElementsAre("primary_inter: There should be room to walk everywhere.",
+  EXPECT_THAT(remarks, ElementsAre("primary_inter_clean: There should be room to walk everywhere.",
                                    "tertiary: Wind Chime: By the window."));
 }
 

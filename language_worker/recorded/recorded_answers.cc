@@ -11,7 +11,6 @@
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/styling/choose_style.h"
-#include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/prompt_lines.h"
 
 namespace flair::language {
@@ -259,13 +258,14 @@ model::v1::TertiariesAnswer RecordedAnswers::Tertiaries(std::string_view prompt,
   return answer;
 }
 
-std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind, std::string_view ending,
-                                                         Conversion& conversion) const {
-  const std::string name = std::string(kind == ConstraintTextKind::kIntra ? "intra" : "inter") + std::string(ending);
-  const std::string primary = "primary_" + name, secondary = "secondary_" + name;
+std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind, Conversion& conversion) const {
   const auto is_primary = [&](int object) { return static_cast<size_t>(object) < primary_count_; };
-  std::vector<RecordedSentence> sentences =
-      ReadConstraintText({primary, room_.Text(primary), kind, floor_names_, zone_ids_}, conversion);
+  const auto read = [&](std::string name) {
+    name += kind == ConstraintTextKind::kIntra ? "_intra" : "_inter";
+    if (!room_.Text(name + "_clean").empty()) name += "_clean";
+    return ReadConstraintText({name, room_.Text(name), kind, floor_names_, zone_ids_}, conversion);
+  };
+  std::vector<RecordedSentence> sentences = read("primary");
   // The first list is of the primaries: a secondary of the same name is not meant.
   for (RecordedSentence& sentence : sentences) {
     const std::vector<int> named = sentence.objects;
@@ -275,8 +275,7 @@ std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind
       });
     });
   }
-  for (RecordedSentence& sentence :
-       ReadConstraintText({secondary, room_.Text(secondary), kind, floor_names_, zone_ids_}, conversion)) {
+  for (RecordedSentence& sentence : read("secondary")) {
     // And the other way round.
     std::vector<int>& objects = sentence.objects;
     if (kind == ConstraintTextKind::kIntra && !std::all_of(objects.begin(), objects.end(), is_primary)) {
@@ -292,7 +291,7 @@ std::string RecordedAnswers::NameOf(int object) const { return NameKey(floor_[st
 model::v1::IntraAnswer RecordedAnswers::Intra(std::string_view prompt, Conversion& conversion) const {
   const PromptIds ids(floor_, ReadPromptObjects(prompt));
   model::v1::IntraAnswer answer;
-  for (const RecordedSentence& sentence : Sentences(ConstraintTextKind::kIntra, "", conversion)) {
+  for (const RecordedSentence& sentence : Sentences(ConstraintTextKind::kIntra, conversion)) {
     const std::vector<std::string> names = ids.NamesOf(sentence.objects);
     if (names.empty()) {
       conversion.Unconvert("intra", sentence.text, "its object was left out");
@@ -309,7 +308,7 @@ model::v1::IntraAnswer RecordedAnswers::Intra(std::string_view prompt, Conversio
 model::v1::InterAnswer RecordedAnswers::Inter(std::string_view prompt, Conversion& conversion) const {
   const PromptIds ids(floor_, ReadPromptObjects(prompt));
   model::v1::InterAnswer answer;
-  for (const RecordedSentence& sentence : Sentences(ConstraintTextKind::kInter, "", conversion)) {
+  for (const RecordedSentence& sentence : Sentences(ConstraintTextKind::kInter, conversion)) {
     const std::vector<std::string> names = ids.NamesOf(sentence.objects);
     if (names.empty() || answer.constraints_size() == kMostPairs) {
       conversion.Unconvert("inter", sentence.text, names.empty() ? "its objects were left out" : "one too many");
@@ -329,17 +328,6 @@ model::v1::InterAnswer RecordedAnswers::Inter(std::string_view prompt, Conversio
     *(sentence.must ? pair.add_must() : pair.add_should()) = sentence.text;
   }
   return answer;
-}
-
-model::v1::CleaningAnswer RecordedAnswers::Cleaning(std::string_view prompt) const {
-  Conversion unused;  // what counts is what was said, not what was said again
-  std::vector<RecordedSentence> after = Sentences(ConstraintTextKind::kIntra, "_clean", unused);
-  for (RecordedSentence& sentence : Sentences(ConstraintTextKind::kInter, "_clean", unused)) {
-    after.push_back(std::move(sentence));
-  }
-  std::vector<std::string> names;
-  for (const v1::Object* object : floor_) names.push_back(object->name());
-  return FindChanges(ReadPromptSentences(prompt), after, names);
 }
 
 model::v1::StyleAnswer RecordedAnswers::Style(const std::vector<std::string>& names) const {

@@ -12,10 +12,10 @@
 #include "flair/model/v1/style_answers.pb.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/model/object_size.h"
-#include "language_worker/recorded/constraint_text.h"
 #include "language_worker/recorded/object_names.h"
 #include "language_worker/recorded/prompt_lines.h"
 #include "language_worker/recorded/recorded_room.h"
+#include "language_worker/recorded/recorded_text.h"
 
 namespace flair::language {
 
@@ -36,12 +36,10 @@ class RecordedAnswers {
   model::v1::StyleAnswer Style(const std::vector<std::string>& names) const;
   model::v1::IntraAnswer Intra(std::string_view prompt, Conversion& conversion) const;
   model::v1::InterAnswer Inter(std::string_view prompt, Conversion& conversion) const;
-  model::v1::CleaningAnswer Cleaning(std::string_view prompt) const;
 
  private:
-  // The sentences of two texts, of the primaries and of the secondaries.
-  std::vector<RecordedSentence> Sentences(ConstraintTextKind kind, std::string_view ending,
-                                          Conversion& conversion) const;
+  // The sentences of two texts, of the primaries and of the secondaries, as the recorded model cleaned them if it did.
+  std::vector<RecordedSentence> Sentences(ConstraintTextKind kind, Conversion& conversion) const;
   // Equal for objects that are called alike.
   std::string NameOf(int object) const;
   double HeightOf(const v1::Object& object) const;

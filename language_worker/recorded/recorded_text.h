@@ -6,10 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "flair/model/v1/constraint_answers.pb.h"
 #include "flair/v1/object_list.pb.h"
 #include "language_worker/recorded/object_names.h"
-#include "language_worker/recorded/prompt_lines.h"
 #include "language_worker/recorded/recorded_room.h"
 
 namespace flair::language {
@@ -42,13 +40,6 @@ struct ConstraintText {
 // The sentences in the order of the text: one of each item, several where an item has several sentences. Reads any
 // bytes.
 std::vector<RecordedSentence> ReadConstraintText(const ConstraintText& text, Conversion& conversion);
-
-// The changes that make of `before` what the model's `after` says, found by the sentences' objects and words: the same
-// words stay, other words for it simplify, several for one split, and what has no counterpart is removed, but not more
-// than half of all: then what could not be recognised is more than what was removed. `names` are the objects' names.
-model::v1::CleaningAnswer FindChanges(const std::vector<PromptSentence>& before,
-                                      const std::vector<RecordedSentence>& after,
-                                      const std::vector<std::string>& names);
 
 // Where one of the tertiaries goes.
 struct RecordedPlacement {

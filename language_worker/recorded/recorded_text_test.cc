@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/constraint_text.h"
+#include "language_worker/recorded/recorded_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,6 +93,11 @@ TEST_F(ConstraintTextTest, WhatNamesNoObjectIsKept) {
   EXPECT_EQ(conversion_.remarks[0].reason, "names none of the objects");
   EXPECT_EQ(conversion_.lines, 1);
   EXPECT_EQ(conversion_.converted, 0);
+}
+
+TEST_F(ConstraintTextTest, MarksAndRulesSayNothing) {
+  EXPECT_THAT(Inter("---\n```\n\u2022 The **desk** is at the `wall`.\n***\n3) *The desk is 3.5 m from it.*\n"),
+              ElementsAre("0 The desk is at the wall.", "0 The desk is 3.5 m from it."));
 }
 
 TEST(SplitSentences, EndsWhereACapitalFollowsButNotInBrackets) {
