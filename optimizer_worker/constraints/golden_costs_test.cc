@@ -73,7 +73,7 @@ const std::map<std::string, int> kCompared = {
     {"on_wall_in_region", 18}, {"rug_under_central", 27},
 };
 
-// What is wrong with the others; docs/paper_map.md says what ours do instead.
+// What is wrong with the others; docs/constraints.md says what ours do instead.
 const std::map<std::string, std::string> kNotCompared = {
     {"LINK", "no layout constraint; takes ranks for indices"},
     {"cost", "the pathway metric's sum, no constraint"},
