@@ -138,12 +138,10 @@ TEST(SolveTableTest, TheSummaryComparesWithTheRecordedLayout) {
 }
 
 TEST(SolveJsonTest, HoldsRoomsFailuresAndMissedConstraints) {
-  const auto json =
-      nlohmann::json::parse(SolvesToJson({Measure().record}, {{{"file", "bad.json"}, {"reason", "no"}}}, 10));
+  const auto json = nlohmann::json::parse(SolvesToJson({Measure().record}, {{{"file", "bad.json"}, {"reason", "no"}}}));
   EXPECT_EQ(json["rooms"][0]["name"], "small_study");
   EXPECT_EQ(json["rooms"][0]["missed"].size(), Measure().record["ours"]["missed"].get<size_t>());
   EXPECT_EQ(json["failures"][0]["reason"], "no");
-  EXPECT_EQ(json["summary"]["rooms"], 1);
 }
 
 TEST(RestartsMeasureTest, ScoresDoNotDependOnHowManyAreAskedFor) {
@@ -162,14 +160,9 @@ TEST(RestartsMeasureTest, HitsAreWithinAHundredthOfTheBest) {
 }
 
 TEST(RestartsMeasureTest, TheCurveEndsWithAllRestartsAtTheBest) {
-  const auto json = nlohmann::json::parse(RestartsToJson({{"a", {3, 2, 1, 4, 5}, {1, 1, 1, 1, 1}}}));
-  std::vector<int> counts;
-  for (const auto& point : json["curve"]) counts.push_back(point["restarts"]);
-  EXPECT_THAT(counts, ElementsAre(1, 2, 4, 5));
-  EXPECT_EQ(json["curve"][0]["share_of_rooms"], 0);
-  EXPECT_EQ(json["curve"][1]["mean_gap"], 1);
-  EXPECT_EQ(json["curve"][2]["share_of_rooms"], 1);
-  EXPECT_EQ(json["curve"][2]["median_cpu_s"], 4);
+  EXPECT_THAT(RestartsTable({{"a", {3, 2, 1, 4, 5}, {1, 1, 1, 1, 1}}}),
+              testing::ContainsRegex("\n1 +0.0 +2.0000 +1000.0\n2 +0.0 +1.0000 +2000.0\n4 +100.0 +0.0000 +4000.0\n"
+                                     "5 +100.0 +0.0000 +5000.0\n$"));
 }
 
 TEST(Statistics, QuantilesAreValuesOfTheSample) {

@@ -35,24 +35,20 @@ std::string SolveLegend();
 // One line a room; `name_width` is that of the longest name.
 TextTable SolveTable(size_t name_width);
 std::vector<std::string> SolveCells(const Record& solve);
-// Medians and means over all rooms, the rooms that are worst by each measure, and, beside those of the recorded
-// layouts, the measures over the rooms that have one. `memory_before_MiB` is what the process held before the first
-// solve.
+// Medians and means over all rooms, and, beside those of the recorded layouts, the measures over the rooms that have
+// one. `memory_before_MiB` is what the process held before the first solve.
 std::string SolveSummary(const std::vector<Record>& solves, double memory_before_MiB);
-// {"rooms": [...], "failures": [...], "summary": {...}}; a failure is {"file", "reason"}.
-std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures,
-                         double memory_before_MiB);
+// {"rooms": [...], "failures": [...], "memory_peak_mib": ...}; a failure is {"file", "reason"}.
+std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures);
 
-// Edits of solved layouts: what one costs, how much it moves, and how good the result is beside a solve from nothing of
-// the same problem.
+// Edits of solved layouts: what one costs, how much it moves, and how good the result is.
 
 // One edit of each kind per object, at most `per_kind` objects of a room: moved by half a metre, turned, grown by a
-// fifth, unpinned after a pin, removed, doubled; and weights raised and edges dropped. Every `compare_every`-th edit is
-// compared with a solve from nothing (0: none). Each record has room, edit (such as "move desk 1.2 0.5 90"), cpu_s of
-// this process, moved, deepest_overlap_m, and constraints that hold: held_before the edit, held_after it and, where
-// compared, held_anew after a solve of the edited graph.
+// fifth, unpinned after a pin, removed, doubled; and weights raised and edges dropped. Each record has room, edit (such
+// as "move desk 1.2 0.5 90"), cpu_s of this process, moved, deepest_overlap_m, and constraints that hold: held_before
+// the edit and held_after it.
 absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem, const v1::SolveOptions& options,
-                                                    int per_kind, int compare_every);
+                                                    int per_kind);
 
 // A line per room, then medians and 95th percentiles per kind of edit and over all.
 std::string ResolveTable(const std::vector<Record>& edits);
@@ -77,7 +73,6 @@ absl::StatusOr<RestartsMeasure> MeasureRestarts(const BenchProblem& problem, v1:
 
 // After how many restarts what share of the rooms has its best primary layout: 1, 2, 4, ... restarts.
 std::string RestartsTable(const std::vector<RestartsMeasure>& measures);
-std::string RestartsToJson(const std::vector<RestartsMeasure>& measures);
 
 // Pictures and scenes.
 

@@ -68,24 +68,17 @@ std::vector<std::string> EditsOf(const v1::SolvedLayout& layout, int per_kind) {
 TextTable Table(const std::vector<Record>& edits) {
   size_t width = 12;
   for (const Record& edit : edits) width = std::max(width, edit["room"].get<std::string>().size());
-  return TextTable(
-      {"edits of", "edits", "CPU ms", "95 %", "most", "moved", "held", "after", "of these", "anew", "deep mm"}, width,
-      7);
+  return TextTable({"edits of", "edits", "CPU ms", "95 %", "most", "moved", "held", "after", "deep mm"}, width, 7);
 }
 
 std::vector<std::string> Cells(const std::string& name, const std::vector<Record>& edits) {
-  std::vector<Record> compared;
-  std::ranges::copy_if(edits, std::back_inserter(compared),
-                       [](const Record& edit) { return edit.contains("held_anew"); });
   std::vector<std::string> cells = {name, fmt::format("{}", edits.size())};
   for (const double share : {0.5, 0.95, 1.0}) {
     cells.push_back(fmt::format("{:.1f}", Quantile(NumbersAt(edits, "/cpu_s", 1e3), share)));
   }
-  const auto add_mean = [&cells](const std::vector<Record>& of, const char* at) {
-    cells.push_back(of.empty() ? "-" : fmt::format("{:.2f}", Mean(NumbersAt(of, at))));
-  };
-  for (const char* at : {"/moved", "/held_before", "/held_after"}) add_mean(edits, at);
-  for (const char* at : {"/held_after", "/held_anew"}) add_mean(compared, at);
+  for (const char* at : {"/moved", "/held_before", "/held_after"}) {
+    cells.push_back(fmt::format("{:.2f}", Mean(NumbersAt(edits, at))));
+  }
   cells.push_back(fmt::format("{:.3f}", Quantile(NumbersAt(edits, "/deepest_overlap_m", 1e3), 1)));
   return cells;
 }
@@ -93,7 +86,7 @@ std::vector<std::string> Cells(const std::string& name, const std::vector<Record
 }  // namespace
 
 absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem, const v1::SolveOptions& options,
-                                                    int per_kind, int compare_every) {
+                                                    int per_kind) {
   const optimizer::NloptSolver solver;
   ASSIGN_OR_RETURN(const optimizer::SolveResult start, optimizer::SolveLayout(problem.graph, options, solver));
   std::vector<Record> edits;
@@ -107,16 +100,13 @@ absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem,
     const double cpu_s = ProcessCpu_s() - began;
     // An object grown or added beyond what validation lets through is no measure of the solver.
     if (!result.ok()) continue;
-    Record& record = edits.emplace_back(Record{{"room", problem.name},
-                                               {"edit", line},
-                                               {"cpu_s", cpu_s},
-                                               {"moved", result->moved_ids.size()},
-                                               {"held_before", Held(start.layout)},
-                                               {"held_after", Held(result->layout)},
-                                               {"deepest_overlap_m", result->layout.metrics().deepest_overlap_m()}});
-    if (compare_every == 0 || edits.size() % compare_every != 1 % compare_every) continue;
-    const auto anew = optimizer::SolveLayout(result->layout.graph(), options, solver);
-    if (anew.ok()) record["held_anew"] = Held(anew->layout);
+    edits.push_back(Record{{"room", problem.name},
+                           {"edit", line},
+                           {"cpu_s", cpu_s},
+                           {"moved", result->moved_ids.size()},
+                           {"held_before", Held(start.layout)},
+                           {"held_after", Held(result->layout)},
+                           {"deepest_overlap_m", result->layout.metrics().deepest_overlap_m()}});
   }
   return edits;
 }
@@ -132,7 +122,6 @@ std::string ResolveTable(const std::vector<Record>& edits) {
   std::string text =
       "CPU ms    of one edit: median, 95th percentile, most\n"
       "moved     objects; held, after: constraints that hold before and after it; means\n"
-      "of these  held after the edits that were compared with a solve anew (--compare-every), and held by that\n"
       "deep mm   deepest overlap; what a person moves or pins into something stays there\n\n" +
       table.Header();
   for (const auto& [name, list] : rooms) text += table.Row(Cells(name, list));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cli/bench/measures.h"
 #include "fmt/format.h"
@@ -10,50 +11,6 @@
 
 namespace flair::cli {
 namespace {
-
-// The state of a room after its first `count` restarts.
-struct Point {
-  bool found = false;
-  // Of the best so far above the best of all.
-  double gap = 0;
-  double cpu_s = 0;
-};
-
-Point After(const RestartsMeasure& room, size_t count) {
-  Point point;
-  double best = room.scores.front();
-  for (size_t k = 0; k < std::min(count, room.scores.size()); ++k) {
-    point.found = point.found || room.Hits(k);
-    point.cpu_s += room.cpu_s[k];
-    best = std::min(best, room.scores[k]);
-  }
-  point.gap = best - room.Best();
-  return point;
-}
-
-struct CurvePoint {
-  size_t restarts = 0;
-  double rooms_found = 0;
-  double mean_gap = 0;
-  double median_cpu_s = 0;
-};
-
-std::vector<CurvePoint> Curve(const std::vector<RestartsMeasure>& measures) {
-  std::vector<CurvePoint> curve;
-  size_t most = 0;
-  for (const RestartsMeasure& room : measures) most = std::max(most, room.scores.size());
-  for (size_t count = 1; count / 2 < most; count *= 2) {
-    std::vector<double> found, gaps, cpu_s;
-    for (const RestartsMeasure& room : measures) {
-      const Point point = After(room, std::min(count, most));
-      found.push_back(point.found ? 1 : 0);
-      gaps.push_back(point.gap);
-      cpu_s.push_back(point.cpu_s);
-    }
-    curve.push_back({std::min(count, most), Mean(found), Mean(gaps), Quantile(cpu_s, 0.5)});
-  }
-  return curve;
-}
 
 double MeanHitShare(const std::vector<RestartsMeasure>& measures) {
   std::vector<double> shares;
@@ -113,25 +70,22 @@ std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
   text += fmt::format("\n{}; {:.1f} % of single restarts reach the best\n\n", Counted(std::ssize(measures), "room"),
                       100 * MeanHitShare(measures));
   text += curve.Header();
-  for (const CurvePoint& point : Curve(measures)) {
-    text += curve.Row({fmt::format("{}", point.restarts), fmt::format("{:.1f}", 100 * point.rooms_found),
-                       fmt::format("{:.4f}", point.mean_gap), fmt::format("{:.1f}", 1e3 * point.median_cpu_s)});
+  size_t most = 0;
+  for (const RestartsMeasure& room : measures) most = std::max(most, room.scores.size());
+  for (size_t count = 1; count / 2 < most; count *= 2) {
+    // Of each room after its first restarts: whether one of them hit, and how far the best of them is above the best.
+    std::vector<double> found, gaps, cpu_s;
+    for (const RestartsMeasure& room : measures) {
+      const auto end = static_cast<ptrdiff_t>(std::min(count, room.scores.size()));
+      const auto best = std::min_element(room.scores.begin(), room.scores.begin() + end);
+      found.push_back(room.Hits(static_cast<size_t>(best - room.scores.begin())) ? 1 : 0);
+      gaps.push_back(*best - room.Best());
+      cpu_s.push_back(std::accumulate(room.cpu_s.begin(), room.cpu_s.begin() + end, 0.0));
+    }
+    text += curve.Row({fmt::format("{}", std::min(count, most)), fmt::format("{:.1f}", 100 * Mean(found)),
+                       fmt::format("{:.4f}", Mean(gaps)), fmt::format("{:.1f}", 1e3 * Quantile(cpu_s, 0.5))});
   }
   return text;
-}
-
-std::string RestartsToJson(const std::vector<RestartsMeasure>& measures) {
-  Record json{{"hit_share", MeanHitShare(measures)}};
-  for (const CurvePoint& point : Curve(measures)) {
-    json["curve"].push_back({{"restarts", point.restarts},
-                             {"share_of_rooms", point.rooms_found},
-                             {"mean_gap", point.mean_gap},
-                             {"median_cpu_s", point.median_cpu_s}});
-  }
-  for (const RestartsMeasure& room : measures) {
-    json["rooms"].push_back({{"name", room.name}, {"scores", room.scores}, {"cpu_s", room.cpu_s}});
-  }
-  return RecordText(json);
 }
 
 }  // namespace flair::cli

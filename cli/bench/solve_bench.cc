@@ -93,16 +93,6 @@ Record QualityOf(const Message& message) {
   return quality;
 }
 
-// The first stage whose account differs; the metrics and outcomes come after all stages.
-std::string FirstDifference(const v1::SolvedLayout& a, const v1::SolvedLayout& b) {
-  const int count = std::min(a.stage_outcomes_size(), b.stage_outcomes_size());
-  for (int i = 0; i < count; ++i) {
-    const v1::StageOutcome& stage = a.stage_outcomes(i);
-    if (stage.SerializeAsString() != b.stage_outcomes(i).SerializeAsString()) return stage.stage();
-  }
-  return "report";
-}
-
 // The layout that the problem came with, by our own measures.
 void MeasureRecorded(const BenchProblem& problem, const v1::SolveOptions& options, const optimizer::Solver& solver,
                      Record& record) {
@@ -150,35 +140,6 @@ Record StagesOf(const v1::SolvedLayout& layout, const StageTallies& tallies,
                                   {"cpu_s", Quantile(stage_cpu_s[s], 0.5)}};
   }
   return stages;
-}
-
-// "name 1.23, name 1.11, name 0.9": the worst three of those that are not perfect.
-std::string Worst(const std::vector<Record>& solves, const std::string& at, const char* form, double perfect) {
-  std::vector<std::pair<double, std::string>> order;
-  for (const Record& solve : solves) {
-    const double distance = std::abs(*NumberAt(solve, at) - perfect);
-    if (distance > 1e-9) order.emplace_back(distance, solve["name"]);
-  }
-  std::ranges::stable_sort(order, std::greater(), [](const auto& entry) { return entry.first; });
-  std::string text;
-  for (size_t i = 0; i < std::min<size_t>(3, order.size()); ++i) {
-    const double value = perfect > 0 ? perfect - order[i].first : order[i].first;
-    text += fmt::format("{}{} {}", i > 0 ? ", " : "", order[i].second, fmt::format(fmt::runtime(form), value));
-  }
-  return text.empty() ? "none" : text;
-}
-
-std::string WorstRooms(const std::vector<Record>& solves) {
-  std::string text = "worst rooms, and what they have\n";
-  const auto line = [&](const char* name, const std::string& at, const char* form, double perfect) {
-    text += fmt::format("  {:<24} {}\n", name, Worst(solves, at, form, perfect));
-  };
-  line("CPU time, s", "/cpu_s", "{:.3f}", 0);
-  line("missed constraints", "/ours/missed", "{:.0f}", 0);
-  for (const Metric& metric : kMetrics) {
-    line(metric.title, fmt::format("/ours/{}", metric.name), "{:.4g}", metric.less_is_better ? 0 : 1);
-  }
-  return text;
 }
 
 // The measures beside those of the recorded layouts, over the rooms that have one.
@@ -250,8 +211,7 @@ absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1:
     if (!result.ok()) return result.status();
     if (i > 0 && result->layout.SerializeAsString() != measure.layout.SerializeAsString()) {
       return absl::InternalError(
-          fmt::format("solve {} of {} gave another layout than the ones before, from stage {} on", i + 1, repeats,
-                      FirstDifference(measure.layout, result->layout)));
+          fmt::format("solve {} of {} gave another layout than the ones before", i + 1, repeats));
     }
     measure.layout = std::move(result->layout);
     tallies = runner.tallies();
@@ -322,22 +282,11 @@ std::string SolveSummary(const std::vector<Record>& solves, double memory_before
                         fmt::format("{:.0f} %", 100 * mean("cpu_s") / std::max(1e-9, Mean(cpu_s))),
                         fmt::format("{:.1f}", mean("restarts")), fmt::format("{:.0f}", 1e-3 * mean("evaluations"))});
   }
-  return text + "\n" + WorstRooms(solves) + "\n" + BesideRecorded(solves);
+  return text + "\n" + BesideRecorded(solves);
 }
 
-std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures,
-                         double memory_before_MiB) {
-  const std::vector<double> cpu_s = NumbersAt(solves, "/cpu_s");
-  return RecordText({{"rooms", solves},
-                     {"failures", failures},
-                     {"summary",
-                      {{"rooms", solves.size()},
-                       {"cpu_median_s", Quantile(cpu_s, 0.5)},
-                       {"cpu_mean_s", Mean(cpu_s)},
-                       {"cpu_p95_s", Quantile(cpu_s, 0.95)},
-                       {"cpu_most_s", Quantile(cpu_s, 1)},
-                       {"memory_before_mib", memory_before_MiB},
-                       {"memory_peak_mib", PeakMemory_MiB()}}}});
+std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures) {
+  return RecordText({{"rooms", solves}, {"failures", failures}, {"memory_peak_mib", PeakMemory_MiB()}});
 }
 
 }  // namespace flair::cli

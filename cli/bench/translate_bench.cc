@@ -98,23 +98,26 @@ bool IsNamed(const v1::ConstraintEdge& edge, const LabelledBullet& bullet) {
   return false;
 }
 
-TranslateMiss MissOf(const LabelledRoom& room, const LabelledBullet& bullet,
+std::string MissText(const LabelledRoom& room, const LabelledBullet& bullet,
                      const std::vector<v1::ConstraintEdge>& made, const v1::LayoutGraph& translated) {
-  TranslateMiss miss{room.name, bullet.list, bullet.sentence.text(), {}, {}, {}};
+  std::string text = fmt::format("{} {}: {}\n", room.name, bullet.list, bullet.sentence.text());
   for (const TranslateLabel& label : bullet.labels) {
-    std::vector<std::string> alternatives;
+    std::string wanted;
     for (const auto& calls : label.alternatives) {
       std::vector<std::string> texts;
       for (const v1::ConstraintEdge& gold : calls) texts.push_back(CallText(gold.type(), gold.arguments()));
-      alternatives.push_back(fmt::format("{}", fmt::join(texts, " and ")));
+      wanted += fmt::format("{}{}", wanted.empty() ? "" : " or ", fmt::join(texts, " and "));
     }
-    miss.wanted.push_back(alternatives.empty() ? "nothing" : fmt::format("{}", fmt::join(alternatives, " or ")));
+    text += fmt::format("  wanted   {}\n", wanted.empty() ? "nothing" : wanted);
   }
-  for (const v1::ConstraintEdge& edge : made) miss.made.push_back(CallText(edge.type(), edge.arguments()));
+  for (const v1::ConstraintEdge& edge : made) {
+    text += fmt::format("  made     {}\n", CallText(edge.type(), edge.arguments()));
+  }
   for (const v1::Diagnostic& remark : translated.diagnostics()) {
-    if (remark.subject_id() == bullet.sentence.id()) miss.remarks.push_back(remark.code() + ": " + remark.message());
+    if (remark.subject_id() != bullet.sentence.id()) continue;
+    text += fmt::format("  remarked {}: {}\n", remark.code(), remark.message());
   }
-  return miss;
+  return text;
 }
 
 using Tallies = std::map<std::string, TranslateTally>;
@@ -140,24 +143,6 @@ std::string TableText(const std::string& title, const Tallies& tallies) {
   std::string text = table.Header();
   for (const auto& [name, tally] : tallies) text += table.Row(Cells(name, tally));
   return text + "\n";
-}
-
-Record ToJson(const TranslateTally& tally) {
-  Record json{{"labels", tally.Total()}};
-  for (size_t i = 0; i < tally.counts.size(); ++i) json[kTranslateOutcomes[i]] = tally.counts[i];
-  json["correct_share"] = tally.CorrectShare();
-  return json;
-}
-
-Record ToJson(const Tallies& tallies) {
-  Record json = Record::object();
-  for (const auto& [name, tally] : tallies) json[name] = ToJson(tally);
-  return json;
-}
-
-Record ToJson(const TranslateMiss& miss) {
-  return {{"room", miss.room},     {"list", miss.list}, {"sentence", miss.text},
-          {"wanted", miss.wanted}, {"made", miss.made}, {"remarks", miss.remarks}};
 }
 
 }  // namespace
@@ -217,7 +202,7 @@ void AddToScore(const LabelledRoom& room, const v1::LayoutGraph& translated, Tra
       ++score.by_list[bullet.list].counts[outcome];
       ++score.by_room[room.name].counts[outcome];
     }
-    if (!right) score.misses.push_back(MissOf(room, bullet, made, translated));
+    if (!right) score.misses += MissText(room, bullet, made, translated);
   }
 }
 
@@ -259,30 +244,6 @@ std::string TranslateScoreText(const TranslateScore& score, double cpu_ms) {
   if (score.silent > 0) text += Counted(score.silent, "sentence") + " gave neither a call nor a remark\n";
   return text + fmt::format("{:.1f} % of {} labels correct, {:.3f} ms of CPU a label\n", 100 * score.all.CorrectShare(),
                             score.all.Total(), cpu_ms / std::max(1, score.all.Total()));
-}
-
-std::string TranslateMissesText(const TranslateScore& score) {
-  std::string text;
-  for (const TranslateMiss& miss : score.misses) {
-    text += fmt::format("{} {}: {}\n", miss.room, miss.list, miss.text);
-    for (const std::string& wanted : miss.wanted) text += fmt::format("  wanted   {}\n", wanted);
-    for (const std::string& made : miss.made) text += fmt::format("  made     {}\n", made);
-    for (const std::string& remark : miss.remarks) text += fmt::format("  remarked {}\n", remark);
-  }
-  return text;
-}
-
-std::string TranslateScoreToJson(const TranslateScore& score, const std::vector<std::string>& failures, double cpu_ms) {
-  Record json{{"all", ToJson(score.all)},
-              {"by_list", ToJson(score.by_list)},
-              {"by_function", ToJson(score.by_function)},
-              {"by_room", ToJson(score.by_room)},
-              {"silent", score.silent},
-              {"cpu_ms", cpu_ms},
-              {"failures", failures},
-              {"misses", Record::array()}};
-  for (const TranslateMiss& miss : score.misses) json["misses"].push_back(ToJson(miss));
-  return RecordText(json);
 }
 
 }  // namespace flair::cli

@@ -30,16 +30,6 @@ struct TranslateTally {
   double CorrectShare() const { return Total() == 0 ? 1 : static_cast<double>(counts[0]) / Total(); }
 };
 
-// A sentence of which something is not correct, in words.
-struct TranslateMiss {
-  std::string room;
-  std::string list;
-  std::string text;
-  std::vector<std::string> wanted;
-  std::vector<std::string> made;
-  std::vector<std::string> remarks;
-};
-
 struct TranslateScore {
   TranslateTally all;
   // Functions of the reference, "refuse" for what is to be refused.
@@ -48,7 +38,8 @@ struct TranslateScore {
   std::map<std::string, TranslateTally> by_room;
   // Sentences that gave neither a call nor a remark.
   int silent = 0;
-  std::vector<TranslateMiss> misses;
+  // Every sentence of which something is not correct: what is accepted, what was made, what was remarked.
+  std::string misses;
 };
 
 // Whether a made call is the labelled one: the same type, and each labelled argument the same. Types that mean the same
@@ -76,11 +67,5 @@ absl::StatusOr<TranslateScore> MeasureTranslation(const std::vector<LabelledRoom
 
 // Tables by kind of list, by function and by room, and the totals. `cpu_ms` is of all translations together.
 std::string TranslateScoreText(const TranslateScore& score, double cpu_ms);
-
-// Every sentence of which something is not correct: what is accepted, what was made, what was remarked.
-std::string TranslateMissesText(const TranslateScore& score);
-
-// All of it, with the lines that could not be measured.
-std::string TranslateScoreToJson(const TranslateScore& score, const std::vector<std::string>& failures, double cpu_ms);
 
 }  // namespace flair::cli

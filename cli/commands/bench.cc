@@ -143,7 +143,7 @@ absl::Status BenchSolve(const BenchSolveArguments& arguments) {
   if (!solves.empty()) fmt::print("{}", SolveSummary(solves, memory_before_MiB));
   std::fflush(stdout);
   if (!arguments.json.empty()) {
-    RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolvesToJson(solves, failures, memory_before_MiB)));
+    RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolvesToJson(solves, failures)));
   }
   if (!arguments.out.empty() && !solves.empty()) {
     fmt::print("layouts are in {0}: NAME.json for the judge, NAME.pb for flair render {0}/NAME.pb --out NAME.png\n",
@@ -156,8 +156,6 @@ struct BenchResolveArguments : BenchArguments {
   using BenchArguments::BenchArguments;
   int& per_kind =
       Whole("--per-kind N", 1, 1000, 4, "Objects and constraints of a room to edit in each way, 1 to 1000 (4)");
-  int& compare_every = Whole("--compare-every N", 0, 1000000, 0,
-                             "Compare every Nth edit with a solve from nothing, 0 to 1000000 (0: none)");
   bool& list = Flag("--list", "Every edit, a line each");
 };
 
@@ -167,15 +165,13 @@ absl::Status BenchResolve(const BenchResolveArguments& arguments) {
   options.set_thread_count(1);
   std::vector<Record> all;
   const std::vector<Record> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
-    ASSIGN_OR_RETURN(const std::vector<Record> edits,
-                     MeasureResolves(problem, options, arguments.per_kind, arguments.compare_every));
+    ASSIGN_OR_RETURN(const std::vector<Record> edits, MeasureResolves(problem, options, arguments.per_kind));
     all.insert(all.end(), edits.begin(), edits.end());
     if (!arguments.list) return absl::OkStatus();
     for (const Record& edit : edits) {
-      const std::string anew = edit.contains("held_anew") ? fmt::format(" (anew {})", edit["held_anew"].dump()) : "";
-      fmt::print("{:<28}{:<60}{:>8.1f} ms {:>3} moved, {} -> {}{}\n", edit["room"].get<std::string>(),
+      fmt::print("{:<28}{:<60}{:>8.1f} ms {:>3} moved, {} -> {}\n", edit["room"].get<std::string>(),
                  edit["edit"].get<std::string>(), 1e3 * edit["cpu_s"].get<double>(), edit["moved"].dump(),
-                 edit["held_before"].dump(), edit["held_after"].dump(), anew);
+                 edit["held_before"].dump(), edit["held_after"].dump());
     }
     return absl::OkStatus();
   });
@@ -187,12 +183,10 @@ struct BenchRestartsArguments : BenchArguments {
   using BenchArguments::BenchArguments;
   int& restarts = Whole("--restarts N", 1, 10000, 64, "Restarts of the primary stage of each problem, 1 to 10000 (64)");
   int64_t& seed = SeedNumber("Other restarts (0)");
-  std::string& json = Text("--json FILE", "Curve and every restart, for programs");
 };
 
 absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
   ASSIGN_OR_RETURN(const std::vector<ProblemFile> files, ListProblemFiles(arguments.problems));
-  RETURN_IF_ERROR(CheckOutputFile(arguments.json));
   v1::SolveOptions options;
   options.set_seed(arguments.seed);
   std::vector<RestartsMeasure> measures;
@@ -202,9 +196,6 @@ absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
     return absl::OkStatus();
   });
   if (!measures.empty()) fmt::print("{}", RestartsTable(measures));
-  if (!measures.empty() && !arguments.json.empty()) {
-    RETURN_IF_ERROR(WriteOutputFile(arguments.json, RestartsToJson(measures)));
-  }
   return AllMeasured(failures, files);
 }
 
@@ -272,10 +263,8 @@ struct BenchTranslateArguments : Options {
   std::string& labels = Required("DIR", "Folder of .jsonl labels, or one file of them");
   std::string& rooms = Text("--rooms DIR", "Folder of the recorded rooms; by default in DIR or beside it");
   bool& misses = Flag("--misses", "List every sentence of which something is not correct");
-  std::string& json = Text("--json FILE", "All figures and misses, for programs");
   std::string& address = Text("--translator HOST:PORT", "Translate there, not in this process");
   LlmFlags llm{command()};
-  bool& all_types = Flag("--all-types", "Offer the whole catalogue; by default only the types that labels can name");
 };
 
 // The model that the flags name; none without them, whatever $FLAIR_LLM says: the grammar is what is measured then.
@@ -315,18 +304,13 @@ absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
   ASSIGN_OR_RETURN(const TranslateLabels labels, ReadTranslateLabels(arguments.labels, arguments.rooms));
   for (const std::string& failure : labels.failures) fmt::print(stderr, "{}\n", failure);
   ASSIGN_OR_RETURN(const OptionalLlm model, ReadModel(arguments));
-  const v1::ConstraintCatalog& all = optimizer::MakeCatalog();
   const double started = ProcessCpu_s();
-  ASSIGN_OR_RETURN(
-      const TranslateScore score,
-      Measure(labels.rooms, arguments.all_types ? all : TypesOfTheReference(all), arguments.address, model));
+  ASSIGN_OR_RETURN(const TranslateScore score,
+                   Measure(labels.rooms, TypesOfTheReference(optimizer::MakeCatalog()), arguments.address, model));
   const double cpu_ms = 1e3 * (ProcessCpu_s() - started);
-  if (arguments.misses) fmt::print("{}\n", TranslateMissesText(score));
+  if (arguments.misses) fmt::print("{}\n", score.misses);
   fmt::print("{}", TranslateScoreText(score, cpu_ms));
   std::fflush(stdout);
-  if (!arguments.json.empty()) {
-    RETURN_IF_ERROR(WriteOutputFile(arguments.json, TranslateScoreToJson(score, labels.failures, cpu_ms)));
-  }
   if (labels.failures.empty()) return absl::OkStatus();
   return absl::InvalidArgumentError(fmt::format(
       "{} could not be measured", Counted(std::ssize(labels.failures), "line of labels", "lines of labels")));

@@ -187,9 +187,9 @@ TEST_F(SolverBadInput, Bench) {
     ExpectRefused({"bench", kind, "@nothing"}, cli::kExitBadInput, "@nothing: No such file or directory");
     ExpectRefused({"bench", kind, "@empty"}, cli::kExitBadInput, "@empty: no .json or .pb files in it");
   }
+  ExpectRefused({"bench", "solve", "@problems", "--json", "/proc/flair/x.json"}, cli::kExitFiles, "/proc");
+  ExpectRefused({"bench", "solve", "@problems", "--json", "@empty"}, cli::kExitFiles, "@empty: is a folder");
   for (const char* kind : {"solve", "restarts"}) {
-    ExpectRefused({"bench", kind, "@problems", "--json", "/proc/flair/x.json"}, cli::kExitFiles, "/proc");
-    ExpectRefused({"bench", kind, "@problems", "--json", "@empty"}, cli::kExitFiles, "@empty: is a folder");
     ExpectRefused({"bench", kind, "@problems", "--restarts", "0"}, cli::kExitBadInput, "--restarts");
   }
   ExpectRefused({"bench", "solve", "@problems", "--out", "/proc/flair"}, cli::kExitFiles, "--out: /proc/flair: ");

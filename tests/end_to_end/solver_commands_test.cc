@@ -177,15 +177,15 @@ void ExpectAligned(const std::string& text) {
 }
 
 TEST_F(SolverCommands, BenchTablesAreAlignedAndHoldEveryRoom) {
-  const Finished resolve = Good({"bench", "resolve", Room(""), "--per-kind", "1", "--compare-every", "5"});
-  const Finished restarts = Good({"bench", "restarts", Room(""), "--restarts", "8", "--json", Path("restarts.json")});
+  const Finished resolve = Good({"bench", "resolve", Room(""), "--per-kind", "1"});
+  const Finished restarts = Good({"bench", "restarts", Room(""), "--restarts", "8"});
   const Finished solve = Good({"bench", "solve", Room("")});
   for (const Finished* run : {&resolve, &restarts, &solve}) {
     EXPECT_THAT(run->out, AllOf(HasSubstr("\nhall "), HasSubstr("\ntea_room ")));
     ExpectAligned(run->out);
   }
   EXPECT_THAT(resolve.out, HasSubstr("\nall: move "));
-  EXPECT_EQ(json::parse(ReadAll(Path("restarts.json")))["rooms"][1]["scores"].size(), 8u);
+  EXPECT_THAT(restarts.out, HasSubstr("\n8 "));
 }
 
 TEST_F(SolverCommands, BenchListsWhatItCannotReadMeasuresTheRestAndEndsWithAnError) {
