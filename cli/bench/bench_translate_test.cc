@@ -175,7 +175,7 @@ TEST_F(BenchTranslateTest, BadLabelsSayWhatIsWrong) {
   EXPECT_THAT(WhyNot(R"({"room": "palace", "list": "tertiary", "sentence": "s", "gold": []})"),
               HasSubstr("no palace.json"));
   EXPECT_THAT(WhyNot(R"({"room": "../cabin", "list": "tertiary", "sentence": "s", "gold": []})"),
-              HasSubstr("not a file's name"));
+              HasSubstr("not a file name"));
 }
 
 TEST_F(BenchTranslateTest, FoldersWithoutLabelsAreRefused) {

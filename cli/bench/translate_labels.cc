@@ -98,7 +98,7 @@ struct Line {
 absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
   for (const char* key : {"list", "sentence"}) {
     if (!record.contains(key) || !record[key].is_string()) {
-      return absl::InvalidArgumentError(fmt::format("{}: missing; wanted is a text", key));
+      return absl::InvalidArgumentError(fmt::format("{}: missing; expected a text", key));
     }
   }
   Line line{record.value("bullet", record["sentence"].get<std::string>()), record["list"], {}, {}};
@@ -113,7 +113,7 @@ absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
   line.label.text = record["sentence"];
   line.label.function = "refuse";
   if (!record.contains("gold") || !record["gold"].is_array()) {
-    return absl::InvalidArgumentError("gold: missing; wanted is a list of alternatives, empty to refuse");
+    return absl::InvalidArgumentError("gold: missing; expected a list of alternatives, empty to refuse");
   }
   for (const json& alternative : record["gold"]) {
     std::vector<v1::ConstraintEdge>& calls = line.label.alternatives.emplace_back();
@@ -175,8 +175,7 @@ class Reader {
 
   absl::StatusOr<const v1::LayoutGraph*> Room(const std::string& name) {
     if (const auto known = graphs_.find(name); known != graphs_.end()) return &known->second;
-    if (name.empty() || name.find('/') != std::string::npos)
-      return absl::InvalidArgumentError("room: not a file's name");
+    if (name.empty() || name.find('/') != std::string::npos) return absl::InvalidArgumentError("room: not a file name");
     for (const fs::path& folder : folders_) {
       const absl::StatusOr<std::string> text = ReadFile(folder / (name + ".json"));
       if (!text.ok()) continue;
@@ -226,7 +225,7 @@ absl::StatusOr<std::string> ReadGoldObject(const json& index, const v1::LayoutGr
   const bool known = std::any_of(objects.begin(), objects.end(), [&](const auto& object) { return object.id() == id; });
   if (known) return id;
   return absl::NotFoundError(
-      fmt::format("the room has no object {}; wanted is an index such as 3 or \"t3\"", Text(index)));
+      fmt::format("the room has no object {}; expected an index such as 3 or \"t3\"", Text(index)));
 }
 
 absl::StatusOr<v1::ConstraintEdge> ReadGoldCall(const json& call, const v1::LayoutGraph& room) {

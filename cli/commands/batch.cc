@@ -24,9 +24,9 @@ namespace {
 struct LineFlags : JobFlags {
   explicit LineFlags(CLI::App& command)
       : JobFlags(command,
-                 {{"brief.seed", "Seed of lines without one (0)"},
+                 {{"brief.seed", "Random seed for lines without one (0)"},
                   {"renderer.size", "Longer side of the pictures in pixels, 256 to 8192 (plan 1600, views 1024)"},
-                  {"optimizer.variants", "Layouts that differ visibly, 1 to 32 (1)"},
+                  {"optimizer.variants", "Number of visibly different layouts, 1 to 32 (1)"},
                   {"optimizer.restarts"},
                   {"optimizer.threads", "Threads of each solve, 1 to 256 (1); changes no result"}},
                  "Defaults for lines that do not set them") {}
@@ -34,7 +34,7 @@ struct LineFlags : JobFlags {
   std::vector<std::string>& views =
       Commas("--view A,B", "Pictures: plan, birdseye, perspective, separated by commas (plan)");
   bool& no_completion =
-      Flag("--no-completion", "Do not add what follows from use, such as a chair drawn up to its desk");
+      Flag("--no-completion", "Do not add relations that follow from use, such as a chair drawn up to its desk");
   std::vector<std::string>& options =
       List("--set NAME=VALUE", "Any other option, as for flair replay: optimizer.path_width=0.7");
 };

@@ -33,7 +33,7 @@ struct NamedArguments : ActionArguments {
 };
 struct BatchListArguments : ActionArguments {
   using ActionArguments::ActionArguments;
-  int& count = Whole("-n,--count N", 1, 100000, 20, "Most batches to list, 1 to 100000 (20)");
+  int& count = Whole("-n,--count N", 1, 100000, 20, "Maximum number of batches to list, 1 to 100000 (20)");
 };
 struct WatchArguments : NamedArguments {
   using NamedArguments::NamedArguments;
@@ -261,8 +261,9 @@ void AddBatchActions(const Commands& batch) {
             "Delete a batch that has ended, its jobs, and the artifacts that no other job has; what was collected in a "
             "DIR stays.",
             Act<DeleteBatch, DeleteArguments>);
-  batch.Add("report", "Failures, measures, times and tokens of a batch; of a DIR, without a server.", ReportBatch);
-  batch.Add("list", "Batches, newest first.", ListBatches);
+  batch.Add("report", "Show the failures, measures, times and tokens of a batch; for a DIR, without a server.",
+            ReportBatch);
+  batch.Add("list", "List batches, newest first.", ListBatches);
 }
 
 }  // namespace flair::cli

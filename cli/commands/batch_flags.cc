@@ -118,7 +118,7 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session) 
                     name));
   }
   return absl::InvalidArgumentError(
-      fmt::format("{}: {} batches have ids that begin like this, such as {} and {}; give more of it", name,
+      fmt::format("{}: {} batches have ids that begin like this, such as {} and {}; give more characters", name,
                   fitting.size(), fitting[0].id(), fitting[1].id()));
 }
 

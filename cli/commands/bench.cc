@@ -74,14 +74,14 @@ absl::Status AllMeasured(const std::vector<Record>& failures, const std::vector<
 struct BenchSolveArguments : BenchArguments {
   using BenchArguments::BenchArguments;
   std::string& out = Text("-o,--out DIR", "Folder for the layouts, as .pb and in the FlairGPT format");
-  std::string& json = Text("--json FILE", "All figures, for programs");
-  std::vector<std::string>& only = List("--only NAME", "These problems only, by file name without ending");
+  std::string& json = Text("--json FILE", "Write all figures as JSON");
+  std::vector<std::string>& only = List("--only NAME", "Only these problems, by file name without extension");
   int& threads = Whole("--threads N", 1, 256, 1, "Threads of the solver, 1 to 256 (1); changes no result");
   int& repeats = Whole("--repeat N", 1, 1000, 1, "Solves of each problem, 1 to 1000 (1); the median counts");
   int64_t& seed = SeedNumber("Seed; another seed gives another layout (0)");
   std::optional<int>& restarts =
-      Whole("--restarts N", 1, 10000, "Most restarts per stage, 1 to 10000 (by the stage's size)");
-  bool& complete = Flag("--complete", "Add what follows from how one uses the pieces, as a design does");
+      Whole("--restarts N", 1, 10000, "Maximum number of restarts per stage, 1 to 10000 (by the stage's size)");
+  bool& complete = Flag("--complete", "Add relations that follow from use, as a design does");
 };
 
 // NAME.json for the judge of the reference data, NAME.pb for flair render and flair inspect.
@@ -156,7 +156,7 @@ struct BenchResolveArguments : BenchArguments {
   using BenchArguments::BenchArguments;
   int& per_kind =
       Whole("--per-kind N", 1, 1000, 4, "Objects and constraints of a room to edit in each way, 1 to 1000 (4)");
-  bool& list = Flag("--list", "Every edit, a line each");
+  bool& list = Flag("--list", "List every edit");
 };
 
 absl::Status BenchResolve(const BenchResolveArguments& arguments) {
@@ -204,15 +204,15 @@ constexpr size_t kMostRooms = 10000;
 struct BenchRenderArguments : Options {
   using Options::Options;
   std::string& folder = Required("DIR", "Folder of designs, at any depth");
-  int& repeats = Whole("--repeat N", 1, 100, RenderBench().repeat_count,
-                       "Times that each is drawn, 1 to 100 (3); the quickest counts");
+  int& repeats =
+      Whole("--repeat N", 1, 100, RenderBench().repeat_count, "Times to draw each, 1 to 100 (3); the fastest counts");
   int& size_px = Whole("--size PX", 256, 4096, RenderBench().view_size_px,
                        "Longer side of the bird's-eye view in pixels, 256 to 4096 (1024)");
   int& samples = Whole("--samples N", 1, 4096, RenderBench().sample_count, "Its light paths per pixel, 1 to 4096 (16)");
   int& threads = Whole("--threads N", 1, 256, RenderBench().thread_count, "Its threads, 1 to 256 (2)");
-  bool& no_views = Flag("--no-views", "Leave the views out");
-  bool& list = Flag("--list", "Every room, a line each");
-  std::string& json = Text("--json FILE", "Write all figures there");
+  bool& no_views = Flag("--no-views", "Skip the views");
+  bool& list = Flag("--list", "List every room");
+  std::string& json = Text("--json FILE", "Write all figures as JSON");
 };
 
 absl::Status BenchRender(const BenchRenderArguments& arguments) {
@@ -262,8 +262,8 @@ struct BenchTranslateArguments : Options {
   using Options::Options;
   std::string& labels = Required("DIR", "Folder of .jsonl labels, or one file of them");
   std::string& rooms = Text("--rooms DIR", "Folder of the recorded rooms; by default in DIR or beside it");
-  bool& misses = Flag("--misses", "List every sentence of which something is not correct");
-  std::string& address = Text("--translator HOST:PORT", "Translate there, not in this process");
+  bool& misses = Flag("--misses", "List every sentence with a mistake");
+  std::string& address = Text("--translator HOST:PORT", "Use this server instead of the built-in translator");
   LlmFlags llm{command()};
 };
 
@@ -324,7 +324,7 @@ void AddBench(const Commands& program) {
   bench.Add("render", "Draw the layouts of a folder: CPU of plans, bird's-eye views and scenes.", BenchRender);
   bench.Add("resolve", "Edit solved layouts of a folder's problems: times, moves, constraints that hold.",
             BenchResolve);
-  bench.Add("restarts", "After how many restarts the best primary layout of many is found.", BenchRestarts);
+  bench.Add("restarts", "Measure how many restarts it takes to find the best primary layout.", BenchRestarts);
   bench.Add("translate", "Translate labelled sentences of recorded rooms: correct, wrong, missed, wrongly refused.",
             BenchTranslate);
 }

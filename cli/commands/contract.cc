@@ -27,9 +27,9 @@ struct ContractArguments : Options {
   using Options::Options;
   std::string& stage = Word("STAGE", StageNames(), fmt::format("The stage: {}", fmt::join(StageNames(), ", ")), "");
   std::string& target = Text("--target ADDRESS", "The server, HOST:PORT or unix:PATH");
-  std::string& only = Text("--only TEXT", "Only checks whose names contain this");
+  std::string& only = Text("--only TEXT", "Only the checks whose names contain TEXT");
   double& patience_s = Decimal("--patience S", 0.1, 3600, 20,
-                               "Seconds that a call may take before the server counts as silent, 0.1 to 3600 (20)");
+                               "Seconds to wait for an answer before the server counts as silent, 0.1 to 3600 (20)");
   int& max_message_mib =
       Whole("--max-message-mib MIB", 4, 1024, 32, "The largest message that the server accepts, 4 to 1024 MiB (32)");
   bool& list = Flag("--list", "List the promises, without a server");

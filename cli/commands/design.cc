@@ -39,14 +39,14 @@ struct DesignArguments : Options {
   std::string& room =
       Text("--room FILE",
            "Furnish this room instead of describing one: a Room as .json, .textproto or artifact (docs/rooms.md)");
-  JobFlags job{
-      command(),
-      {{"brief.seed"},
-       {"renderer.size", "Longer side of plan.png in pixels, 256 to 8192 (1600)"},
-       {"optimizer.threads"},
-       {"optimizer.restarts"},
-       {"optimizer.variants",
-        "Layouts that differ visibly, 1 to 32 (1), best first: also writes layout-2.pb, ... and variants.png"}}};
+  JobFlags job{command(),
+               {{"brief.seed"},
+                {"renderer.size", "Longer side of plan.png in pixels, 256 to 8192 (1600)"},
+                {"optimizer.threads"},
+                {"optimizer.restarts"},
+                {"optimizer.variants",
+                 "Number of visibly different layouts, 1 to 32 (1), best first: also writes layout-2.pb, ... and "
+                 "variants.png"}}};
   std::vector<std::string>& views =
       Commas("--view A,B", "Further pictures in DIR: birdseye, perspective, separated by commas");
   std::string& orchestrator =
@@ -55,7 +55,7 @@ struct DesignArguments : Options {
   LlmFlags llm{command()};
   ModelFlags model{command()};
   bool& no_completion =
-      Flag("--no-completion", "Do not add what follows from use, such as a chair drawn up to its desk");
+      Flag("--no-completion", "Do not add relations that follow from use, such as a chair drawn up to its desk");
   bool& json = Flag("--json", "Events as JSON lines on standard output");
   bool& quiet = Flag("-q,--quiet", "Print nothing but errors", {"--json"});
 };
@@ -176,8 +176,8 @@ absl::Status Design(const DesignArguments& arguments) {
 void AddDesign(const Commands& program) {
   program.Add("design", "Design a room from a sentence.", Design,
               "DIR gets plan.png, the pictures of --view, report.md and each stage's artifact as .pb and .json. It is "
-              "written at the end, completely or not at all; other files in it stay. After an interruption run the "
-              "command again: finished stages are not repeated.");
+              "written at the end, completely or not at all; other files in it stay. After an interruption, repeat the "
+              "command: finished stages are not run again.");
 }
 
 }  // namespace flair::cli

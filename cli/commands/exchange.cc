@@ -37,7 +37,7 @@ struct ImportFlairGptArguments : Options {
   using Options::Options;
   std::string& in = Required("ROOM", "Its .json");
   std::string& out = Required("-o,--out FILE", "Where the graph (.pb) goes");
-  bool& complete = Flag("--complete", "Add what follows from how one uses the pieces, as a design does");
+  bool& complete = Flag("--complete", "Add relations that follow from use, as a design does");
 };
 
 absl::Status ImportFlairGpt(const ImportFlairGptArguments& arguments) {
@@ -221,17 +221,18 @@ absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
 }  // namespace
 
 void AddImport(const Commands& program) {
-  const Commands import = program.Group("import", "Problems of other systems as graphs.");
-  import.Add("flairgpt", "A recorded problem of the released implementation.", ImportFlairGpt);
-  import.Add("answers", "What a model wrote for a recorded room, as answers that a design replays.", ImportAnswersOf,
+  const Commands import = program.Group("import", "Import problems of other systems as graphs.");
+  import.Add("flairgpt", "Import a recorded problem of the released implementation.", ImportFlairGpt);
+  import.Add("answers", "Import what a model wrote for a recorded room, as answers that a design can replay.",
+             ImportAnswersOf,
              "DIR gets one file for each question with its answer, brief.json, and remarks.txt with every line of "
              "the recorded texts that has no place in a typed answer, and why. The answers belong to the prompts, "
              "the handbook and the catalogue of this version.");
 }
 
 void AddExportFlairGpt(const Commands& program) {
-  program.Group("export", "Layouts in the format of the released implementation.")
-      .Add("flairgpt", "Poses as the released implementation writes them.", ExportFlairGpt);
+  program.Group("export", "Export layouts in the format of the released implementation.")
+      .Add("flairgpt", "Export poses as the released implementation writes them.", ExportFlairGpt);
 }
 
 }  // namespace flair::cli

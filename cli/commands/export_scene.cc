@@ -96,9 +96,9 @@ absl::Status ExportGlb(const ExportGlbArguments& arguments) {
 }  // namespace
 
 void AddExport(const Commands& program) {
-  const Commands exports = program.Group("export", "Layouts as 3D scenes, for other programs.");
-  exports.Add("scene", "The furnished room in three dimensions, for Blender, Unity, Unreal and browsers.", ExportGlb);
-  exports.Add("sceneeval", "SceneState JSON, as the benchmark SceneEval reads it.", ExportSceneState);
+  const Commands exports = program.Group("export", "Export layouts as 3D scenes, for other programs.");
+  exports.Add("scene", "Export the furnished room as a 3D scene, for Blender, Unity, Unreal and browsers.", ExportGlb);
+  exports.Add("sceneeval", "Export SceneState JSON for the benchmark SceneEval.", ExportSceneState);
 }
 
 }  // namespace flair::cli

@@ -32,9 +32,10 @@ struct InspectArguments : Options {
   bool& json = Flag("--json", "As --format json", {"--format"});
   std::string& field =
       Text("--field PATH", "Only this part, such as solved_layout.placements[3].theta_rad or placements[desk]");
-  bool& calls = Flag("--calls", "What a language model was asked, and its answers", {"--field"});
-  bool& provenance = Flag("--provenance", "Everything it was made from, back to the brief", {"--field", "--calls"});
-  bool& all = Flag("--all", "All rows of long tables");
+  bool& calls = Flag("--calls", "Show what a language model was asked and answered", {"--field"});
+  bool& provenance =
+      Flag("--provenance", "Show everything it was made from, back to the brief", {"--field", "--calls"});
+  bool& all = Flag("--all", "Print all rows of long tables");
   std::string& out =
       Text("-o,--out FILE", "Write it to FILE; the extension chooses the form: .pb, .json or .textproto");
   SourceFlags from{command()};
@@ -121,7 +122,7 @@ struct ExplainArguments : Options {
   std::string& object = Text("--object", "Only this one, by id or name such as \"dining chair 2\", in full");
   bool& all = Flag("--all", "Every constraint of every object; by default those with a reason and those violated");
   bool& json = Flag("--json", "As JSON, with every constraint");
-  std::string& optimizer = Text("--optimizer HOST:PORT", "Word constraints as this server does, not as ours");
+  std::string& optimizer = Text("--optimizer HOST:PORT", "Describe constraints in the words of this server");
 };
 
 absl::Status Explain(const ExplainArguments& arguments) {

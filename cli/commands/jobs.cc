@@ -35,7 +35,7 @@ struct JobsArguments : Options {
 };
 struct JobListArguments : JobsArguments {
   using JobsArguments::JobsArguments;
-  int& count = Whole("-n,--count N", 1, 100000, 20, "Most jobs to list, 1 to 100000 (20)");
+  int& count = Whole("-n,--count N", 1, 100000, 20, "Maximum number of jobs to list, 1 to 100000 (20)");
 };
 struct JobArguments : JobsArguments {
   using JobsArguments::JobsArguments;
@@ -112,10 +112,10 @@ absl::Status InSession(const Arguments& arguments) {
 struct ReplayArguments : Options {
   using Options::Options;
   std::string& job_id = Required("JOB", "Id of the job, as flair jobs prints it");
-  std::string& from =
-      Text("--from STAGE",
-           "Run from this stage on, take the rest from JOB: brief, room, zones, objects, style, constraints, "
-           "cleaning, translation, solve, render (all; with --set, the first that the options affect)");
+  std::string& from = Text(
+      "--from STAGE",
+      "Run from this stage on, take the rest from JOB: brief, room, zones, objects, style, constraints, "
+      "cleaning, completion, translation, solve, render, report (all; with --set, the first that the options affect)");
   std::vector<std::string>& options =
       List("--set NAME=VALUE",
            "An option to change, such as optimizer.restarts=500; \"NAME=\" restores the default; may be repeated");
@@ -266,8 +266,8 @@ absl::Status Replay(const ReplayArguments& arguments) {
 
 void AddJobs(const Commands& program) {
   const Commands jobs = program.Add("jobs", "List past and running jobs.", InSession<ListJobs, JobListArguments>);
-  jobs.Add("list", "Jobs, newest first (the default).", InSession<ListJobs, JobListArguments>);
-  jobs.Add("show", "One job.", InSession<ShowOneJob, JobArguments>);
+  jobs.Add("list", "List jobs, newest first (the default).", InSession<ListJobs, JobListArguments>);
+  jobs.Add("show", "Show a job.", InSession<ShowOneJob, JobArguments>);
   jobs.Add("cancel", "Cancel a job.", InSession<CancelJob, JobArguments>);
   jobs.Add("delete", "Delete a job that has ended, with the artifacts that no other job has. Files that it wrote stay.",
            InSession<DeleteJob, JobArguments>);

@@ -284,11 +284,11 @@ struct TokenArguments : Options {
   std::string& name = Required("NAME", "Name of the caller; its jobs belong to this name");
   std::string& out =
       Text("--token-out FILE", "Write the token to a new file that only you can read, instead of the terminal");
-  int& open_job_limit =
-      Whole("--open-jobs N", 0, 1000000, 0, "Most jobs that may wait or run at once, 0 to 1000000 (0: no limit)");
+  int& open_job_limit = Whole("--open-jobs N", 0, 1000000, 0,
+                              "Maximum number of jobs that may wait or run at once, 0 to 1000000 (0: no limit)");
   int& calls_per_minute_limit =
-      Whole("--calls-per-minute N", 0, 1000000, 0, "Most calls a minute, 0 to 1000000 (0: no limit)");
-  bool& is_operator = Flag("--operator", "An operator: may see and do everything");
+      Whole("--calls-per-minute N", 0, 1000000, 0, "Maximum number of calls per minute, 0 to 1000000 (0: no limit)");
+  bool& is_operator = Flag("--operator", "Make it an operator's token, which may see and do everything");
 };
 
 absl::StatusOr<std::string> NewToken() {
@@ -338,11 +338,11 @@ absl::Status New(const TokenArguments& arguments) {
 
 void AddDoctor(const Commands& program) {
   program.Add("doctor", "Check what is installed, reachable and configured, and say how to fix the rest.", Examine,
-              "Asks a configured model one tiny question. Exits with 0 when nothing is wrong, otherwise with 1.");
+              "Asks a configured model one short question. Exits with 0 when nothing is wrong, otherwise with 1.");
 }
 
 void AddHealth(const Commands& program) {
-  program.Add("health", "Ask whether a server is serving, by the gRPC health protocol.", Health,
+  program.Add("health", "Check whether a server is serving, by the gRPC health protocol.", Health,
               "Exits with 0 when it serves, with 3 when it does not or cannot be reached, with 2 when it has no such "
               "service. Works with any gRPC server that has grpc.health.v1.Health.");
 }

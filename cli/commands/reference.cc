@@ -124,7 +124,7 @@ void AddProtocol(const Commands& program) {
 }
 
 void AddPrompts(const Commands& program) {
-  program.Add("prompts", "Write the prompts for language models, to change them.", WritePrompts,
+  program.Add("prompts", "Write the prompts for language models to files, for you to change.", WritePrompts,
               "Keep the files that you change and delete the others, so that those of the installed version are used.");
 }
 

@@ -87,7 +87,7 @@ absl::Status Solve(const SolveArguments& arguments) {
     fmt::print(stderr, "{:<11}{}\n", "variants", FewerVariants(layouts.size(), request.options().variant_count()));
   }
   if (arguments.out.empty()) {
-    fmt::print(stderr, "{:<11}--out FILE keeps the layout\n", "next");
+    fmt::print(stderr, "{:<11}--out FILE saves the layout\n", "next");
   } else {
     fmt::print(stderr, "{:<11}flair render {} --out plan.png\n", "next", arguments.out);
   }

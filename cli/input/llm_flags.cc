@@ -32,9 +32,9 @@ constexpr FlagField kFlagFields[] = {
     {"base_url", nullptr, "--base-url URL",
      "Its server, such as https://api.openai.com/v1 or http://127.0.0.1:11434/v1"},
     {"api_key_env", "api_key_path", "--api-key-env VAR", "Environment variable that holds the key (none)"},
-    {"record_path", "replay_path", "--record DIR", "Write all questions and answers to this folder"},
-    {"replay_path", "record_path", "--replay DIR", "Take all answers from this folder; no network"},
-    {"cache_path", nullptr, "--cache DIR", "Keep answers in this folder, so that nothing is asked twice"},
+    {"record_path", "replay_path", "--record DIR", "Record all questions and answers in this folder"},
+    {"replay_path", "record_path", "--replay DIR", "Take all answers from this folder, without a network"},
+    {"cache_path", nullptr, "--cache DIR", "Cache answers in this folder, so that no question is asked twice"},
     {"prompts_path", nullptr, "--prompts DIR", "Your own prompts, which replace ours of the same name (flair prompts)"},
 };
 
