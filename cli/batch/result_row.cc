@@ -49,12 +49,12 @@ std::vector<ResultColumn> MakeColumns() {
       {"pathway_cost_m3", kReal, "[Paper] pathway cost"},
       {"deepest_overlap_m", kReal, "deepest overlap, metres"},
       {"oob_3d_percent", kReal, "volume outside the room, percent of its volume"},
-      {"oor_3d_percent", kReal, "volume of overlaps of everything with everything, percent of the room's volume"},
+      {"oor_3d_percent", kReal, "volume of all overlaps, percent of the room's volume"},
       {"deepest_overlap_3d_m", kReal, "the deepest of these, metres"},
       {"unsupported_count", kInteger, "pieces that nothing holds"},
-      {"use_count", kInteger, "sentences that say how one uses a piece"},
-      {"met_use_count", kInteger, "of these, the ones that hold"},
-      {"findings", kText, "what cannot be so in a real room and which uses are not met, in words"},
+      {"use_count", kInteger, "sentences that say how a piece is used"},
+      {"met_use_count", kInteger, "of these, those that hold"},
+      {"findings", kText, "physical faults and uses that are not met, in words"},
       {"satisfied_count", kInteger, "constraints that hold"},
       {"violated_count", kInteger, "constraints that do not"},
       {"dropped_count", kInteger, "constraints left out of the problem"},
@@ -71,7 +71,7 @@ std::vector<ResultColumn> MakeColumns() {
   for (const char* artifact :
        {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed",
         "graph", "layout", "picture", "picture_2", "picture_3", "picture_4", "picture_5", "report"}) {
-    columns.push_back({fmt::format("{}_sha256", artifact), kText, "digest, which is the id, of this artifact"});
+    columns.push_back({fmt::format("{}_sha256", artifact), kText, "digest of this artifact, which is its id"});
   }
   columns.insert(columns.end(), {{"path", kText, "folder or tar file with the job's files, relative to DIR"},
                                  {"size_bytes", kInteger, "size of the kept files"},
