@@ -168,7 +168,7 @@ TEST_F(BenchTranslateTest, BadLabelsSayWhatIsWrong) {
   EXPECT_THAT(WhyNot(Line(R"([[{"function": "ind_accessible", "objects": [0], "params": {"sides": ["up"]}}]])")),
               HasSubstr("unknown side \"up\""));
   EXPECT_THAT(WhyNot(Line("[[]]")), HasSubstr("an alternative without calls"));
-  EXPECT_THAT(WhyNot(Line("[[3]]")), HasSubstr("3 is no call"));
+  EXPECT_THAT(WhyNot(Line("[[3]]")), HasSubstr("3 is not a call"));
   EXPECT_THAT(WhyNot(Line("7")), HasSubstr("gold: missing"));
   EXPECT_THAT(WhyNot(R"({"room": "cabin", "list": "gossip", "sentence": "s", "gold": []})"),
               HasSubstr("unknown list gossip"));

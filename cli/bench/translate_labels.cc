@@ -231,7 +231,7 @@ absl::StatusOr<std::string> ReadGoldObject(const json& index, const v1::LayoutGr
 absl::StatusOr<v1::ConstraintEdge> ReadGoldCall(const json& call, const v1::LayoutGraph& room) {
   if (!call.is_object() || !call.contains("function") || !call["function"].is_string() || !call.contains("objects") ||
       !call["objects"].is_array()) {
-    return absl::InvalidArgumentError(fmt::format("gold: {} is no call with function and objects", Text(call)));
+    return absl::InvalidArgumentError(fmt::format("gold: {} is not a call with function and objects", Text(call)));
   }
   const std::string name = call["function"];
   const FlairGptFunction* function = evaluation::FindFlairGptFunction(evaluation::CanonicalFlairGptName(name));

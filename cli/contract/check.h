@@ -52,8 +52,8 @@ Finding Skipped(std::string reason);
 std::string StatusText(const absl::Status& status);
 
 struct Check {
-  // What holds when it is kept, as a sentence without full stop: "A width that is no number is refused". Unique in its
-  // stage.
+  // What holds when it is kept, as a sentence without full stop: "A width that is not a number is refused". Unique in
+  // its stage.
   std::string name;
   Promise promise = checks::v1::PROMISE_MESSAGES;
   // What is sent and what would be right, for reports.

@@ -122,7 +122,7 @@ std::string ArgumentsFault(const v1::ConstraintType& type, const Arguments& argu
   for (const v1::Argument& argument : arguments) {
     const auto parameter = std::ranges::find(type.parameters(), argument.name(), &v1::ParameterSpec::name);
     if (parameter == type.parameters().end()) {
-      return fmt::format("\"{}\" is no parameter of {}", argument.name(), type.name());
+      return fmt::format("\"{}\" is not a parameter of {}", argument.name(), type.name());
     }
     if (!given.insert(argument.name()).second) return fmt::format("\"{}\" is given twice", argument.name());
     const std::string fault = ValueFault(*parameter, argument.value(), graph);
@@ -140,7 +140,7 @@ std::string ParameterFault(const v1::ParameterSpec& parameter) {
   if (parameter.doc().empty()) return "has no doc";
   const bool numeric = parameter.kind() == v1::PARAMETER_KIND_NUMBER;
   if (!numeric && (parameter.has_min_number() || parameter.has_max_number() || !parameter.unit().empty())) {
-    return "has a range or a unit, but is no number";
+    return "has a range or a unit, but is not a number";
   }
   if (numeric && parameter.unit() != "m" && parameter.unit() != "rad" && !parameter.unit().empty()) {
     return fmt::format("has the unit \"{}\"; it must be \"m\", \"rad\" or \"\"", parameter.unit());

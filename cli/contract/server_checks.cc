@@ -199,8 +199,8 @@ Checks ServerChecks(const Sample& sample) {
        Of(sample, TakesLargeMessages)},
       {"A message over the limit is refused", data::PROMISE_SIZE, sample.what, "RESOURCE_EXHAUSTED",
        Of(sample, RefusesTooLargeMessages)},
-      {"Bytes that are no message are refused, and the server goes on", data::PROMISE_ERRORS,
-       fmt::format("{} with 11 bytes that are no message, then {}", RpcName(*sample.request), sample.what),
+      {"Bytes that are not a message are refused, and the server goes on", data::PROMISE_ERRORS,
+       fmt::format("{} with 11 bytes that are not a message, then {}", RpcName(*sample.request), sample.what),
        "an error, and the server goes on serving", Of(sample, RefusesBytesThatAreNone)},
   };
 }

@@ -102,12 +102,12 @@ TEST_F(ReadLlm, ErrorsNameFileLineFieldValueAndWhatIsRight) {
 TEST_F(ReadLlm, ErrorsOfFlagsNameTheFlag) {
   EXPECT_THAT(ErrorOf({"--model", "gpt-4o"}), StartsWith("--base-url: missing; expected an address such as"));
   EXPECT_THAT(ErrorOf({"--model", "m", "--base-url", "localhost:80"}),
-              StartsWith("--base-url: 'localhost:80' is no address"));
+              StartsWith("--base-url: 'localhost:80' is not an address"));
   EXPECT_EQ(ErrorOf({"--model", "m", "--base-url", "http://h/v1", "--api-key-env", "FLAIR_NO_KEY"}),
             "--api-key-env: FLAIR_NO_KEY: this environment variable is not set");
   const std::string path = FileWith("model: \"m\"\n");
   EXPECT_THAT(ErrorOf({"--llm", path, "--base-url", "ftp://h"}),
-              StartsWith(path + ": --base-url: 'ftp://h' is no address"));
+              StartsWith(path + ": --base-url: 'ftp://h' is not an address"));
 }
 
 TEST_F(ReadLlm, WhatMayBeSecretIsInNoError) {

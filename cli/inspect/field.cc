@@ -139,7 +139,7 @@ absl::StatusOr<FieldView> FindField(const Message& message, const std::string& p
       }
       RETURN_IF_ERROR(TakeField(*in, step, here, view));
     } else if (view.field == nullptr || !view.field->is_repeated() || view.index >= 0) {
-      return Wrong(before, "is no list");
+      return Wrong(before, "is not a list");
     } else {
       ASSIGN_OR_RETURN(view.index, FindItem(view, step, here));
     }

@@ -55,7 +55,7 @@ TEST(Field, AWrongPathNamesThePartAndWhatExistsThere) {
               HasSubstr("no item has the id \"bde\" (did you mean bed?); there are "));
   EXPECT_THAT(Text("object_list.objects.name"), HasSubstr("is a list of "));
   EXPECT_THAT(Text("room.height_m.x"), HasSubstr("room.height_m: is a number; it has no parts"));
-  EXPECT_THAT(Text("room[0]"), HasSubstr("layout_graph.room: is no list"));
+  EXPECT_THAT(Text("room[0]"), HasSubstr("layout_graph.room: is not a list"));
   EXPECT_THAT(Text("solved_layout"), HasSubstr("is not set; set are made_from_ids, layout_graph"));
   for (const char* path : {"", ".", "room.", "room..x", "room[", "room[]", "room]x", "[0]"}) {
     EXPECT_THAT(Text(path), HasSubstr("a path is such as")) << path;

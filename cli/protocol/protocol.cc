@@ -239,7 +239,7 @@ absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
   if (entry.enumeration != nullptr) return EnumText(*entry.enumeration);
   if (entry.method == nullptr) {
     return absl::NotFoundError(
-        fmt::format("\"{}\" is no service, call, message or enum of flair.v1; flair protocol lists them", name));
+        fmt::format("\"{}\" is not a service, call, message or enum of flair.v1; flair protocol lists them", name));
   }
   return absl::StrCat("call of ", entry.method->service()->name(), "\n  ", MethodText(*entry.method), "\n",
                       MessageText(*entry.method->input_type()), "\n", MessageText(*entry.method->output_type()));

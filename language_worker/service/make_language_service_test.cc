@@ -57,7 +57,7 @@ TEST(MakeLanguageService, TheRevisionNamesHandbookModelAndPrompts) {
   std::ofstream(own / "room.txt") << "Describe {{breif}} in another way.";
   runtime::WorkerResources resources("flair-language", {});
   const auto service = ServiceWith(std::make_unique<llm::FakeLlmClient>(), other, resources.context());
-  EXPECT_THAT(service.status().message(), HasSubstr("room.txt:1: {{breif}} is no placeholder of this prompt"));
+  EXPECT_THAT(service.status().message(), HasSubstr("room.txt:1: {{breif}} is not a placeholder of this prompt"));
   std::filesystem::remove_all(own);
 }
 

@@ -81,7 +81,7 @@ absl::Status Check(const fs::path& path, const std::string& text, const PromptSp
     const auto& known = spec.placeholders;
     if (std::find(known.begin(), known.end(), next.name) == known.end()) {
       const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(next.start), '\n');
-      return absl::InvalidArgumentError(fmt::format("{}:{}: {{{{{}}}}} is no placeholder of this prompt; it has {}",
+      return absl::InvalidArgumentError(fmt::format("{}:{}: {{{{{}}}}} is not a placeholder of this prompt; it has {}",
                                                     path.string(), line, next.name, Listed(known)));
     }
     used.push_back(next.name);
@@ -100,7 +100,7 @@ absl::StatusOr<PromptLibrary> PromptLibrary::Load(const fs::path& installed, con
   for (const fs::path& folder : {installed, overrides}) {
     std::error_code error;
     if (folder.empty() || fs::is_directory(folder, error)) continue;
-    return absl::NotFoundError(fmt::format("prompts folder {} is no folder", folder.string()));
+    return absl::NotFoundError(fmt::format("prompts folder {} is not a folder", folder.string()));
   }
   PromptLibrary library;
   std::string all;

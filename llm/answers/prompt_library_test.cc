@@ -67,7 +67,7 @@ TEST_F(PromptLibraryTest, RemarksAndLineEndsChangeNoVersion) {
 TEST_F(PromptLibraryTest, MistakesAreNamedWithFileAndLine) {
   Write("own/zones.txt", "Plan\n{{brief}} and {{rooms}}.");
   EXPECT_THAT(Error(),
-              EndsWith("own/zones.txt:2: {{rooms}} is no placeholder of this prompt; it has {{brief}}, {{room}}"));
+              EndsWith("own/zones.txt:2: {{rooms}} is not a placeholder of this prompt; it has {{brief}}, {{room}}"));
   Write("own/zones.txt", "Plan a room.");
   EXPECT_THAT(Error(), EndsWith("own/zones.txt: {{brief}} is not in the text"));
   Write("own/zones.txt", "%% nothing\n");
@@ -78,7 +78,7 @@ TEST_F(PromptLibraryTest, MistakesAreNamedWithFileAndLine) {
   fs::remove(root_ / "installed/zones.txt");
   EXPECT_THAT(Error(), HasSubstr("installed/zones.txt is missing"));
   fs::remove_all(root_ / "own");
-  EXPECT_THAT(Error(), HasSubstr("own is no folder"));
+  EXPECT_THAT(Error(), HasSubstr("own is not a folder"));
 }
 
 TEST(QuoteData, NothingInsideCanEndTheQuotation) {

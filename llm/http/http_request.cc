@@ -69,7 +69,7 @@ absl::Status CheckHeader(const HttpHeader& header) {
 absl::Status CheckRequest(const HttpRequest& request) {
   if (!absl::StartsWithIgnoreCase(request.url, "http://") && !absl::StartsWithIgnoreCase(request.url, "https://")) {
     return absl::InvalidArgumentError(
-        fmt::format("'{}' is no address; it must begin with http:// or https://", PublicAddress(request.url)));
+        fmt::format("'{}' is not an address; it must begin with http:// or https://", PublicAddress(request.url)));
   }
   if (SplitsPassword(request.url)) {
     return absl::InvalidArgumentError(

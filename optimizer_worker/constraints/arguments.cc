@@ -29,7 +29,7 @@ absl::StatusOr<Side> SideNamed(const ParameterSpec& spec, const std::string& tex
   const std::optional<Side> side = SideFromName(text);
   if (side.has_value()) return *side;
   return absl::InvalidArgumentError(
-      fmt::format("argument {}: \"{}\" is no side; use front, back, left or right", spec.name(), text));
+      fmt::format("argument {}: \"{}\" is not a side; use front, back, left or right", spec.name(), text));
 }
 
 // The index that a text refers to; what it indexes depends on the kind.
@@ -57,12 +57,13 @@ absl::StatusOr<int> IndexOfText(const ParameterSpec& spec, const std::string& te
         return absl::FailedPreconditionError(fmt::format("argument {}: the room has no {}", spec.name(), text));
       }
       return absl::InvalidArgumentError(
-          fmt::format("argument {}: \"{}\" is no feature; use door, window or socket", spec.name(), text));
+          fmt::format("argument {}: \"{}\" is not a feature; use door, window or socket", spec.name(), text));
     case v1::PARAMETER_KIND_CORNER: {
       const std::optional<Corner> corner = CornerFromName(text);
       if (corner.has_value()) return static_cast<int>(*corner);
-      return absl::InvalidArgumentError(fmt::format(
-          "argument {}: \"{}\" is no corner; use back_left, back_right, front_right or front_left", spec.name(), text));
+      return absl::InvalidArgumentError(
+          fmt::format("argument {}: \"{}\" is not a corner; use back_left, back_right, front_right or front_left",
+                      spec.name(), text));
     }
     default:
       return absl::InternalError("not a text");

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"UnknownArgument", "against_wall", "object=bed sides=back", kInvalidArgument, "has no argument sides"},
         BadCall{"TwiceTheSame", "against_wall", "object=bed object=desk", kInvalidArgument, "given twice"},
         BadCall{"UnknownObject", "against_wall", "object=sofa", kNotFound, "no object \"sofa\""},
-        BadCall{"UnknownSide", "against_wall", "object=bed side=top", kInvalidArgument, "\"top\" is no side"},
+        BadCall{"UnknownSide", "against_wall", "object=bed side=top", kInvalidArgument, "\"top\" is not a side"},
         BadCall{"UnknownWall", "against_wall", "object=bed wall=up", kNotFound,
                 "the room has south, east, north, west"},
         BadCall{"UnknownZone", "in_zone", "object=bed zone=cooking", kNotFound, "no zone \"cooking\""},
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"NoWindow", "under_window", "object=bed", kFailedPrecondition, "no window"},
         BadCall{"OutOfRange", "near", "object=bed target=desk max_distance_m=-1", kInvalidArgument, "use 0 to 50 m"},
         BadCall{"SameObject", "near", "object=bed target=bed", kInvalidArgument, "\"bed\" is named twice"},
-        BadCall{"NoCorner", "on_top_corner", "object=bed host=desk corner=tl", kInvalidArgument, "is no corner"},
+        BadCall{"NoCorner", "on_top_corner", "object=bed host=desk corner=tl", kInvalidArgument, "is not a corner"},
         BadCall{"EmptyList", "surround", "center=desk objects=", kInvalidArgument, "at least one"}),
     [](const auto& info) { return info.param.name; });
 

@@ -112,7 +112,7 @@ class Editor {
   absl::Status Move(const v1::Placement& target) {
     if (FindObject(target.object_id()) == nullptr) return Wrong(NoObject("move_object", target.object_id()));
     if (!std::isfinite(target.theta_rad()) || std::abs(target.theta_rad()) > 1e6) {
-      return Wrong(fmt::format(".move_object.theta_rad: {} is no angle in radians", target.theta_rad()));
+      return Wrong(fmt::format(".move_object.theta_rad: {} is not an angle in radians", target.theta_rad()));
     }
     v1::Placement* placement = FindPlacement(target.object_id());
     if (placement == nullptr) {

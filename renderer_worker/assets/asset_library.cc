@@ -183,7 +183,7 @@ absl::StatusOr<std::string> ReadFile(const fs::path& path, size_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return absl::NotFoundError(fmt::format("there is no file {}", path.string()));
-  if (!fs::is_regular_file(status)) return absl::NotFoundError(fmt::format("{} is no plain file", path.string()));
+  if (!fs::is_regular_file(status)) return absl::NotFoundError(fmt::format("{} is not a regular file", path.string()));
   const uintmax_t size = fs::file_size(path, error);
   if (error) return absl::NotFoundError(fmt::format("{}: {}", path.string(), error.message()));
   if (size > max_bytes) {
@@ -222,7 +222,7 @@ size_t VerticesOf(const absl::StatusOr<std::shared_ptr<const AssetMesh>>& loaded
 absl::StatusOr<std::unique_ptr<AssetLibrary>> AssetLibrary::Open(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    return absl::NotFoundError(fmt::format("the asset folder {} is no folder", folder.string()));
+    return absl::NotFoundError(fmt::format("the asset folder {} is not a folder", folder.string()));
   }
   fs::path file = folder / "manifest.json";
   if (!fs::exists(file, error)) file = folder / "annotations.json";

@@ -56,7 +56,7 @@ absl::StatusOr<PlanChange> ReadChange(const v1::ObjectChange& change, const std:
   const v1::Object* is = ObjectOf(after, change.after_object_id());
   const auto missing = [&](const char* field, const std::string& id, const v1::Object* object) {
     if (id.empty() || object != nullptr) return absl::OkStatus();
-    return absl::InvalidArgumentError(fmt::format("{}.{}: \"{}\" is no object of its layout", path, field, id));
+    return absl::InvalidArgumentError(fmt::format("{}.{}: \"{}\" is not an object of its layout", path, field, id));
   };
   RETURN_IF_ERROR(missing("before_object_id", change.before_object_id(), was));
   RETURN_IF_ERROR(missing("after_object_id", change.after_object_id(), is));

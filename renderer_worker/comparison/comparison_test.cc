@@ -54,7 +54,7 @@ TEST(Comparison, AChangeOfNoObjectIsNamed) {
   v1::RenderRequest request = MovedRequest("nursery");
   request.mutable_beside(0)->mutable_changes(0)->set_after_object_id("ghost");
   EXPECT_THAT(std::string(DrawComparison(request).status().message()),
-              HasSubstr("beside[0].changes[0].after_object_id: \"ghost\" is no object of its layout"));
+              HasSubstr("beside[0].changes[0].after_object_id: \"ghost\" is not an object of its layout"));
   request.mutable_beside(0)->mutable_changes(0)->Clear();
   EXPECT_THAT(std::string(DrawComparison(request).status().message()),
               HasSubstr("beside[0].changes[0]: names no object"));

@@ -90,7 +90,8 @@ double OutwardReachMm(const Plan& plan, const Sheet& sheet, int wall) {
 absl::StatusOr<Sheet> ChooseSheet(const Plan& plan, const v1::RenderOptions& options) {
   const std::string_view paper = EmptySheet(options.paper(), false, kSmallestScale).paper;
   if (!v1::PaperSize_IsValid(options.paper()))
-    return absl::InvalidArgumentError(fmt::format("options.paper: {} is no paper", static_cast<int>(options.paper())));
+    return absl::InvalidArgumentError(
+        fmt::format("options.paper: {} is not a paper size", static_cast<int>(options.paper())));
   if (options.has_scale_denominator()) {
     const int given = options.scale_denominator();
     if (given < kLargestScale || given > kSmallestScale) {

@@ -171,7 +171,7 @@ double ComponentAt(lua_State* state, int argument, int index) {
   const double value = lua_tonumber(state, -1);
   lua_pop(state, 1);
   luaL_argcheck(state, !given || (number && std::isfinite(value)), argument,
-                "has a component that is no finite number");
+                "has a component that is not a finite number");
   return given ? value : 0;
 }
 

@@ -194,7 +194,7 @@ absl::StatusOr<std::vector<uint32_t>> AssetFile::Indices(size_t accessor, size_t
                            : type == 5123 ? ValueAt<uint16_t>(elements.bytes, at)
                                           : ValueAt<uint32_t>(elements.bytes, at);
     if (index >= bound)
-      return Wrong(fmt::format("index {} of accessor {} is no vertex, there are {}", index, accessor, bound));
+      return Wrong(fmt::format("index {} of accessor {} is not a vertex, there are {}", index, accessor, bound));
     indices.push_back(index);
   }
   return indices;

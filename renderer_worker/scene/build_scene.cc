@@ -17,7 +17,7 @@ absl::Status CheckObject(const v1::Object& object, const v1::Placement& pose, in
   for (double value : {pose.x_m(), pose.y_m(), pose.z_m(), pose.theta_rad()}) {
     if (!std::isfinite(value) || std::abs(value) > 1e4) {
       return absl::InvalidArgumentError(
-          fmt::format("placements of \"{}\": {} is no coordinate in a room; must be finite", object.id(), value));
+          fmt::format("placements of \"{}\": {} is not a coordinate in a room; must be finite", object.id(), value));
     }
   }
   for (double value : {object.width_m(), object.depth_m(), object.height_m()}) {

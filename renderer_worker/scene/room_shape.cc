@@ -23,7 +23,8 @@ absl::Status ReadFloor(const v1::Room& room, RoomShape& shape) {
   for (int i = 0; i < count; ++i) {
     const v1::Point2 &p = room.floor().vertices(i), &q = room.floor().vertices((i + 1) % count);
     if (!Plausible(p.x_m()) || !Plausible(p.y_m())) {
-      return Invalid(fmt::format("graph.room.floor.vertices[{}]: ({}, {}) is no point of a room", i, p.x_m(), p.y_m()));
+      return Invalid(
+          fmt::format("graph.room.floor.vertices[{}]: ({}, {}) is not a point of a room", i, p.x_m(), p.y_m()));
     }
     twice_area += p.x_m() * q.y_m() - q.x_m() * p.y_m();
     shape.floor.push_back({static_cast<float>(p.x_m()), static_cast<float>(p.y_m())});
@@ -95,7 +96,7 @@ absl::StatusOr<RoomShape> ShapeOf(const v1::Room& room) {
   RoomShape shape;
   const double height = room.height_m() == 0 ? 3 : room.height_m();
   if (!Plausible(height) || height < 0.5) {
-    return Invalid(fmt::format("graph.room.height_m: {} is no height of a room", room.height_m()));
+    return Invalid(fmt::format("graph.room.height_m: {} is not a height of a room", room.height_m()));
   }
   shape.height_m = static_cast<float>(height);
   RETURN_IF_ERROR(ReadFloor(room, shape));

@@ -253,8 +253,8 @@ absl::StatusOr<PartialLayout> PosesFromPlacements(const Scene& scene, const Plac
     const auto index = static_cast<size_t>(object);
     if (result.placed[index]) return BadPlacement(i, fmt::format(".object_id: \"{}\" is placed twice", p.object_id()));
     if (!std::isfinite(p.x_m()) || !std::isfinite(p.y_m()) || !std::isfinite(p.theta_rad())) {
-      return BadPlacement(i,
-                          fmt::format(": {}, {}, {} is no pose; all must be finite", p.x_m(), p.y_m(), p.theta_rad()));
+      return BadPlacement(
+          i, fmt::format(": {}, {}, {} is not a pose; all must be finite", p.x_m(), p.y_m(), p.theta_rad()));
     }
     result.layout[index] = {.x_m = p.x_m(), .y_m = p.y_m(), .theta_rad = p.theta_rad()};
     result.placed[index] = true;

@@ -77,7 +77,7 @@ Field Field::Inner(Step step) const {
 }
 
 bool Field::InRange(double value, const Range& range) const {
-  if (!std::isfinite(value)) return Reject("{} is no number; must be in {}", value, range.Text());
+  if (!std::isfinite(value)) return Reject("{} is not a number; must be in {}", value, range.Text());
   return range.Holds(value) || Reject("{} is outside {}", value, range.Text());
 }
 
@@ -97,7 +97,7 @@ bool Field::Count(int count, int least, int most, std::string_view what) const {
 bool Field::Id(std::string_view value) const {
   if (value.empty()) return Reject("is empty");
   const bool good = value.size() <= 64 && std::all_of(value.begin(), value.end(), IsIdCharacter);
-  return good || Reject("{} is no id; 1 to 64 of a-z, 0-9 and _", Quoted(value));
+  return good || Reject("{} is not an id; 1 to 64 of a-z, 0-9 and _", Quoted(value));
 }
 
 bool Field::NewId(std::string_view value, NameSet& seen) const {
@@ -123,7 +123,7 @@ bool Field::Digest(std::string_view value) const {
 
 bool Field::Enum(int value, bool is_valid) const {
   if (value == 0) return Reject("is not set");
-  return is_valid || Reject("{} is no known value", value);
+  return is_valid || Reject("{} is not a known value", value);
 }
 
 int CharacterCount(std::string_view text) {

@@ -95,7 +95,7 @@ void CheckArgument(const v1::Argument& argument, const Field& at) {
       break;
     case v1::ArgumentValue::kNumber:
       if (!std::isfinite(argument.value().number()))
-        value["number"].Reject("{} is no number", argument.value().number());
+        value["number"].Reject("{} is not a number", argument.value().number());
       break;
     case v1::ArgumentValue::kFlag:
       break;
@@ -158,7 +158,7 @@ void Check(const v1::ZoneRegion& region, const Known&, const Field& at) {
 }
 
 void Check(const v1::SolvedLayout& layout, const Known&, const Field& at) {
-  if (!std::isfinite(layout.total_cost())) at["total_cost"].Reject("{} is no number", layout.total_cost());
+  if (!std::isfinite(layout.total_cost())) at["total_cost"].Reject("{} is not a number", layout.total_cost());
 }
 
 void Check(const v1::Preview& preview, const Known&, const Field& at) {

@@ -73,7 +73,7 @@ const Case kCases[] = {
     {"CameraWithNoTarget", "view: PREVIEW_VIEW_BIRDSEYE camera { eye_m: [1, 2, 3] }",
      "options.camera.target_m: has 0 numbers; x, y and z in metres"},
     {"CameraNowhere", "view: PREVIEW_VIEW_BIRDSEYE camera { eye_m: [1, nan, 3] target_m: [1, 1, 0] }",
-     "options.camera.eye_m[1]: nan is no number; must be in [-1000, 1000]"},
+     "options.camera.eye_m[1]: nan is not a number; must be in [-1000, 1000]"},
     {"CameraFarAway", "view: PREVIEW_VIEW_BIRDSEYE camera { eye_m: [1, 5000, 2] target_m: [1, 1, 0] }",
      "options.camera.eye_m[1]: 5000 is outside [-1000, 1000]"},
     {"CameraAtItsTarget", "view: PREVIEW_VIEW_BIRDSEYE camera { eye_m: [1, 1, 1] target_m: [1, 1, 1] }",

@@ -30,7 +30,7 @@ void CheckFloor(const v1::Polygon& floor, const Field& at) {
     const v1::Point2& p = floor.vertices(i);
     const Field vertex = at["vertices"][i];
     if (!std::isfinite(p.x_m()) || !std::isfinite(p.y_m())) {
-      vertex.Reject("({}, {}) is no point; both must be finite", p.x_m(), p.y_m());
+      vertex.Reject("({}, {}) is not a point; both must be finite", p.x_m(), p.y_m());
       return;
     }
   }

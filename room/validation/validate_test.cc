@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRoom{"RepeatedId", [](v1::Room& r) { r.mutable_openings(1)->set_id("door_1"); },
                 "room.openings[1].id: \"door_1\" is taken already"},
         BadRoom{"NotFinite", [](v1::Room& r) { r.set_height_m(std::numeric_limits<double>::quiet_NaN()); },
-                "room.height_m: nan is no number"},
+                "room.height_m: nan is not a number"},
         BadRoom{"Clockwise", [](v1::Room& r) { r.mutable_floor()->mutable_vertices()->SwapElements(1, 3); },
                 "runs clockwise"},
         BadRoom{"CrossedEdges",

@@ -118,7 +118,7 @@ TEST_F(BadServer, ClockwiseHeadingsAreFound) {
 }
 
 TEST_F(BadServer, AWrongStatusIsFound) {
-  ExpectFound("Solve refuses a width that is no number",
+  ExpectFound("Solve refuses a width that is not a number",
               {.spoil_code = [](int code) { return code == grpc::INVALID_ARGUMENT ? grpc::UNKNOWN : code; }},
               "UNKNOWN");
 }

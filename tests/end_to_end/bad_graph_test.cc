@@ -99,11 +99,11 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 INSTANTIATE_TEST_SUITE_P(
     Graphs, RefusedGraph,
     ::testing::Values(
-        Case{"NanSize", [](auto& g) { Bed(g).set_width_m(kNan); }, "objects[0].width_m: nan is no number"},
-        Case{"InfiniteSize", [](auto& g) { Bed(g).set_depth_m(kInfinity); }, "objects[0].depth_m: inf is no number"},
+        Case{"NanSize", [](auto& g) { Bed(g).set_width_m(kNan); }, "objects[0].width_m: nan is not a number"},
+        Case{"InfiniteSize", [](auto& g) { Bed(g).set_depth_m(kInfinity); }, "depth_m: inf is not a number"},
         Case{"ZeroSize", [](auto& g) { Bed(g).set_width_m(0); }, "width_m: 0 is outside (0, 20]"},
         Case{"NegativeSize", [](auto& g) { Bed(g).set_height_m(-1); }, "height_m: -1 is outside (0, 12]"},
-        Case{"NanCorner", [](auto& g) { SetFloor(g, {{0, 0}, {kNan, 0}, {4, 3}, {0, 3}}); }, "is no point"},
+        Case{"NanCorner", [](auto& g) { SetFloor(g, {{0, 0}, {kNan, 0}, {4, 3}, {0, 3}}); }, "is not a point"},
         Case{"CrossedFloor", [](auto& g) { SetFloor(g, {{0, 0}, {4, 3}, {4, 0}, {0, 3}}); },
              "room.floor: is not simple"},
         Case{"ClockwiseFloor", [](auto& g) { SetFloor(g, {{0, 0}, {0, 3}, {4, 3}, {4, 0}}); }, "runs clockwise"},
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"DoorInNoWall", [](auto& g) { Door(g).set_wall("up"); }, "\"up\" is not a wall here; there are east"},
         Case{"TwoOfOneId", [](auto& g) { *g.mutable_object_list()->add_objects() = Bed(g); },
              "\"bed\" is taken already"},
-        Case{"HugeId", [](auto& g) { Bed(g).set_id(std::string(1000000, 'b')); }, "is no id; 1 to 64"},
+        Case{"HugeId", [](auto& g) { Bed(g).set_id(std::string(1000000, 'b')); }, "is not an id; 1 to 64"},
         Case{"NanWeight", [](auto& g) { g.mutable_edges(0)->set_weight(kNan); }, "edges[0].weight: nan"}),
     [](const auto& info) { return std::string(info.param.name); });
 

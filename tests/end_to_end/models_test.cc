@@ -178,7 +178,7 @@ TEST_F(Models, WrittenPromptsUnchangedAskTheSameAndChangedOnesAnother) {
   WriteAll(folder_ / "prompts" / "style.txt", "{{brief}} {{colours}}");
   const Finished wrong = Design("wrong", {"--replay", Path("answers"), "--prompts", Path("prompts")});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("style.txt:1: {{colours}} is no placeholder of this prompt"));
+  EXPECT_THAT(wrong.err, HasSubstr("style.txt:1: {{colours}} is not a placeholder of this prompt"));
 }
 
 TEST_F(Models, ABriefIsQuotedAsDataAndNeverSpeaksToTheModel) {

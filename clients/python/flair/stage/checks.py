@@ -85,10 +85,10 @@ def _value(field: FieldDescriptor, value: Any, at: str) -> Iterator[str]:
     if field.cpp_type == FieldDescriptor.CPPTYPE_ENUM:
         known = value in field.enum_type.values_by_number
         if not known or (value == 0 and name not in OPTIONAL_ENUMS):
-            yield f"{at}: {f'{value} is no known value' if not known else 'is not set'}"
+            yield f"{at}: {f'{value} is not a known value' if not known else 'is not set'}"
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
         if not math.isfinite(value):
-            yield f"{at}: {value} is no number"
+            yield f"{at}: {value} is not a number"
         elif name in NUMBERS and not NUMBERS[name].holds(value):
             yield f"{at}: {value:.17g} is outside {NUMBERS[name]}"
     elif isinstance(value, str):
@@ -97,7 +97,7 @@ def _value(field: FieldDescriptor, value: Any, at: str) -> Iterator[str]:
 
 def _text(name: str, value: str, at: str) -> Iterator[str]:
     if name in IDS and not _ID.fullmatch(value):
-        yield f"{at}: \"{value[:80]}\" is no id; 1 to 64 of a-z, 0-9 and _"
+        yield f"{at}: \"{value[:80]}\" is not an id; 1 to 64 of a-z, 0-9 and _"
     least, most = (0, 128) if name.endswith("Request.request_id") else TEXTS.get(name, (0, math.inf))
     length = len(value.strip())
     if not least <= length <= most:

@@ -33,15 +33,16 @@ edges { id: "e1" type: "against_wall" weight: 1 sentence_id: "s1" }
 FAULTS = {
     "a width below zero": (
         "object_list { objects { width_m: -1 } }", "object_list.objects[2].width_m: -1 is outside (0, 20]"),
-    "a number that is none": ("room { height_m: nan }", "room.height_m: nan is no number"),
+    "a number that is none": ("room { height_m: nan }", "room.height_m: nan is not a number"),
     "a room that is too high": ("room { height_m: 40 }", "room.height_m: 40 is outside [2, 12]"),
     "an id twice": (
         'zone_plan { zones { id: "sleeping" name: "x" } }', 'zone_plan.zones[1].id: "sleeping" is there twice'),
-    "an id with a space": ('edges { id: "e 2" }', 'edges[1].id: "e 2" is no id'),
+    "an id with a space": ('edges { id: "e 2" }', 'edges[1].id: "e 2" is not an id'),
     "an enum that is left out": ('room { openings { id: "w" } }', "room.openings[1].kind: is not set"),
     "an enum of no known value": (
-        "object_list { objects { role: 77 } }", "object_list.objects[2].role: 77 is no known value"),
-    "a wall that is not there": ('room { openings { id: "w" wall: "up" } }', 'room.openings[1].wall: "up" is no wall'),
+        "object_list { objects { role: 77 } }", "object_list.objects[2].role: 77 is not a known value"),
+    "a wall that is not there": (
+        'room { openings { id: "w" wall: "up" } }', 'room.openings[1].wall: "up" is not a wall'),
     "an opening beyond its wall": (
         'room { openings { id: "w" wall: "south" offset_m: 3 width_m: 2 } }',
         'room.openings[1].width_m: 2 does not fit wall "south" (4 m from 3 m); at most 1'),
@@ -107,14 +108,14 @@ class Checks(unittest.TestCase):
     def test_a_time_limit_of_nothing_is_refused(self) -> None:
         request = v1.SolveRequest(layout_graph=graph())
         request.options.time_limit.FromSeconds(0)
-        self.assertEqual(problems_in(request), ["options.time_limit: 0s is no time; more than 0 s"])
+        self.assertEqual(problems_in(request), ["options.time_limit: 0s is not a duration; more than 0 s"])
 
     def test_paths_begin_with_the_fields_of_the_request(self) -> None:
         request = v1.SolveRequest(layout_graph=graph())
         request.layout_graph.object_list.objects[0].depth_m = math.inf
         request.options.seed = -1
         found = problems_in(request)
-        self.assertEqual(found, ["layout_graph.object_list.objects[0].depth_m: inf is no number",
+        self.assertEqual(found, ["layout_graph.object_list.objects[0].depth_m: inf is not a number",
                                  "options.seed: -1 is outside [0, 9007199254740992)"])
 
     def test_a_brief_without_text_is_refused_by_the_name_of_its_field(self) -> None:

@@ -32,7 +32,7 @@ def broken_in(message: Message, path: str = "") -> Iterator[str]:
             objects = [item.id for item in getattr(message, name).object_list.objects]
             yield from _placements(message.placements, objects, f"{prefix}placements")
     if "time_limit" in has and message.time_limit.ToNanoseconds() <= 0:
-        yield f"{prefix}time_limit: {message.time_limit.ToJsonString()} is no time; more than 0 s"
+        yield f"{prefix}time_limit: {message.time_limit.ToJsonString()} is not a duration; more than 0 s"
     if isinstance(message, v1.Room):
         yield from _room(message, prefix)
     elif "room" in has:
@@ -141,7 +141,7 @@ def _side(a: Point, b: Point, p: Point) -> float:
 def _on_wall(item: Any, last: str, lengths: dict[str, float], at: str) -> Iterator[str]:
     """An opening or a socket; `last` is the field that decides where it ends along its wall."""
     if item.wall not in lengths:
-        yield f"{at}.wall: \"{item.wall}\" is no wall of this room; it has {', '.join(lengths)}"
+        yield f"{at}.wall: \"{item.wall}\" is not a wall of this room; it has {', '.join(lengths)}"
         return
     before_m = item.offset_m if last == "width_m" else 0.0
     most = lengths[item.wall] - before_m
