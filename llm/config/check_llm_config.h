@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flair/config/v1/llm_config.pb.h"
-#include "llm/client/chat.h"
+#include "llm/client/llm_client.h"
 
 namespace flair::llm {
 

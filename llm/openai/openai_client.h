@@ -7,7 +7,6 @@
 
 #include "llm/client/llm_client.h"
 #include "llm/http/http_client.h"
-#include "llm/openai/dialect.h"
 #include "llm/openai/openai_options.h"
 #include "worker_runtime/clock/clock.h"
 

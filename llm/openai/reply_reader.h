@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
-#include "llm/client/chat.h"
+#include "llm/client/llm_client.h"
 #include "llm/openai/server_error.h"
 
 namespace flair::llm {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "absl/status/status.h"
-#include "llm/client/chat.h"
+#include "llm/client/llm_client.h"
 #include "llm/http/http_request.h"
 
 namespace flair::llm {

@@ -9,7 +9,6 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "llm/client/chat.h"
 #include "llm/client/llm_client.h"
 
 namespace flair::llm {

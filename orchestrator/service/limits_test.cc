@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#include "orchestrator/service/job_admission.h"
+#include "orchestrator/service/orchestrator_handlers.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/testing/embedded_for_test.h"
 #include "orchestrator/testing/fake_stages.h"

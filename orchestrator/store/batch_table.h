@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "absl/time/time.h"
 #include "flair/store/v1/job_record.pb.h"
 #include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/work_queue.h"
@@ -137,5 +140,111 @@ class BatchTable {
 };
 
 #undef BATCH_COLUMNS
+
+// Queries that delete jobs and the artifacts that no job has then. An artifact goes in two steps, so that no kill in
+// between leaves a job without what it has: first, with the last job that has it, its results are removed and a
+// tombstone is written (deleted_artifacts); then it is deleted, in a transaction that finds that still no job has it. A
+// run that took it before that and records it after sees the tombstone (WasDeleted). Each call is part of a transaction
+// of the caller's, but where it says otherwise. Thread-safe.
+class DeletionTable {
+ public:
+  explicit DeletionTable(Database& database) : database_(database) {}
+
+  // Forgets a job with all that belongs to it.
+  absl::Status RemoveJob(const std::string& job_id) {
+    const auto lock = database_.lock();
+    ASSIGN_OR_RETURN(const std::vector<std::string> artifact_ids,
+                     database_.Texts("SELECT artifact_id FROM job_artifacts WHERE job_id = ?", job_id));
+    RETURN_IF_ERROR(database_.Run("DELETE FROM job_artifacts WHERE job_id = ?", job_id));
+    for (const std::string& id : artifact_ids) {
+      ASSIGN_OR_RETURN(const bool used, IsUsed(id));
+      if (used) continue;
+      RETURN_IF_ERROR(database_.Run("DELETE FROM results WHERE artifact_id = ?", id));
+      RETURN_IF_ERROR(
+          database_.Run("INSERT OR REPLACE INTO deleted_artifacts (artifact_id, pending) VALUES (?, 1)", id));
+    }
+    RETURN_IF_ERROR(database_.Run("DELETE FROM events WHERE job_id = ?", job_id));
+    RETURN_IF_ERROR(database_.Run("DELETE FROM ends WHERE job_id = ?", job_id));
+    return database_.Run("DELETE FROM jobs WHERE id = ?", job_id);
+  }
+
+  absl::Status RemoveBatch(const std::string& batch_id) {
+    return database_.Run("DELETE FROM batches WHERE id = ?", batch_id);
+  }
+
+  // At most `limit` artifacts that wait for their deletion.
+  absl::StatusOr<std::vector<std::string>> Pending(int limit) {
+    return database_.Texts("SELECT artifact_id FROM deleted_artifacts WHERE pending = 1 ORDER BY sequence LIMIT ?",
+                           limit);
+  }
+
+  // Whether a job has the artifact.
+  absl::StatusOr<bool> IsUsed(const std::string& artifact_id) {
+    return database_.Exists("SELECT 1 FROM job_artifacts WHERE artifact_id = ? LIMIT 1", artifact_id);
+  }
+
+  // It needs no deletion any more: a job has it.
+  absl::Status Keep(const std::string& artifact_id) {
+    return database_.Run("DELETE FROM deleted_artifacts WHERE artifact_id = ?", artifact_id);
+  }
+
+  // It has been deleted, or may have been.
+  absl::Status SetDeleted(const std::string& artifact_id) {
+    // With a new sequence: later than the beginning of every run there is.
+    return database_.Run("INSERT OR REPLACE INTO deleted_artifacts (artifact_id, pending) VALUES (?, 0)", artifact_id);
+  }
+
+  // A run of the job begins: what is deleted from now on, it may miss.
+  absl::Status BeginRun(const std::string& job_id) {
+    return database_.Run(
+        "UPDATE jobs SET deletions_seen = (SELECT coalesce(max(seq), 0) FROM sqlite_sequence WHERE name = "
+        "'deleted_artifacts') WHERE id = ?",
+        job_id);
+  }
+
+  // Whether there is any tombstone; most of the time there is none. No transaction needed.
+  absl::StatusOr<bool> Any() { return database_.Exists("SELECT 1 FROM deleted_artifacts LIMIT 1"); }
+
+  // Whether the artifact may have been deleted since the run of the job began. No transaction needed.
+  absl::StatusOr<bool> WasDeleted(const std::string& artifact_id, const std::string& job_id) {
+    return database_.Exists(
+        "SELECT 1 FROM deleted_artifacts WHERE artifact_id = ? AND (pending = 1 OR sequence > "
+        "(SELECT deletions_seen FROM jobs WHERE id = ?))",
+        artifact_id, job_id);
+  }
+
+  // Removes tombstones that no run may have missed.
+  absl::Status Trim() {
+    return database_.Run(
+        "DELETE FROM deleted_artifacts WHERE pending = 0 AND sequence <= "
+        "(SELECT coalesce(min(deletions_seen), 9223372036854775807) FROM jobs WHERE state = 2)");
+  }
+
+  // Jobs without a batch that ended before a time, the oldest first. No transaction needed.
+  absl::StatusOr<std::vector<std::string>> JobsEndedBefore(absl::Time time, int limit) {
+    return database_.Texts(
+        "SELECT id FROM jobs WHERE batch_id = '' AND state > 2 AND end_time_us < ? ORDER BY end_time_us, id LIMIT ?",
+        absl::ToUnixMicros(time), limit);
+  }
+
+  // At most `limit` closed batches with ids above `after`, by id. No transaction needed.
+  absl::StatusOr<std::vector<std::string>> ClosedBatches(const std::string& after, int limit) {
+    return database_.Texts("SELECT id FROM batches WHERE id > ? AND open = 0 ORDER BY id LIMIT ?", after, limit);
+  }
+
+  // When the last job of the batch ended; when it was made if it has none that ended. No transaction needed.
+  absl::StatusOr<absl::Time> LastEndOf(const std::string& batch_id) {
+    ASSIGN_OR_RETURN(
+        const int64_t time_us,
+        database_.FirstInt("SELECT coalesce((SELECT end_time_us FROM jobs WHERE id = "
+                           "(SELECT job_id FROM ends WHERE batch_id = ?1 ORDER BY sequence DESC LIMIT 1)), "
+                           "(SELECT create_time_us FROM batches WHERE id = ?1))",
+                           batch_id));
+    return absl::FromUnixMicros(time_us);
+  }
+
+ private:
+  Database& database_;
+};
 
 }  // namespace flair::orchestrator

@@ -8,7 +8,6 @@
 #include "absl/status/statusor.h"
 #include "orchestrator/store/batch_table.h"
 #include "orchestrator/store/database.h"
-#include "orchestrator/store/deletion_table.h"
 #include "orchestrator/store/job_table.h"
 
 namespace flair::orchestrator {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "orchestrator/batch/job_rules.h"
-#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/artifact_id.h"
 #include "orchestrator/store/job_store.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/files/files.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "orchestrator/pipeline/pipeline.h"
-#include "orchestrator/store/artifact_files.h"
+#include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"

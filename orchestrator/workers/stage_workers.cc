@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/workers/stage_workers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <utility>
+
+#include "worker_runtime/files/files.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
 
@@ -120,5 +126,164 @@ std::vector<v1::WorkerStatus> StageWorkers::Status() const {
 }
 
 std::vector<WorkersOfStage*> StageWorkers::All() { return {&language_, &translator_, &optimizer_, &renderer_}; }
+
+namespace {
+
+using std::chrono::seconds;
+using std::chrono::system_clock;
+
+// GetWorker answers at once, also when the worker is busy.
+constexpr seconds kAnswerWithin{10};
+// Between questions that were not answered, while the connection stands.
+constexpr seconds kAskAgainAfter{1};
+// A watch of a state that stays is renewed after this.
+constexpr std::chrono::minutes kWatchFor{10};
+
+// All that decides its answers. A revision alone does not do: two servers may call theirs "1".
+std::optional<std::string> RevisionOf(const v1::GetWorkerResponse& worker) {
+  if (worker.revision().empty()) return std::nullopt;
+  v1::GetWorkerResponse key;
+  key.set_program(worker.program());
+  key.set_revision(worker.revision());
+  key.set_configuration_digest(worker.configuration_digest());
+  return runtime::CanonicalBytes(key);
+}
+
+}  // namespace
+
+Connection::Connection(Connections& connections, Connections::Worker worker, std::shared_ptr<grpc::Channel> channel,
+                       bool watched)
+    : connections_(connections),
+      worker_(std::move(worker)),
+      channel_(std::move(channel)),
+      watched_(watched),
+      stub_(v1::WorkerService::NewStub(channel_)) {}
+
+Connection::~Connection() {
+  if (question_ != nullptr) question_->context.TryCancel();
+}
+
+void Connection::Open() {
+  if (watched_) {
+    Watch();
+  } else {
+    Ask();
+  }
+}
+
+void Connection::Watch() {
+  const grpc_connectivity_state state = channel_->GetState(true);
+  OnState(state);
+  const auto again = [weak = weak_from_this()](bool) {
+    if (const std::shared_ptr<Connection> self = weak.lock()) self->Watch();
+  };
+  connections_.Start(again, [&](grpc::CompletionQueue& events, void* tag) {
+    channel_->NotifyOnStateChange(state, system_clock::now() + kWatchFor, &events, tag);
+  });
+}
+
+void Connection::OnState(grpc_connectivity_state state) {
+  if (state == GRPC_CHANNEL_READY) {
+    if (std::lock_guard lock(mutex_); ready_) return;
+    Ask();
+    return;
+  }
+  bool was_ready;
+  {
+    std::lock_guard lock(mutex_);
+    was_ready = std::exchange(ready_, false);
+    question_ = nullptr;
+  }
+  if (was_ready) worker_.pool.SetConnecting(worker_.id);
+  // A call tells why; the state does not.
+  if (state == GRPC_CHANNEL_TRANSIENT_FAILURE) Ask();
+}
+
+void Connection::Ask() {
+  const auto question = std::make_shared<Question>();
+  question->context.set_deadline(system_clock::now() + kAnswerWithin);
+  {
+    std::lock_guard lock(mutex_);
+    question_ = question;
+  }
+  const auto answered = [weak = weak_from_this(), question](bool) {
+    if (const std::shared_ptr<Connection> self = weak.lock()) self->OnAnswer(*question);
+  };
+  connections_.Start(answered, [&](grpc::CompletionQueue& events, void* tag) {
+    question->reader = stub_->AsyncGetWorker(&question->context, v1::GetWorkerRequest(), &events);
+    question->reader->Finish(&question->answer, &question->status, tag);
+  });
+}
+
+void Connection::OnAnswer(const Question& question) {
+  {
+    std::lock_guard lock(mutex_);
+    if (question_.get() != &question) return;
+    question_ = nullptr;
+    const bool told = question.status.ok() || question.status.error_code() == grpc::StatusCode::UNIMPLEMENTED;
+    ready_ = told && runtime::ProtocolFault(question.answer).empty();
+  }
+  const absl::Status status = runtime::FromGrpcStatus(question.status);
+  if (absl::IsUnimplemented(status)) {
+    worker_.pool.SetReady(worker_.id, std::nullopt);
+  } else if (!status.ok()) {
+    worker_.pool.SetGone(worker_.id, absl::UnavailableError(status.message()));
+    AskLater();
+  } else if (const std::string fault = runtime::ProtocolFault(question.answer); !fault.empty()) {
+    worker_.pool.SetGone(worker_.id, absl::UnimplementedError(
+                                         fmt::format("{} worker at {}: {}; start a version of it that does or fix {}",
+                                                     worker_.stage, worker_.address, fault, worker_.setting)));
+  } else {
+    worker_.pool.SetReady(worker_.id, RevisionOf(question.answer));
+  }
+}
+
+// Where the connection stands but the worker did not answer, nothing will tell that it does again.
+void Connection::AskLater() {
+  if (watched_ && channel_->GetState(false) != GRPC_CHANNEL_READY) return;
+  std::lock_guard lock(mutex_);
+  alarm_ = std::make_unique<grpc::Alarm>();
+  const auto ask = [weak = weak_from_this()](bool ok) {
+    if (const std::shared_ptr<Connection> self = ok ? weak.lock() : nullptr) self->AskAgain();
+  };
+  connections_.Start(ask, [&](grpc::CompletionQueue& events, void* tag) {
+    alarm_->Set(&events, system_clock::now() + kAskAgainAfter, tag);
+  });
+}
+
+void Connection::AskAgain() {
+  if (!watched_ || channel_->GetState(false) == GRPC_CHANNEL_READY) Ask();
+}
+
+Connections::Connections() : thread_([this] { Run(); }) {}
+
+Connections::~Connections() {
+  {
+    std::lock_guard lock(mutex_);
+    stopped_ = true;
+    events_.Shutdown();
+  }
+  thread_.join();
+}
+
+std::shared_ptr<Connection> Connections::Open(Worker worker, std::shared_ptr<grpc::Channel> channel, bool watched) {
+  const auto connection = std::make_shared<Connection>(*this, std::move(worker), std::move(channel), watched);
+  connection->Open();
+  return connection;
+}
+
+void Connections::Start(Step step, const std::function<void(grpc::CompletionQueue&, void* tag)>& begin) {
+  std::lock_guard lock(mutex_);
+  if (!stopped_) begin(events_, new Step(std::move(step)));
+}
+
+void Connections::Run() {
+  void* tag = nullptr;
+  bool ok = false;
+  while (events_.Next(&tag, &ok)) {
+    const std::unique_ptr<Step> step(static_cast<Step*>(tag));
+    (*step)(ok);
+  }
+}
 
 }  // namespace flair::orchestrator

@@ -8,8 +8,8 @@
 
 #include "flair/v1/object_list.pb.h"
 #include "renderer_worker/assets/asset_library.h"
-#include "renderer_worker/scene/furnishing.h"
 #include "renderer_worker/scene/mesh.h"
+#include "renderer_worker/scene/scene.h"
 
 namespace flair::renderer {
 

@@ -10,7 +10,6 @@
 
 #include "renderer_worker/furniture/classes.h"
 #include "renderer_worker/furniture/materials.h"
-#include "renderer_worker/furniture/surfaces.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

@@ -2,15 +2,19 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/style_sheet.pb.h"
 #include "renderer_worker/furniture/furniture.pb.h"
 #include "renderer_worker/scene/mesh.h"
 
 // What furniture is made of. Thread-safe; nothing here fails.
+// What floors, walls and openings are made of, for plans and views alike. Thread-safe; nothing here fails.
+
 namespace flair::renderer {
 
 // A material that words name.
@@ -54,5 +58,26 @@ struct Palette {
 
 // Reads the words and the colour of `style` (may be null) and the name of `object`.
 Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1::ObjectStyle* style);
+
+// What the shell of the room is made of.
+struct ShellMaterials {
+  Material floor;
+  Material wall;
+  Material ceiling;
+  Material outside;  // of the walls, where a cut-away room shows them
+  Material section;  // cut surfaces
+  Material trim;     // frames, skirting, sills
+  Material glass;
+  Material metal;  // handles
+};
+
+// By the style sheet's words and colours; where it says nothing, white paint and oak boards, tiles in wet rooms.
+ShellMaterials ShellMaterialsOf(const v1::LayoutGraph& graph);
+
+// The material of a door's leaf or a window's frame, by its style; `fallback` when it has none.
+Material OpeningMaterialOf(const v1::StyleSheet& style, const std::string& id, const Material& fallback);
+
+// Linear RGB of an sRGB colour.
+Vec3 LinearOf(const v1::Colour& colour);
 
 }  // namespace flair::renderer

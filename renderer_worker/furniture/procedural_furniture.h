@@ -9,7 +9,7 @@
 
 #include "absl/container/flat_hash_map.h"
 #include "absl/status/statusor.h"
-#include "renderer_worker/scene/furnishing.h"
+#include "renderer_worker/scene/scene.h"
 
 namespace flair::renderer {
 

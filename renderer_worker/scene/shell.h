@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "flair/v1/layout_graph.pb.h"
-#include "renderer_worker/furniture/surfaces.h"
+#include "renderer_worker/furniture/materials.h"
 #include "renderer_worker/scene/mesh.h"
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/scene.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/service/contact_sheet_taker.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "renderer_worker/drawing/testing/read_drawing.h"
+#include "renderer_worker/service/make_renderer_service.h"
 
 namespace flair::renderer {
 namespace {

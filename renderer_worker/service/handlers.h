@@ -9,7 +9,7 @@
 #include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "renderer_worker/images/image_files.h"
-#include "renderer_worker/scene/furnishing.h"
+#include "renderer_worker/scene/scene.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::renderer {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/tracing/ray_trees.h"
-
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 
@@ -15,6 +13,7 @@
 
 #include "renderer_worker/furniture/classes.h"
 #include "renderer_worker/tracing/sampling.h"
+#include "renderer_worker/tracing/world.h"
 
 namespace flair::renderer {
 namespace {

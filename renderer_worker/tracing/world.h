@@ -8,9 +8,82 @@
 #include "absl/status/statusor.h"
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/scene.h"
-#include "renderer_worker/tracing/ray_trees.h"
+#include "renderer_worker/tracing/sampling.h"
 
 namespace flair::renderer {
+
+// A mesh where it stands: turned about z, then moved.
+struct WorldInstance {
+  int instance_id = 0;
+  int class_id = 0;
+  const Mesh* mesh = nullptr;
+  int mesh_index = 0;
+  float cosine = 1, sine = 0;
+  Vec3 origin;
+  bool seen = true;    // by the camera
+  bool shades = true;  // holds up light
+  Vec3 ToRoom(Vec3 p) const { return TurnToRoom(p) + origin; }
+  Vec3 TurnToRoom(Vec3 v) const { return {v.x * cosine - v.y * sine, v.x * sine + v.y * cosine, v.z}; }
+};
+
+// The scene's objects, then the parts of its shell. Ids count all of them, seen or not: the same in every view.
+std::vector<WorldInstance> InstancesOf(const Scene& scene, const CutAway& cut);
+
+// Whether what is behind lies in shadow: neither glass nor a lamp.
+inline bool HoldsUpLight(const Material& material) {
+  return material.opacity >= 1 && Luminance(material.emission) <= 0;
+}
+
+// Ids of the parts of a room, beside those of furniture classes; in the order of ShellPart::Kind.
+inline constexpr int kFloorClass = 1001, kCeilingClass = 1002, kWallClass = 1003, kDoorClass = 1004,
+                     kWindowClass = 1005, kSkirtingClass = 1006;
+
+// Where a ray met a surface.
+struct Hit {
+  float distance = 0;
+  int instance = -1;  // index in the instances; -1 when nothing was met
+  int part = 0;
+  int triangle = 0;
+  float u = 0, v = 0;
+  Vec3 across;  // right-angled to the triangle in room frame R, any length, either side
+};
+
+inline constexpr int kMostRaysTogether = 8;
+
+// Up to so many triangles, counted once for every object that has them, rays search one tree of all of them, which is
+// faster; beyond, equal meshes share a tree each.
+inline constexpr int64_t kMaxFlatTriangles = 600'000;
+
+int64_t TriangleCount(const Mesh& mesh);
+
+// Embree's side of a World: what rays meet, of what is seen and of what holds up light. Thread-safe once made.
+class RayTrees {
+ public:
+  // The instances, with valid meshes numbered by mesh_index below `mesh_count`, are borrowed. RESOURCE_EXHAUSTED when
+  // there is no memory.
+  static absl::StatusOr<std::unique_ptr<RayTrees>> Make(std::span<const WorldInstance> instances, int mesh_count);
+  ~RayTrees();
+  RayTrees(const RayTrees&) = delete;
+  RayTrees& operator=(const RayTrees&) = delete;
+
+  // The nearest thing seen, from `least` on.
+  Hit NearestSeen(Vec3 from, Vec3 direction, float least) const;
+  // The same for up to kMostRaysTogether directions; nothing where `least` is infinite.
+  void NearestSeen(Vec3 from, std::span<const Vec3> directions, std::span<const float> least,
+                   std::span<Hit> hits) const;
+  // The nearest thing that holds up light.
+  Hit NearestShading(Vec3 from, Vec3 direction) const;
+  // Whether something holds up light within `distance`, in lengths of `direction`.
+  bool Shaded(Vec3 from, Vec3 direction, float distance) const;
+
+ private:
+  struct Trees;
+  explicit RayTrees(std::span<const WorldInstance> instances);
+  void AttachAll(int mesh_count);
+
+  std::span<const WorldInstance> instances_;
+  std::unique_ptr<Trees> trees_;
+};
 
 // The surface at a hit.
 struct Surface {

@@ -8,7 +8,6 @@
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/executor/bounded_executor.h"
 #include "worker_runtime/metrics/metrics.h"
-#include "worker_runtime/metrics/rpc_metrics.h"
 
 namespace flair::config::v1 {
 class RuntimeConfig;

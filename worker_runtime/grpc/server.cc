@@ -20,7 +20,6 @@
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
-#include "worker_runtime/grpc/credentials.h"
 #include "worker_runtime/grpc/listener.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "worker_runtime/metrics/rpc_metrics.h"
+#include "worker_runtime/metrics/metrics.h"
 
 namespace flair::runtime {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/scene/testing/sample_rooms.h"
 
-#include "renderer_worker/scene/mesh_builder.h"
+#include "renderer_worker/scene/room_shape.h"
 
 namespace flair::renderer {
 namespace {

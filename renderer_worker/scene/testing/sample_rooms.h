@@ -2,7 +2,7 @@
 #pragma once
 
 #include "flair/v1/solved_layout.pb.h"
-#include "renderer_worker/scene/furnishing.h"
+#include "renderer_worker/scene/scene.h"
 
 namespace flair::renderer {
 

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "orchestrator/jetstream/names.h"
 #include "orchestrator/jetstream/open.h"
+#include "orchestrator/jetstream/queue_parts.h"
 #include "orchestrator/jetstream/streams.h"
 #include "tests/contract/queue/watched_queue.h"
 #include "tests/fixtures/nats_server.h"

@@ -2,7 +2,6 @@
 #include "tests/contract/queue/queue_forms.h"
 
 #include "orchestrator/jetstream/open.h"
-#include "orchestrator/store/artifact_files.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "worker_runtime/clock/clock.h"
