@@ -67,8 +67,7 @@ double ScoreOf(const SolveInput& input, const StageSpec& stage, const PartialLay
   const bool floor = stage.kind != StageKind::kTertiary;
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, state.placed, state.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{
-      input.scene, input.partners, centers, input.solver, input.keep_out, floor ? &input.walk_grid : nullptr, {}};
+  const SearchInput search_input = SearchInputOf(input, centers, floor ? &input.walk_grid : nullptr);
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, state), state.layout);
   double score = search.Score();
   if (!floor) return score;

@@ -63,8 +63,7 @@ double Problem::Value(int slot, std::span<const Pose<double>> poses) {
   ++evaluations_;
   if (Apart(slot, poses)) return 0;
   const Term& term = terms_[active_[slot]];
-  const double cost = term.cost->ValueAt(Gather(slot, poses));
-  return term.weight * (term.robust ? RobustLoss(cost) : cost);
+  return term.Loss(term.cost->ValueAt(Gather(slot, poses)));
 }
 
 double Problem::Total(std::span<const Pose<double>> poses) {
@@ -129,7 +128,7 @@ double Problem::AroundHeld(std::span<const Pose<double>> poses, double limit) {
     for (const Move& move : moves) frames[move.operand] = moved_frames_[move.held];
     const double cost = held.move_count == 1 ? held.term->cost->ValueGiven(held.fixed_part, frames, moves[0].operand)
                                              : held.term->cost->ValueAt(frames);
-    sum += held.term->weight * (held.term->robust ? RobustLoss(cost) : cost);
+    sum += held.term->Loss(cost);
     if (sum > limit) return sum;
   }
   return sum;
@@ -145,8 +144,8 @@ double Problem::Gradient(std::span<const Pose<double>> poses, std::span<double> 
     const std::span<const int> objects = term.cost->objects();
     const std::span<double> part(operand_gradient_.data(), 3 * objects.size());
     const double cost = term.cost->GradientAt(Gather(slot, poses), part);
-    sum += term.weight * (term.robust ? RobustLoss(cost) : cost);
-    const double slope = term.weight * (term.robust ? RobustSlope(cost) : 1.0);
+    sum += term.Loss(cost);
+    const double slope = term.Slope(cost);
     for (size_t k = 0; k < objects.size(); ++k) {
       for (int c = 0; c < 3; ++c) gradient[3 * objects[k] + c] += slope * part[3 * k + c];
     }

@@ -28,11 +28,17 @@ struct Term {
   bool hard = false;
   // Counts as RobustLoss(cost): one soft constraint missed is better than five missed a little.
   bool robust = false;
+  // What a term that is not robust can cost at most: balance and zones lead, but are worth no more than a call.
+  double most = std::numeric_limits<double>::infinity();
   // Index of the graph's edge, or -1 for a whole-room term called `name`.
   int edge = -1;
   std::string name;
   // The paper's factor of a whole-room term, without `kHardFactor`.
   double factor = 1;
+
+  // What a cost counts in the search, and how fast that grows with the cost.
+  double Loss(double cost_value) const;
+  double Slope(double cost_value) const;
 };
 
 // The paper's penalties compete with the soft constraints; the search must not trade one for an overlap. Multiplies factors of
@@ -50,6 +56,15 @@ inline constexpr double kHopeless = 0.2;
 inline double RobustLoss(double cost) { return kHopeless * std::log1p(cost / kHopeless) + kMissed * cost / (cost + kNearly); }
 inline double RobustSlope(double cost) {
   return kHopeless / (kHopeless + cost) + kMissed * kNearly / ((cost + kNearly) * (cost + kNearly));
+}
+
+inline double Term::Loss(double cost_value) const {
+  const double x = weight * cost_value;
+  return robust ? weight * RobustLoss(cost_value) : x / (1 + x / most);
+}
+inline double Term::Slope(double cost_value) const {
+  const double damping = 1 + weight * cost_value / most;
+  return robust ? weight * RobustSlope(cost_value) : weight / (damping * damping);
 }
 
 // Where objects stand that are not placed yet: so far away that no cost between them and the room acts.

@@ -62,5 +62,19 @@ TEST(Problem, AddsGradientsOfTermsThatShareAnObject) {
   EXPECT_EQ(gradient, (std::vector<double>{-2, 0, 0, 2 - 40, 0, 0, 40, 0, 0}));
 }
 
+TEST(Problem, ATermCostsNoMoreThanItsMostAndStillPulls) {
+  std::vector<Term> terms = TwoTerms();
+  terms[1].most = 2;
+  Problem problem(terms, {1}, 3);
+  for (int i = 0; i < 3; ++i) problem.SetPlaced(i, true);
+  const std::vector<Pose<double>> far = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
+  EXPECT_NEAR(problem.Total(far), 40 / (1 + 40.0 / 2), 1e-12);
+  std::vector<double> gradient(9, 0.0);
+  EXPECT_NEAR(problem.Gradient(far, gradient), problem.Total(far), 1e-12);
+  const std::vector<Pose<double>> farther = {{0, 0, 0}, {1, 0, 0}, {3 + 1e-6, 0, 0}};
+  EXPECT_NEAR(gradient[6], (problem.Total(farther) - problem.Total(far)) / 1e-6, 1e-5);
+  EXPECT_GT(gradient[6], 0);
+}
+
 }  // namespace
 }  // namespace flair::optimizer

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "optimizer_worker/solver/separation.h"
+#include "room/geometry/gap.h"
 
 namespace flair::optimizer {
 
@@ -54,17 +55,37 @@ double LayoutSearch::WalkPenalty() {
   if (walk_layout_ == layout_) return walk_penalty_;
   walk_layout_ = layout_;
   obstacles_.clear();
+  walked_.clear();
   for (int i = 0; i < problem_.object_count(); ++i) {
     if (problem_.placed(i) && IsSolid(input_.scene.objects[i])) {
       obstacles_.push_back({layout_[i], input_.scene.objects[i].footprint});
+      walked_.push_back(i);
     }
   }
   const evaluation::WalkResult walk = walk_grid_.front().Measure(obstacles_);
   const WalkWeights& weights = input_.walk_weights;
-  walk_penalty_ = weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * walk.blocked_fronts +
+  walk_penalty_ = weights.unreachable_floor * (1 - walk.reachable_share) + weights.blocked_front * BlockedFronts() +
                   (walk.door_free ? 0.0 : weights.blocked_door) +
                   weights.crowding * CrowdingCost_m3(input_.scene.room, obstacles_);
   return walk_penalty_;
+}
+
+int LayoutSearch::BlockedFronts() const {
+  const std::vector<char>& reachable = walk_grid_.front().front_reachable();
+  int blocked = 0;
+  for (size_t i = 0; i < obstacles_.size(); ++i) {
+    if (reachable[i]) continue;
+    const evaluation::Obstacle& own = obstacles_[i];
+    const auto strip =
+        Box<double>::Before(own.footprint, FrameOf(own.pose), Side::kFront, evaluation::kFrontStrip_m);
+    bool belongs = false;
+    for (size_t k = 0; input_.linked != nullptr && k < obstacles_.size() && !belongs; ++k) {
+      belongs = input_.linked->BelongsAt(walked_[i], walked_[k], Side::kFront) &&
+                Gap<double>(strip, Box<double>(obstacles_[k].footprint, FrameOf(obstacles_[k].pose))) < 0;
+    }
+    blocked += belongs ? 0 : 1;
+  }
+  return blocked;
 }
 
 double LayoutSearch::Score() { return problem_.Total(layout_) + WalkPenalty(); }

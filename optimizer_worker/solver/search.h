@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluation/metrics/walk_grid.h"
+#include "optimizer_worker/constraints/linked_pairs.h"
 #include "optimizer_worker/solver/candidates.h"
 #include "optimizer_worker/solver/hard_cost.h"
 #include "optimizer_worker/solver/problem.h"
@@ -38,6 +39,8 @@ struct SearchInput {
   WalkWeights walk_weights;
   // Ends improvements between two moves, with the best layout so far. Objects under construction still get a pose.
   StopCheck stop;
+  // What belongs before a front does not block it: a chair its desk, nor the desk its chair. Null when anything does.
+  const LinkedPairs* linked = nullptr;
 
   bool Stopped() const { return stop && stop(); }
 };
@@ -79,6 +82,8 @@ class LayoutSearch {
   SolverReport DescendTogether(std::span<const int> objects, const SolverLimits& limits);
   // Tries the slides of `group` as one piece, its first object leading; true when one was taken.
   bool SettleGroup(std::span<const int> group);
+  // How many obstacles (of the last measure) cannot be stood before, though nothing that belongs there stands there.
+  int BlockedFronts() const;
   // The candidate poses of `object`, given all else, into candidates_.
   void Propose(int object, const CandidateDensity& density, Random& random);
   // The same and poses near the present one.
@@ -96,7 +101,8 @@ class LayoutSearch {
   std::vector<int> placed_;
   std::vector<Pose<double>> candidates_;
   std::vector<Choice> choices_;
-  std::vector<evaluation::Obstacle> obstacles_;
+  std::vector<evaluation::Obstacle> obstacles_;  // of the last walk, and which objects they are
+  std::vector<int> walked_;
 };
 
 // How narrow the gaps are that furniture leaves: what the pathway cost of a layout will be, without its medial axis.

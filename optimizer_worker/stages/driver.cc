@@ -177,8 +177,7 @@ double Driver::LackOf(const PartialLayout& state) const {
     if (!there || (term.edge < 0 && !term.hard)) continue;
     poses.clear();
     for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
-    const double cost = term.cost->Value(poses);
-    lack += term.weight * (term.robust ? RobustLoss(cost) : cost);
+    lack += term.Loss(term.cost->Value(poses));
   }
   return lack;
 }

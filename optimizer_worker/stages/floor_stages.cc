@@ -49,8 +49,7 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
   Random random(RestartSeed(input.settings, stage, restart));
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
-                                 input.keep_out, &input.walk_grid, {},      input.Over()};
+  const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
 
   const double noise = restart == 0 ? 0.0 : kFurnishNoise;
@@ -223,6 +222,19 @@ void Straighten(const Scene& scene, std::span<const int> objects, Problem& probl
   }
 }
 
+// `free`, and the groups that the objects of `violations` are in.
+std::vector<int> WithGroupsOf(const SolveInput& input, std::span<const Violation> violations, std::vector<int> free) {
+  for (const Violation& violation : violations) {
+    for (int object : {violation.object, violation.other}) {
+      if (object < 0 || input.groups.all.empty() || input.groups.of[object] < 0) continue;
+      for (int mate : input.groups.all[input.groups.of[object]].objects) {
+        if (std::find(free.begin(), free.end(), mate) == free.end()) free.push_back(mate);
+      }
+    }
+  }
+  return free;
+}
+
 // Descends from where `search` is, makes the layout exact and lets it settle. Returns the score. What of `whole` is not
 // in `stage` moves only when nothing else helps.
 double Finish(const SolveInput& input, const StageSpec& whole, const StageSpec& stage, const SearchInput& search_input,
@@ -231,6 +243,9 @@ double Finish(const SolveInput& input, const StageSpec& whole, const StageSpec& 
   Layout layout = search.layout();
   Straighten(input.scene, stage.objects, search.problem(), layout);
   std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
+  if (!left.empty() && stage.objects.size() < whole.objects.size()) {
+    left = MakeExact(input, search.problem(), WithGroupsOf(input, left, stage.objects), layout);
+  }
   if (!left.empty() && stage.objects.size() < whole.objects.size()) {
     left = MakeExact(input, search.problem(), whole.objects, layout);
   }
@@ -260,8 +275,7 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
     const SceneCosts costs = BindCosts(input, centers);
-    const SearchInput search_input{input.scene,    input.partners,   centers, input.solver,
-                                   input.keep_out, &input.walk_grid, {},      input.Over()};
+    const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
     if (!input.OutOfTime() && !free.objects.empty()) Improve(input, free, search, random);
     if (pass + 1 == passes) result.score = Finish(input, stage, free, search_input, search);
@@ -280,8 +294,7 @@ RestartResult PolishHolding(const SolveInput& input, const PartialLayout& before
   RestartResult result = PolishRestart(input, rest, before, restart);
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{input.scene,    input.partners,        centers, input.solver,
-                                 input.keep_out, &input.fine_walk_grid, {},      input.Over()};
+  const SearchInput search_input = SearchInputOf(input, centers, &input.fine_walk_grid);
   LayoutSearch search(search_input, MakeProblem(input, costs, whole, result.state), result.state.layout);
   Layout layout = search.layout();
   const std::vector<Violation> left = MakeExact(input, search.problem(), whole.objects, layout);

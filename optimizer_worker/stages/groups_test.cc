@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -149,6 +150,75 @@ TEST(Groups, GiveTheSameBytesOnAnyNumberOfThreads) {
   const v1::LayoutGraph graph = Cafe(4, 7);
   EXPECT_EQ(Solve(graph, 3, v1::GROUP_POLICY_ON, 1).SerializeAsString(),
             Solve(graph, 3, v1::GROUP_POLICY_ON, 3).SerializeAsString());
+}
+
+// Two rows of three desks that face a teacher's desk; the first row is nearer to it.
+v1::LayoutGraph Class() {
+  std::string objects = ObjectText("teacher", "PRIMARY", "FLOOR", 1.4, 0.7), edges;
+  for (int d = 0; d < 6; ++d) objects += ObjectText(fmt::format("desk_{}", d).c_str(), "PRIMARY", "FLOOR", 0.7, 0.5);
+  for (int d : {1, 2, 4, 5}) {
+    edges += EdgeText(fmt::format("beside_{}", d).c_str(), "next_to",
+                      Text("object", fmt::format("desk_{}", d).c_str()) +
+                          Text("target", fmt::format("desk_{}", d - 1).c_str()) + Text("object_side", "left") +
+                          Text("target_side", "right"));
+  }
+  const auto ahead = [](const char* id, const char* object, const char* target, double distance_m) {
+    return EdgeText(id, "in_front_of",
+                    Text("object", object) + Text("target", target) +
+                        fmt::format(R"(arguments {{ name: "distance_m" value {{ number: {} }} }})", distance_m));
+  };
+  edges += ahead("rows", "desk_1", "desk_4", 0.9) + ahead("teaches", "teacher", "desk_1", 2) +
+           EdgeText("looks", "facing", Text("object", "desk_1") + Text("target", "teacher"));
+  return Parse(RoomText(7, 8) + "object_list {" + objects + "}" + edges);
+}
+
+TEST(Groups, RowsBeginAtTheDeskThatTheyFaceForEverySeed) {
+  for (int seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const v1::SolvedLayout layout = Solve(Class(), seed, v1::GROUP_POLICY_UNSPECIFIED);
+    for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+      EXPECT_LT(outcome.cost(), 0.01) << outcome.ShortDebugString();
+    }
+  }
+}
+
+TEST(WalkPenalty, ADeskDoesNotBlockTheFrontOfItsChair) {
+  const NloptSolver solver;
+  const v1::LayoutGraph graph = Cafe(1, 5);
+  const SolveInput input = InputOf(graph, solver);
+  PartialLayout state(input.scene);
+  std::vector<Pose<double>> poses;
+  PoseGroup(input.groups.all[0].arrangements[0], {2.5, 2.5, 0}, poses);
+  for (size_t k = 0; k < poses.size(); ++k) state.Place(input.groups.all[0].objects[k], poses[k]);
+  const SceneCosts costs = BindCosts(input, state);
+  SearchInput search_input = SearchInputOf(input, {}, &input.walk_grid);
+  const auto penalty = [&] {
+    const StageSpec stage = MakeStage(input.scene, StageKind::kPolish);
+    return LayoutSearch(search_input, MakeProblem(input, costs, stage, state), state.layout).WalkPenalty();
+  };
+  const double belonging = penalty();
+  // Four chairs before the table, and the table before one of them.
+  search_input.linked = nullptr;
+  EXPECT_NEAR(penalty() - belonging, 5 * search_input.walk_weights.blocked_front, 1e-9);
+}
+
+TEST(ForEachPattern, SharesOppositeWallsEvenly) {
+  const Room room = RectangularRoom(7, 10);
+  const BoundingBox bed{{-0.75, -1}, {0.75, 1}};
+  bool found = false;
+  ForEachPattern(room, bed, 6, [&](const std::vector<Pose<double>>& poses) {
+    const auto at = [&](double x_m) {
+      std::vector<double> y;
+      for (size_t k = 0; k < 6; ++k) {
+        if (std::abs(poses[k].x_m - x_m) < 1e-6) y.push_back(poses[k].y_m);
+      }
+      std::sort(y.begin(), y.end());
+      return y;
+    };
+    const std::vector<double> west = at(1), east = at(6);
+    found = found || (west.size() == 3 && east.size() == 3 && west[1] - west[0] > 2.1 && west[2] - west[1] > 2.1);
+  });
+  EXPECT_TRUE(found);
 }
 
 TEST(ForEachPattern, PlacesSoManyBoxesThatDoNotOverlap) {

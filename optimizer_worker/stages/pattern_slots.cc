@@ -12,6 +12,8 @@ constexpr double kGaps_m[] = {0, 0.6, 0.9, kSpread};
 // A row that is not full has at least this share of the others' boxes; up to so many rows are to spare.
 constexpr double kFullEnough = 0.5;
 constexpr int kSpareRows = 1;
+// Rows along walls, shared evenly, may be by so many longer.
+constexpr int kSpareOnWall = 3;
 
 // Rows of a grid: all look the same way, or every second one is turned.
 struct Bank {
@@ -106,27 +108,60 @@ class GridMaker {
   std::vector<Pose<double>> slots_;
 };
 
-// Every wall in turn, or every second one: opposite rows.
-void AlongWalls(const Room& room, const BoundingBox& box, size_t first, size_t step, double gap, size_t count,
-                const VisitSlots& visit) {
-  const double w = box.width_m(), d = box.height_m();
-  std::vector<Pose<double>> slots;
-  for (size_t k = 0; k < room.walls.size(); k += step) {
-    const Wall& wall = room.walls[(first + k) % room.walls.size()];
-    // Corners are left to the row that comes first.
-    const double low = k > 0 && step == 1 ? d : 0.0;
-    const double high = wall.length_m - (k > 0 && k + 1 == room.walls.size() ? d : 0.0);
-    const int fit = static_cast<int>((high - low + gap) / (w + gap));
-    const double start = low + (high - low - fit * w - (fit - 1) * gap) / 2;
-    const double heading = wall.BackHeading();
-    const Vec2<double> off = FrameOf(Pose<double>{0, 0, heading}).ToRoom(box.Center().x, box.Center().y);
-    for (int n = 0; n < fit; ++n) {
-      const Vec2<double> p = wall.PointAt(start + n * (w + gap) + w / 2) + (d / 2) * wall.inward_normal - off;
-      slots.push_back({p.x, p.y, heading});
+// Boxes along every wall in turn, or every second one: opposite rows.
+class WallRows {
+ public:
+  WallRows(const Room& room, const BoundingBox& box, size_t first, size_t step) : box_(box) {
+    const double d = box.height_m();
+    for (size_t k = 0; k < room.walls.size(); k += step) {
+      const Wall& wall = room.walls[(first + k) % room.walls.size()];
+      // Corners are left to the row that comes first.
+      rows_.push_back({&wall, k > 0 && step == 1 ? d : 0.0,
+                       wall.length_m - (k > 0 && k + 1 == room.walls.size() ? d : 0.0)});
     }
   }
-  if (slots.size() >= count) visit(slots);
-}
+
+  // As many as fit with such gaps, one wall after the other.
+  void Filled(double gap, size_t count, const VisitSlots& visit) const {
+    std::vector<Pose<double>> slots;
+    for (const Row& row : rows_) {
+      const int fit = static_cast<int>((row.high - row.low + gap) / (box_.width_m() + gap));
+      const double start = row.low + (row.high - row.low - fit * box_.width_m() - (fit - 1) * gap) / 2;
+      for (int n = 0; n < fit; ++n) slots.push_back(At(row, start + n * (box_.width_m() + gap)));
+    }
+    if (slots.size() >= count) visit(slots);
+  }
+
+  // `each` to a wall that has room for them, evenly, the walls by turns.
+  void Shared(int each, size_t count, const VisitSlots& visit) const {
+    std::vector<Pose<double>> slots;
+    for (int n = 0; n < each; ++n) {
+      for (const Row& row : rows_) {
+        const double gap = (row.high - row.low - each * box_.width_m()) / (each + 1);
+        if (gap >= 0) slots.push_back(At(row, row.low + gap + n * (box_.width_m() + gap)));
+      }
+    }
+    if (slots.size() >= count) visit(slots);
+  }
+
+ private:
+  // Free along the wall between `low` and `high`.
+  struct Row {
+    const Wall* wall;
+    double low, high;
+  };
+
+  Pose<double> At(const Row& row, double offset) const {
+    const double heading = row.wall->BackHeading();
+    const Vec2<double> off = FrameOf(Pose<double>{0, 0, heading}).ToRoom(box_.Center().x, box_.Center().y);
+    const Vec2<double> p = row.wall->PointAt(offset + box_.width_m() / 2) +
+                           (box_.height_m() / 2) * row.wall->inward_normal - off;
+    return {p.x, p.y, heading};
+  }
+
+  const BoundingBox& box_;
+  std::vector<Row> rows_;
+};
 
 }  // namespace
 
@@ -137,8 +172,11 @@ void ForEachPattern(const Room& room, const BoundingBox& box, int count, const V
     GridMaker(room, box, longest.BackHeading() + quarter * kPi / 2, visit).All(count);
   }
   for (size_t wall = 0; wall < room.walls.size(); ++wall) {
-    for (double gap : {0.0, 0.1, 0.6}) {
-      for (size_t step : {size_t{1}, size_t{2}}) AlongWalls(room, box, wall, step, gap, count, visit);
+    for (size_t step : {size_t{1}, size_t{2}}) {
+      const WallRows rows(room, box, wall, step);
+      for (double gap : {0.0, 0.1, 0.6}) rows.Filled(gap, count, visit);
+      const int fewest = std::max(2, count * static_cast<int>(step) / static_cast<int>(room.walls.size()));
+      for (int each = fewest; each <= fewest + kSpareOnWall; ++each) rows.Shared(each, count, visit);
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "optimizer_worker/solver/hard_cost.h"
 #include "optimizer_worker/solver/search.h"
@@ -14,8 +15,12 @@ namespace {
 
 // Hard terms up to this are rounding.
 constexpr double kNoOverlap = 1e-9, kOverlap_m = 1e-6;
-// So many of the best are kept for a closer look; so many of those become starts.
-constexpr size_t kKept = 12, kStarts = 4;
+// So many of the best of each heading are kept for a closer look; so many of those become starts.
+constexpr int kKeptOfHeading = 4;
+constexpr size_t kStarts = 4;
+constexpr double kAlike_rad = 0.1;
+// So many companions of a pattern are placed to judge it.
+constexpr size_t kCompanions = 3;
 // How often all pairs may change places.
 constexpr int kExchanges = 4;
 // Behind whoever sits there: what half a way takes, or less where that does not fit.
@@ -47,9 +52,11 @@ class PatternPlacer {
   std::vector<PartialLayout> Place(const PartialLayout& before, size_t most) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input_.scene, before.placed, before.layout);
     const SceneCosts costs = BindCosts(input_, centers);
-    const SearchInput search_input{input_.scene,    input_.partners,   centers, input_.solver,
-                                   input_.keep_out, &input_.walk_grid, {},      nullptr};
-    LayoutSearch search(search_input, MakeProblem(input_, costs, {stage_.kind, stage_.zone, objects_}, before),
+    const SearchInput search_input = SearchInputOf(input_, centers, &input_.walk_grid);
+    const std::vector<int> companions = Companions(before);
+    std::vector<int> free = objects_;
+    free.insert(free.end(), companions.begin(), companions.end());
+    LayoutSearch search(search_input, MakeProblem(input_, costs, {stage_.kind, stage_.zone, free}, before),
                         before.layout);
     Problem& problem = search.problem();
     HardCost hard(input_.scene, input_.keep_out, problem);
@@ -63,7 +70,10 @@ class PatternPlacer {
       Exchange(problem, layout);
       for (size_t k = 0; k < objects_.size(); ++k) pattern.poses[k] = layout[objects_[k]];
       search.set_layout(layout);
+      Random random(RestartSeed(input_.settings, stage_, 0));
+      search.Construct(companions, 0, random);
       pattern.cost = search.Score();
+      for (int object : companions) problem.SetPlaced(object, false);
     }
     // Rows along the walls of a room that is no rectangle may cross.
     std::erase_if(best_, [&](const Pattern& pattern) {
@@ -81,6 +91,24 @@ class PatternPlacer {
   }
 
  private:
+  // What else is to be placed and calls name with the pattern, largest first: the teacher's desk belongs before the rows.
+  std::vector<int> Companions(const PartialLayout& before) const {
+    std::vector<int> companions;
+    for (int object : stage_.objects) {
+      const auto is_partner = [&](int member) {
+        const std::vector<int>& partners = input_.partners[member];
+        return std::find(partners.begin(), partners.end(), object) != partners.end();
+      };
+      if (before.placed[object] || std::find(objects_.begin(), objects_.end(), object) != objects_.end()) continue;
+      if (std::any_of(objects_.begin(), objects_.end(), is_partner)) companions.push_back(object);
+    }
+    std::stable_sort(companions.begin(), companions.end(), [&](int a, int b) {
+      return input_.scene.objects[a].footprint.area_m2() > input_.scene.objects[b].footprint.area_m2();
+    });
+    if (companions.size() > kCompanions) companions.resize(kCompanions);
+    return companions;
+  }
+
   // Among places with room behind the seats; without where there are none.
   void Rank(LayoutSearch& search, const HardCost& hard) {
     size_t arrangements = kArrangements;
@@ -142,30 +170,56 @@ class PatternPlacer {
     return box;
   }
 
-  // Takes the first of those slots that nothing is in the way of, as it would be for the first group.
-  void Try(const std::vector<Pose<double>>& slots, size_t arrangement, LayoutSearch& search, const HardCost& hard) {
-    const std::vector<Group>& all = input_.groups.all;
-    free_.clear();
-    for (size_t i = 0; i < slots.size() && free_.size() < groups_.size(); ++i) {
-      PoseGroup(all[groups_[0]].arrangements[arrangement], slots[i], one_);
-      if (hard.At(one_, kNoOverlap) <= kNoOverlap) free_.push_back(slots[i]);
-      if (free_.size() + slots.size() - i <= groups_.size() && free_.size() < groups_.size()) return;
-    }
-    // The first row may be at either end.
-    for (int end = 0; end < (tied_ ? 2 : 1); ++end) {
+  // Takes the first of those slots that nothing is in the way of, as it would be for the first group. Groups that are
+  // tied may begin at either end, and at either end of the rows.
+  void Try(std::vector<Pose<double>> slots, size_t arrangement, LayoutSearch& search, const HardCost& hard) {
+    for (int turn = 0; turn < (tied_ ? 4 : 1); ++turn) {
+      if (turn == 2) std::reverse(slots.begin(), slots.end());
+      if (turn % 2 == 1) {
+        TurnRows();
+      } else if (!Free(slots, arrangement, hard)) {
+        return;
+      }
       all_.clear();
       for (size_t k = 0; k < groups_.size(); ++k) {
-        PoseGroup(all[groups_[k]].arrangements[arrangement], free_[k], one_);
+        PoseGroup(input_.groups.all[groups_[k]].arrangements[arrangement], free_[k], one_);
         all_.insert(all_.end(), one_.begin(), one_.end());
       }
       Offer(search);
-      std::reverse(free_.begin(), free_.end());
     }
   }
 
-  // Keeps all_ among the best by what it costs and how one can walk.
+  // Reverses every row of free_.
+  void TurnRows() {
+    for (auto first = free_.begin(); first != free_.end();) {
+      const auto last = std::find_if(first, free_.end(), [&](const Pose<double>& slot) {
+        return std::abs(FrameOf(*first).ToObject(Center(slot)).y) > kOverlap_m ||
+               AngleBetween(first->theta_rad, slot.theta_rad) > kAlike_rad;
+      });
+      std::reverse(first, last);
+      first = last;
+    }
+  }
+
+  // The first free of `slots` into free_; false when they are too few.
+  bool Free(const std::vector<Pose<double>>& slots, size_t arrangement, const HardCost& hard) {
+    free_.clear();
+    for (size_t i = 0; i < slots.size() && free_.size() < groups_.size(); ++i) {
+      PoseGroup(input_.groups.all[groups_[0]].arrangements[arrangement], slots[i], one_);
+      if (hard.At(one_, kNoOverlap) <= kNoOverlap) free_.push_back(slots[i]);
+      if (free_.size() + slots.size() - i <= groups_.size() && free_.size() < groups_.size()) return false;
+    }
+    return free_.size() == groups_.size();
+  }
+
+  // Keeps all_ among the best that look its way, by what it costs and how one can walk.
   void Offer(LayoutSearch& search) {
-    const double limit = best_.size() < kKept ? HUGE_VAL : best_.back().cost;
+    const auto looks_alike = [&](const Pattern& other) {
+      return AngleBetween(other.poses[0].theta_rad, all_[0].theta_rad) < kAlike_rad;
+    };
+    const auto worst = std::find_if(best_.rbegin(), best_.rend(), looks_alike);
+    const bool full = std::count_if(best_.begin(), best_.end(), looks_alike) >= kKeptOfHeading;
+    const double limit = full ? worst->cost : HUGE_VAL;
     double cost = search.problem().AroundHeld(all_, limit);
     if (cost >= limit) return;
     Layout layout = search.layout();
@@ -173,10 +227,10 @@ class PatternPlacer {
     search.set_layout(layout);
     cost += search.WalkPenalty();
     if (cost >= limit) return;
+    if (full) best_.erase(std::next(worst).base());
     const auto place = std::upper_bound(best_.begin(), best_.end(), cost,
                                         [](double value, const Pattern& other) { return value < other.cost; });
     best_.insert(place, {all_, cost});
-    if (best_.size() > kKept) best_.pop_back();
   }
 
   const SolveInput& input_;
@@ -232,20 +286,22 @@ bool ArePlaced(const SolveInput& input, const std::vector<int>& groups, const Pa
   });
 }
 
-// How many of `groups`, all placed, are not arranged, look along other axes than the first, or are in line with none.
-int OutOfOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state,
-               const Tolerance& tolerance) {
+// Those of `groups`, all placed, that are arranged, look along the axes of the first, and are in line with another.
+std::vector<int> InOrder(const SolveInput& input, const std::vector<int>& groups, const PartialLayout& state,
+                         const Tolerance& tolerance) {
   const std::vector<Group>& all = input.groups.all;
   const auto first = [&](int g) -> const Pose<double>& { return state.layout[all[g].objects[0]]; };
   const Frame<double> frame = FrameOf(first(groups[0]));
-  return static_cast<int>(std::count_if(groups.begin(), groups.end(), [&](int g) {
+  std::vector<int> in_order;
+  std::copy_if(groups.begin(), groups.end(), std::back_inserter(in_order), [&](int g) {
     const double turn = WrapAngle(4 * (first(g).theta_rad - first(groups[0]).theta_rad)) / 4;
-    if (std::abs(turn) > tolerance.turned_rad || !IsArranged(all[g], state.layout, tolerance)) return true;
-    return std::none_of(groups.begin(), groups.end(), [&](int other) {
+    if (std::abs(turn) > tolerance.turned_rad || !IsArranged(all[g], state.layout, tolerance)) return false;
+    return std::any_of(groups.begin(), groups.end(), [&](int other) {
       const Vec2<double> apart = frame.ToObject(Center(first(other))) - frame.ToObject(Center(first(g)));
       return other != g && (std::abs(apart.x) < tolerance.near_m || std::abs(apart.y) < tolerance.near_m);
     });
-  }));
+  });
+  return in_order;
 }
 
 }  // namespace
@@ -278,7 +334,8 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
 double DisorderOf(const SolveInput& input, const PartialLayout& state) {
   double cost = 0;
   for (const std::vector<int>& pattern : input.groups.patterns) {
-    if (ArePlaced(input, pattern, state)) cost += kDisorder * OutOfOrder(input, pattern, state, kAsSeen);
+    if (!ArePlaced(input, pattern, state)) continue;
+    cost += kDisorder * static_cast<double>(pattern.size() - InOrder(input, pattern, state, kAsSeen).size());
   }
   return cost;
 }
@@ -286,8 +343,10 @@ double DisorderOf(const SolveInput& input, const PartialLayout& state) {
 std::vector<int> InPattern(const SolveInput& input, const PartialLayout& state) {
   std::vector<int> held;
   for (const std::vector<int>& pattern : input.groups.patterns) {
-    if (!ArePlaced(input, pattern, state) || OutOfOrder(input, pattern, state, kAsPlaced) > 0) continue;
-    for (int g : pattern) {
+    if (!ArePlaced(input, pattern, state)) continue;
+    const std::vector<int> in_order = InOrder(input, pattern, state, kAsPlaced);
+    if (in_order.size() < kFewestAlike) continue;
+    for (int g : in_order) {
       const std::vector<int>& objects = input.groups.all[g].objects;
       held.insert(held.end(), objects.begin(), objects.end());
     }

@@ -10,6 +10,9 @@
 namespace flair::optimizer {
 namespace {
 
+// About what a missed constraint costs.
+constexpr double kMostOfWholeRoom = 1;
+
 class Collector {
  public:
   Collector(const SolveInput& input, SceneCosts& costs) : input_(input), costs_(costs) {}
@@ -99,6 +102,7 @@ class Collector {
     term.name = name;
     // A crooked piece counts like a missed constraint.
     term.robust = term.name == kAlignedTerm;
+    if (term.name == kBalancedTerm || term.name == kZoneTerm) term.most = kMostOfWholeRoom;
   }
 
   const SolveInput& input_;

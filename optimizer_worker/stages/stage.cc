@@ -167,6 +167,12 @@ Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const Stag
   return problem;
 }
 
+SearchInput SearchInputOf(const SolveInput& input, std::span<const Vec2<double>> zone_centers,
+                          const evaluation::WalkGrid* walk_grid) {
+  return {input.scene, input.partners, zone_centers, input.solver, input.keep_out,
+          walk_grid,   {},             input.Over(), &input.linked};
+}
+
 PartialLayout StartOf(const SolveInput& input) {
   PartialLayout start(input.scene);
   for (const Pin& pin : input.pins) start.Place(pin.object, pin.pose);

@@ -90,6 +90,10 @@ bool CountsIn(const Term& term, StageKind stage);
 Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const StageSpec& stage,
                     const PartialLayout& before);
 
+// What a search of the problem reads; null `walk_grid` where walking does not matter. Borrows all.
+SearchInput SearchInputOf(const SolveInput& input, std::span<const Vec2<double>> zone_centers,
+                          const evaluation::WalkGrid* walk_grid);
+
 // Where the restarts of a stage run: on this process's threads, or spread over other optimizers as well.
 class RestartRunner {
  public:

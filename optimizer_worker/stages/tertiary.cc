@@ -285,8 +285,7 @@ RestartResult TertiaryRestart(const SolveInput& input, const StageSpec& stage, c
   Random random(RestartSeed(input.settings, stage, restart));
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input{input.scene,    input.partners, centers, input.solver,
-                                 input.keep_out, nullptr,        {},      input.Over()};
+  const SearchInput search_input = SearchInputOf(input, centers, nullptr);
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
   search.Construct(stage.objects, restart == 0 ? 0.0 : kNoise, random);
   const std::vector<int> meant = CarriersOf(input, stage, search.layout(), before);
