@@ -10,7 +10,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/time/clock.h"
 #include "cli/batch/batch_run.h"
-#include "cli/batch/result_row.h"
+#include "cli/batch/results_file.h"
 #include "cli/output/message_view.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"

@@ -12,7 +12,7 @@
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
-#include "cli/batch/batch_folder.h"
+#include "cli/batch/batch_input.h"
 #include "cli/batch/results_file.h"
 #include "cli/batch/submission.h"
 #include "cli/progress/progress.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/result_row.h"
-
 #include <array>
 #include <cstdlib>
 #include <map>
 
 #include "absl/strings/ascii.h"
 #include "absl/time/time.h"
+#include "cli/batch/results_file.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
 #include "cli/output/report_text.h"

@@ -9,7 +9,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "cli/batch/batch_folder.h"
+#include "cli/batch/batch_input.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/result_writer.h"
 #include "cli/input/llm_flags.h"

@@ -4,13 +4,17 @@
 #include <filesystem>
 #include <vector>
 
+#include "absl/strings/str_replace.h"
 #include "cli/commands/commands.h"
 #include "cli/compare/trial.h"
+#include "cli/diff/difference.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
+#include "cli/graph/layout_diagram.h"
 #include "cli/input/artifact_source.h"
 #include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"
+#include "cli/output/report_text.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"
 #include "cli/session/stage_calls.h"
@@ -19,6 +23,7 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,6 +172,132 @@ void AddCompare(const Commands& program) {
               "Flair evaluates all answers itself: costs, verdicts and measures. For constraints of unknown types it "
               "shows the optimizer's own verdicts, marked *. For a folder there is a line per design (graph.pb) and "
               "optimizer, and medians.");
+}
+
+// flair diff: what differs between two artifacts of a kind, by meaning.
+
+namespace {
+
+struct DiffArguments : Options {
+  using Options::Options;
+  std::string& a = Required("A", fmt::format("An artifact: {}", kSourceHelp));
+  std::string& b = Required("B", "A later one of the same kind");
+  std::string& format = Word("--format FORMAT", {"text", "json"}, "Format: text or json (text)");
+  std::string& picture =
+      Text("--picture FILE", "Layouts: both plans in one picture, with the differences marked; png jpg tif svg pdf");
+  std::optional<int>& size_px =
+      Whole("--size PX", 256, 8192, "Longer side of the picture in pixels, 256 to 8192 (2400)");
+  SourceFlags source{command()};
+  RendererFlags renderer{command()};
+};
+
+// "14 of 15 constraints hold, OOB 0.00 %, OOR 0.12 %, cost 3.25".
+std::string MeasuresOf(const v1::SolvedLayout& layout) {
+  return fmt::format("{}, cost {:.2f}", LayoutLine(layout), layout.total_cost());
+}
+
+// The picture without its plans.
+PlansBeside PictureOf(const DiffArguments& arguments) {
+  return {.picture = arguments.picture, .size_px = arguments.size_px, .renderer = arguments.renderer, .plans = {}};
+}
+
+absl::Status DrawPicture(const DiffArguments& arguments, const v1::Artifact& a, const v1::Artifact& b,
+                         const Difference& difference) {
+  PlansBeside plans = PictureOf(arguments);
+  plans.plans.push_back({a.solved_layout(), "A   " + arguments.a, MeasuresOf(a.solved_layout()), {}});
+  plans.plans.push_back({b.solved_layout(), "B   " + arguments.b, MeasuresOf(b.solved_layout()), {}});
+  for (const ObjectFate& fate : difference.fates) {
+    v1::ObjectChange& change = plans.plans.back().changes.emplace_back();
+    change.set_before_object_id(fate.a_id);
+    change.set_after_object_id(fate.b_id);
+    change.set_words(absl::StrReplaceAll(fate.words, {{"->", "→"}}));
+  }
+  return DrawPlansBeside(plans);
+}
+
+absl::Status Diff(const DiffArguments& arguments) {
+  if (!arguments.picture.empty()) {
+    RETURN_IF_ERROR(CheckPicture(PictureOf(arguments)));
+  }
+  ASSIGN_OR_RETURN(const v1::Artifact a, OpenArtifact(arguments.a, arguments.source));
+  ASSIGN_OR_RETURN(const v1::Artifact b, OpenArtifact(arguments.b, arguments.source));
+  const absl::StatusOr<Difference> difference = CompareArtifacts(a, b);
+  if (!difference.ok()) return About(fmt::format("{} and {}", arguments.a, arguments.b), difference.status());
+  if (!arguments.picture.empty()) {
+    if (!a.has_solved_layout()) {
+      return absl::InvalidArgumentError(
+          fmt::format("--picture: {} is not a layout; only layouts can be drawn", arguments.a));
+    }
+    RETURN_IF_ERROR(DrawPicture(arguments, a, b, *difference));
+  }
+  fmt::print("{}", arguments.format == "json" ? DifferenceJson(*difference, arguments.a, arguments.b)
+                                              : Printable(DifferenceText(*difference, arguments.a, arguments.b)));
+  return difference->content_is_same ? absl::OkStatus() : DiffersStatus();
+}
+
+}  // namespace
+
+void AddDiff(const Commands& program) {
+  program.Add("diff", "Show what differs between two artifacts of the same kind.", Diff,
+              "Items are matched by meaning: sentences by their words, calls by type and arguments, objects by id or "
+              "name. + added, - removed, ~ changed, < better (lower cost, now satisfied), > worse. "
+              "Exits with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
+              "Examples:\n"
+              "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
+              "  flair diff out/a/constraints_raw.pb out/a/constraints.pb");
+}
+
+// flair graph: the layout graph itself as a diagram.
+
+namespace {
+
+struct GraphArguments : Options {
+  using Options::Options;
+  std::string& graph = Required("LAYOUT", fmt::format("A layout, or a graph not solved yet: {}", kSourceHelp));
+  std::string& out = Required("-o,--out FILE", "Where it goes; the extension chooses the format: svg png pdf dot");
+  SourceFlags source{command()};
+};
+
+absl::StatusOr<std::string> FormatOf(const std::string& out) {
+  const std::string ending = std::filesystem::path(out).extension().string();
+  for (const char* format : {"svg", "png", "pdf", "dot"}) {
+    if (ending == std::string(".") + format) return format;
+  }
+  return absl::InvalidArgumentError(
+      fmt::format("--out: {}: its extension chooses the format: svg, png, pdf, dot", out));
+}
+
+absl::StatusOr<Diagram> ReadDiagram(const GraphArguments& arguments) {
+  ASSIGN_OR_RETURN(const v1::Artifact artifact, OpenArtifact(arguments.graph, arguments.source));
+  if (artifact.has_solved_layout()) return DiagramOf(artifact.solved_layout());
+  if (artifact.has_layout_graph()) return DiagramOf(artifact.layout_graph());
+  return absl::InvalidArgumentError(
+      fmt::format("{}: neither a layout nor a graph; give the layout.pb or graph.pb of a design", arguments.graph));
+}
+
+absl::Status Graph(const GraphArguments& arguments) {
+  ASSIGN_OR_RETURN(const std::string format, FormatOf(arguments.out));
+  ASSIGN_OR_RETURN(const Diagram diagram, ReadDiagram(arguments));
+  RETURN_IF_ERROR(CheckOutputFile(arguments.out));
+  absl::StatusOr<std::string> bytes = DotText(diagram);
+  if (format != "dot") {
+    const SlowNote note("drawing");
+    bytes = RunDot(*bytes, format);
+    if (!bytes.ok()) return bytes.status();
+  }
+  RETURN_IF_ERROR(WriteOutputFile(arguments.out, *bytes));
+  fmt::print(stderr, "{}: {}, {}, {}\n", arguments.out, Counted(std::ssize(diagram.nodes), "node"),
+             Counted(std::ssize(diagram.links), "link"), Counted(std::ssize(diagram.groups), "group"));
+  return absl::OkStatus();
+}
+
+}  // namespace
+
+void AddGraph(const Commands& program) {
+  program.Add("graph", "Draw the layout graph: objects, parts of the room, and the calls between them.", Graph,
+              "Coloured boxes are zones, as on the plan. Calls about one object are rows in it, calls between two are "
+              "links, calls of a group have a box. Green is satisfied, red violated, dashed grey dropped. In an SVG, "
+              "tooltips show the sentence behind a call. Needs Graphviz (apt-get install graphviz), except for .dot.");
 }
 
 }  // namespace flair::cli

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/contract/values.h"
-
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/text_format.h>
 
@@ -12,6 +10,7 @@
 #include <regex>
 
 #include "absl/strings/numbers.h"
+#include "cli/contract/script.h"
 
 namespace flair::contract {
 namespace {

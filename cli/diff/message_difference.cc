@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/diff/message_difference.h"
-
 #include <google/protobuf/duration.pb.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_replace.h"
 #include "absl/strings/str_split.h"
+#include "cli/diff/difference.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
 #include "cli/output/text.h"

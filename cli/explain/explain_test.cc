@@ -4,7 +4,7 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
-#include "cli/explain/in_words.h"
+#include "cli/explain/layout_note.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "room/text_format/scene_text.h"

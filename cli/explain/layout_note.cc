@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "absl/strings/ascii.h"
-#include "cli/explain/in_words.h"
 #include "evaluation/metrics/solids.h"
 #include "evaluation/metrics/uses.h"
 #include "fmt/format.h"

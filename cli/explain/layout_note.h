@@ -3,11 +3,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "nlohmann/json.hpp"
+#include "room/conversion/conversion.h"
+#include "room/scene/scene.h"
 
 namespace flair::cli {
 
@@ -45,5 +48,55 @@ inline std::string WithoutStop(std::string text) {
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
   return text;
 }
+
+// Calls and places in words.
+
+// The calls of a scene, read by the catalogue of the optimizer that placed it: another optimizer has other types and
+// words. Of a call that the catalogue does not have, or whose arguments do not fit, only the type is known. Borrows
+// both.
+class CallWords {
+ public:
+  CallWords(const v1::ConstraintCatalog& catalog, const Scene& scene) : catalog_(catalog), scene_(scene) {}
+
+  // What a call asks of its subject: "has its back flush on a wall". Begins with the verb, no full stop; "meets TYPE"
+  // of a call that cannot be read.
+  std::string Asked(const v1::ConstraintEdge& edge) const;
+  // By how much it is missed: "the desk is 0.42 m too far from the bed". Empty when there are no words or no measure.
+  std::string Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const;
+
+  // Indices of objects, in the call's order. Those that it places: its first object, or all of its group.
+  std::vector<int> Subjects(const v1::ConstraintEdge& edge) const;
+  // Those by which it places them.
+  std::vector<int> Anchors(const v1::ConstraintEdge& edge) const;
+  // All that it names.
+  std::vector<int> Named(const v1::ConstraintEdge& edge) const;
+
+ private:
+  struct Call;
+  Call Read(const v1::ConstraintEdge& edge) const;
+  std::string Filled(const std::string& words, const Call& call, const std::string& missed_by) const;
+
+  const v1::ConstraintCatalog& catalog_;
+  const Scene& scene_;
+};
+
+// "0.42 m", "12 degrees".
+std::string MeasureText(double value, const std::string& unit);
+
+// "a, b and c".
+std::string Joined(const std::vector<std::string>& items);
+
+// Where an object is, seen with the eyes of somebody in the room.
+
+// "stands with its back to the north wall, under a window; nightstand 1 at its left". Begins with the verb, no full
+// stop. For an object that is placed; neighbours that are not placed do not count. Walls, things and distances are
+// read off the layout, whatever was asked.
+std::string Standing(const Scene& scene, const PartialLayout& where, int object);
+
+// "the north wall"; of a room that is no rectangle "wall_3 in the north".
+std::string WallInWords(const Wall& wall);
+
+// "north", "south-east": the compass direction nearest to a direction in the room.
+std::string Compass(const Vec2<double>& direction);
 
 }  // namespace flair::cli

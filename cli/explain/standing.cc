@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "cli/explain/in_words.h"
+#include "cli/explain/layout_note.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/constraints/shortfall.h"

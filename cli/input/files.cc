@@ -5,12 +5,22 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "absl/cleanup/cleanup.h"
 #include "cli/exit_code.h"
+#include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
+#include "flair/v1/artifact.pb.h"
 #include "fmt/format.h"
+#include "room/geometry/polygon.h"
+#include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
@@ -106,6 +116,123 @@ absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, cons
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+namespace {
+
+constexpr double kHeight_m = 3;
+constexpr double kDoorHead_m = 2.05;
+constexpr double kWindowHead_m = 2.1;
+
+std::vector<Vec2<double>> CornersOf(const v1::Room& room) {
+  std::vector<Vec2<double>> corners;
+  for (const v1::Point2& corner : room.floor().vertices()) corners.push_back({corner.x_m(), corner.y_m()});
+  return corners;
+}
+
+// The side of an upright rectangle on which the edge from `a` to `b` lies; empty for a slanted edge. The order of the
+// corners does not matter: the side follows from where the edge lies in the bounding box.
+std::string SideOf(const Vec2<double>& a, const Vec2<double>& b, const BoundingBox& box) {
+  if (a.y == b.y && a.x != b.x) return a.y == box.min.y ? "south" : "north";
+  if (a.x == b.x && a.y != b.y) return a.x == box.min.x ? "west" : "east";
+  return "";
+}
+
+void NameWalls(const std::vector<Vec2<double>>& corners, v1::Room& room) {
+  const BoundingBox box = BoundsOf(corners);
+  std::vector<std::string> sides;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    sides.push_back(SideOf(corners[i], corners[(i + 1) % corners.size()], box));
+  }
+  const std::set<std::string> distinct(sides.begin(), sides.end());
+  const bool is_rectangle = corners.size() == 4 && distinct.size() == 4 && !distinct.contains("");
+  for (size_t i = 0; i < sides.size(); ++i) {
+    room.add_walls()->set_name(is_rectangle ? sides[i] : fmt::format("wall_{}", i + 1));
+  }
+}
+
+void CompleteOpenings(v1::Room& room) {
+  std::set<std::string> ids;
+  for (const v1::Opening& opening : room.openings()) ids.insert(opening.id());
+  for (v1::Opening& opening : *room.mutable_openings()) {
+    const bool is_door = opening.kind() == v1::OPENING_KIND_DOOR;
+    for (int number = 1; opening.id().empty(); ++number) {
+      const std::string id = fmt::format("{}_{}", is_door ? "door" : "window", number);
+      if (ids.insert(id).second) opening.set_id(id);
+    }
+    if (opening.head_height_m() == 0) {
+      opening.set_head_height_m(std::min(is_door ? kDoorHead_m : kWindowHead_m, room.height_m()));
+    }
+    if (!is_door) continue;
+    v1::DoorLeaf& leaf = *opening.mutable_leaf();
+    if (leaf.swing() == v1::DOOR_SWING_UNSPECIFIED) leaf.set_swing(v1::DOOR_SWING_INWARD);
+    if (leaf.swing() != v1::DOOR_SWING_INWARD && leaf.swing() != v1::DOOR_SWING_OUTWARD) continue;
+    if (leaf.hinge() == v1::HINGE_SIDE_UNSPECIFIED) leaf.set_hinge(v1::HINGE_SIDE_START);
+    if (leaf.swing_angle_rad() == 0) leaf.set_swing_angle_rad(std::numbers::pi / 2);
+  }
+}
+
+// Lists the corners the other way round. Wall i, from corner i to corner i + 1, keeps its name and what is in it, but
+// runs the other way, so that what was measured from its start is measured from its end.
+void TurnRound(const std::vector<Vec2<double>>& corners, v1::Room& room) {
+  std::map<std::string, double> lengths_m;
+  for (int i = 0; i < room.walls_size(); ++i) {
+    const Vec2<double>&a = corners[static_cast<size_t>(i)], &b = corners[static_cast<size_t>(i + 1) % corners.size()];
+    lengths_m[room.walls(i).name()] = std::hypot(b.x - a.x, b.y - a.y);
+  }
+  std::reverse(room.mutable_floor()->mutable_vertices()->begin() + 1, room.mutable_floor()->mutable_vertices()->end());
+  std::reverse(room.mutable_walls()->begin(), room.mutable_walls()->end());
+  for (v1::Opening& opening : *room.mutable_openings()) {
+    const auto wall = lengths_m.find(opening.wall());
+    if (wall == lengths_m.end()) continue;
+    opening.set_offset_m(wall->second - opening.offset_m() - opening.width_m());
+    if (!opening.has_leaf() || opening.leaf().hinge() == v1::HINGE_SIDE_UNSPECIFIED) continue;
+    opening.mutable_leaf()->set_hinge(opening.leaf().hinge() == v1::HINGE_SIDE_START ? v1::HINGE_SIDE_END
+                                                                                     : v1::HINGE_SIDE_START);
+  }
+  for (v1::Socket& socket : *room.mutable_sockets()) {
+    const auto wall = lengths_m.find(socket.wall());
+    if (wall != lengths_m.end()) socket.set_offset_m(wall->second - socket.offset_m());
+  }
+}
+
+}  // namespace
+
+void CompleteRoom(v1::Room& room) {
+  const std::vector<Vec2<double>> corners = CornersOf(room);
+  const bool finite = std::ranges::all_of(
+      corners, [](const Vec2<double>& corner) { return std::isfinite(corner.x) && std::isfinite(corner.y); });
+  if (corners.size() < 3 || !finite) return;
+  if (room.height_m() == 0) room.set_height_m(kHeight_m);
+  if (room.walls().empty()) NameWalls(corners, room);
+  CompleteOpenings(room);
+  if (SignedArea(corners) < 0 && room.walls_size() == room.floor().vertices_size()) TurnRound(corners, room);
+  const BoundingBox box = BoundsOf(corners);
+  for (v1::Point2& corner : *room.mutable_floor()->mutable_vertices()) {
+    corner.set_x_m(corner.x_m() - box.min.x);
+    corner.set_y_m(corner.y_m() - box.min.y);
+  }
+}
+
+absl::StatusOr<v1::Room> ReadRoom(const std::filesystem::path& path) {
+  v1::Artifact artifact;
+  v1::Room room;
+  ASSIGN_OR_RETURN(const bool is_artifact, ReadArtifactOr(path, artifact, room, [&room] {
+                     CompleteRoom(room);
+                     return FindProblems(room);
+                   }));
+  if (!is_artifact) return room;
+  switch (artifact.content_case()) {
+    case v1::Artifact::kRoom:
+      return artifact.room();
+    case v1::Artifact::kLayoutGraph:
+      return artifact.layout_graph().room();
+    case v1::Artifact::kSolvedLayout:
+      return artifact.solved_layout().graph().room();
+    default:
+      return absl::InvalidArgumentError(
+          fmt::format("{}: an artifact without a room; expected room.pb or room.json of a design", path.string()));
+  }
 }
 
 }  // namespace flair::cli

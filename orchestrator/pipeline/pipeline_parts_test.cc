@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/pipeline/stage_clients.h"
-#include "orchestrator/pipeline/stage_runner.h"
 #include "orchestrator/testing/fake_stages.h"
 
 namespace flair::orchestrator {

@@ -13,8 +13,6 @@
 #include "absl/status/statusor.h"
 #include "renderer_worker/drawing/canvas.h"
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/panel.h"
-#include "renderer_worker/drawing/plan_sheet.h"
 #include "renderer_worker/drawing/sheet.h"
 #include "renderer_worker/drawing/text.h"
 #include "worker_runtime/status/status_macros.h"

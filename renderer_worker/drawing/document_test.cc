@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/drawing/plan_sheet.h"
+#include "renderer_worker/drawing/sheet.h"
 #include "renderer_worker/drawing/testing/read_drawing.h"
 
 namespace flair::renderer {

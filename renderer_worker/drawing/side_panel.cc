@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/panel.h"
 #include "renderer_worker/drawing/text.h"
 
 namespace flair::renderer {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/drawing/symbol.h"
-
 #include <cairo.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "renderer_worker/drawing/plan.h"
 #include "renderer_worker/furniture/classes.h"
 
 namespace flair::renderer {

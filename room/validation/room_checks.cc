@@ -5,7 +5,7 @@
 #include <map>
 
 #include "room/geometry/polygon.h"
-#include "room/validation/checks.h"
+#include "room/validation/field.h"
 
 namespace flair::validation {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "flair/rules/v1/rules.pb.h"
-#include "room/validation/checks.h"
+#include "room/validation/field.h"
 
 namespace flair {
 // The text of rules.textproto, see CMakeLists.txt.

@@ -2,7 +2,7 @@
 #include "room/validation/validate.h"
 
 #include "absl/strings/ascii.h"
-#include "room/validation/checks.h"
+#include "room/validation/field.h"
 
 namespace flair {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "cli/explain/in_words.h"
+#include "cli/explain/layout_note.h"
 #include "nlohmann/json.hpp"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/registry.h"

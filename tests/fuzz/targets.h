@@ -12,7 +12,7 @@ namespace flair::fuzz {
 // An artifact or graph, as binary, JSON or text message: parsed, validated, and made a scene when it is good.
 void ReadGraph(std::string_view bytes);
 
-// The bytes as choices that make a small problem, mostly good: solved with tight limits. See solve_problem.cc for what
+// The bytes as choices that make a small problem, mostly good: solved with tight limits. See random_problem.cc for what
 // must hold of the result.
 void SolveProblem(std::string_view bytes);
 

@@ -12,14 +12,16 @@
 #include "flair/v1/worker_service.pb.h"
 #include "fmt/format.h"
 #include "llm/answers/conversation.h"
+#include "llm/answers/fault.h"
+#include "llm/answers/field_facts.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
 #include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/grammar/call.h"
 #include "translator_worker/grammar/scene_names.h"
 #include "translator_worker/grammar/translate.h"
 #include "translator_worker/model/bind_call.h"
 #include "translator_worker/model/prompt_texts.h"
-#include "translator_worker/model/read_calls.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
@@ -28,6 +30,78 @@ namespace flair::translator {
 namespace {
 
 using model::v1::CallsAnswer;
+
+// What one sentence became.
+struct SentenceCalls {
+  std::vector<Call> calls;
+  // Why a part of it, or all of it, is in no call; as the model says.
+  std::string refusal;
+  // What was wrong with calls that were left out, and what was changed in others; sentences for people.
+  std::vector<std::string> rejected;
+  std::vector<std::string> adjusted;
+};
+
+// Adds the calls of one text; says what is wrong with others.
+std::vector<std::string> AddCalls(const std::string& text, const llm::Choices& functions, const CatalogIndex& catalog,
+                                  const ArgumentReader& reader, SentenceCalls& sentence) {
+  const absl::StatusOr<WrittenCalls> written = ReadCallText(text);
+  if (!written.ok()) return {std::string(written.status().message())};
+  std::vector<std::string> problems;
+  for (const WrittenCall& one : written->calls) {
+    const std::optional<std::string> name = llm::FindChoice(one.function, functions);
+    const v1::ConstraintType* type = name ? catalog.Find(*name) : nullptr;
+    if (type == nullptr) {
+      problems.push_back(fmt::format("{} is no function of the list", llm::Quoted(one.function)));
+      continue;
+    }
+    absl::StatusOr<Call> call = BindCall(one, *type, reader, sentence.adjusted);
+    if (call.ok()) {
+      sentence.calls.push_back(*std::move(call));
+    } else {
+      problems.emplace_back(call.status().message());
+    }
+  }
+  if (!written->why.empty()) sentence.refusal += (sentence.refusal.empty() ? "" : "; ") + written->why;
+  return problems;
+}
+
+// The calls of a pass's answer that are of its functions and fit the catalogue, by sentence id. Says of every other one
+// what is wrong, as faults to ask about, in `faults` when it is not null. Takes any answer.
+std::map<std::string, SentenceCalls> ReadCalls(const model::v1::CallsAnswer& answer,
+                                               const std::vector<const v1::Sentence*>& sentences,
+                                               const llm::Choices& functions, const CatalogIndex& catalog,
+                                               const ArgumentReader& reader, std::vector<llm::Fault>* faults) {
+  std::map<std::string, SentenceCalls> result;
+  for (const v1::Sentence* sentence : sentences) result[sentence->id()];
+  for (int i = 0; i < answer.sentences_size(); ++i) {
+    const model::v1::SentenceCallsAnswer& said = answer.sentences(i);
+    const auto found = result.find(said.id());
+    if (found == result.end()) continue;
+    for (int k = 0; k < said.calls_size(); ++k) {
+      for (std::string& problem : AddCalls(said.calls(k), functions, catalog, reader, found->second)) {
+        if (faults != nullptr) {
+          faults->push_back({fmt::format("sentences[{}].calls[{}]", i, k), problem, llm::FaultKind::kDoubtful});
+        }
+        found->second.rejected.push_back(std::move(problem));
+      }
+    }
+  }
+  return result;
+}
+
+// Appends an entry without calls for every sentence that has none, with a fault to ask about.
+void AddMissing(const std::vector<const v1::Sentence*>& sentences, model::v1::CallsAnswer& answer,
+                std::vector<llm::Fault>& faults) {
+  std::set<std::string> there;
+  for (const model::v1::SentenceCallsAnswer& said : answer.sentences()) there.insert(said.id());
+  for (const v1::Sentence* sentence : sentences) {
+    if (!there.insert(sentence->id()).second) continue;
+    faults.push_back({fmt::format("sentences[{}]", answer.sentences_size()),
+                      fmt::format("{} is missing; calls, or none(why), would be right", sentence->id()),
+                      llm::FaultKind::kDoubtful});
+    answer.add_sentences()->set_id(sentence->id());
+  }
+}
 
 // So many sentences' calls fit into the shortest answers that servers cut off.
 constexpr size_t kMostSentences = 60;
