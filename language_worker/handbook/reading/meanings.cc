@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/meanings.h"
+
+#include <algorithm>
+
+#include "english/wordnet.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+namespace {
+
+using english::Domain;
+using english::Kind;
+using english::NounSense;
+using english::WordNet;
+
+constexpr int kAnyDistance = 100;
+constexpr int kNear = 1;                  // "settle" is a bench, but no "seat" of the handbook
+constexpr std::size_t kUsualSenses = 3;  // a "hammock" is a hill first
+
+// The longest end of a compound that WordNet has, and its senses.
+std::vector<NounSense> SensesOf(std::string_view noun) {
+  while (true) {
+    std::vector<NounSense> senses = WordNet::Get().SensesOf(noun);
+    const std::size_t space = noun.find(' ');
+    if (!senses.empty() || space == std::string_view::npos) return senses;
+    noun.remove_prefix(space + 1);
+  }
+}
+
+// The senses in which a noun may name something that stands in a room, likeliest first.
+std::vector<NounSense> PhysicalOf(const std::vector<NounSense>& senses) {
+  std::vector<NounSense> physical;
+  for (std::size_t i = 0; i < std::min(senses.size(), kUsualSenses); ++i) {
+    const Domain domain = senses[i].domain;
+    const bool first = i == 0 && (domain == Domain::kPlant || domain == Domain::kFood || domain == Domain::kSubstance ||
+                                  domain == Domain::kCommunication || domain == Domain::kNaturalObject);
+    if (domain == Domain::kArtifact || first) physical.push_back(senses[i]);
+  }
+  return physical;
+}
+
+}  // namespace
+
+template <typename Entry>
+void Meanings::Add(std::string_view text, const Entry* entry, int most_steps, Anchors<Entry>& anchors) {
+  const std::optional<NounSense> sense = WordNet::Get().Find(text);
+  if (sense) anchors.try_emplace(sense->id, Anchor<Entry>{entry, most_steps});
+}
+
+Meanings::Meanings(const hb::Handbook& handbook) {
+  for (const hb::Furniture& furniture : handbook.furniture()) {
+    for (const std::string& noun : furniture.meanings()) Add(noun, &furniture, kAnyDistance, things_);
+  }
+  for (const std::string& noun : WordsOf("meanings_of_no_things")) {
+    Add<hb::Furniture>(noun, nullptr, kAnyDistance, things_);
+  }
+  for (const hb::Furniture& furniture : handbook.furniture()) {
+    const std::vector<NounSense> senses = PhysicalOf(WordNet::Get().SensesOf(furniture.name()));
+    if (!senses.empty()) things_.try_emplace(senses.front().id, Anchor<hb::Furniture>{&furniture, kNear});
+  }
+  for (const hb::Archetype& archetype : handbook.archetypes()) {
+    for (const std::string& noun : archetype.meanings()) Add(noun, &archetype, kAnyDistance, rooms_);
+  }
+}
+
+Thing Meanings::ThingOf(std::string_view noun) const {
+  const std::vector<NounSense> senses = SensesOf(noun);
+  Thing thing{.known = !senses.empty()};
+  for (const NounSense& sense : PhysicalOf(senses)) {
+    bool none = false;
+    for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
+      const auto anchor = things_.find(kind.id);
+      if (anchor == things_.end() || kind.steps > anchor->second.most_steps) continue;
+      if (anchor->second.entry != nullptr) return {true, true, anchor->second.entry};
+      none = true;
+      break;
+    }
+    thing.is_thing = thing.is_thing || (!none && sense.domain == Domain::kArtifact);
+  }
+  return thing;
+}
+
+const hb::Archetype* Meanings::RoomOf(std::string_view noun) const {
+  for (const NounSense& sense : SensesOf(noun)) {
+    if (sense.domain != Domain::kArtifact && sense.domain != Domain::kLocation && sense.domain != Domain::kGroup) continue;
+    for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
+      if (const auto anchor = rooms_.find(kind.id); anchor != rooms_.end()) return anchor->second.entry;
+    }
+  }
+  return nullptr;
+}
+
+const hb::Archetype* Meanings::RoomFor(std::string_view noun) const {
+  for (const NounSense& sense : SensesOf(noun)) {
+    for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
+      if (const auto anchor = rooms_.find(kind.id); anchor != rooms_.end()) return anchor->second.entry;
+    }
+  }
+  return nullptr;
+}
+
+bool MeansPeople(std::string_view noun) {
+  const std::vector<NounSense> senses = WordNet::Get().SensesOf(noun);
+  return !senses.empty() && senses.front().domain == Domain::kPerson;
+}
+
+}  // namespace flair::language
