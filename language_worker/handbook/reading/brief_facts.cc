@@ -124,17 +124,31 @@ class BriefReader {
     while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
     if (text.Is(end, "rooms_by_head")) ++end;
     if (!text.Is(begin, "rooms_by_head")) facts_.room_words = text.Quote(begin, end);
+    const auto taken = [&](const hb::Archetype* archetype) {
+      if (archetype != nullptr) facts_.archetype = archetype;
+      return archetype != nullptr;
+    };
+    const Meanings& meanings = *handbook_.vocabulary().meanings;
+    if (taken(meanings.RoomOf(text.Quote(begin, end))) || taken(MostHintedAt())) return;
+    // "A breakfast room", "a sleeping module": what goes on there.
+    for (std::size_t i = end; i > begin; --i) {
+      if (text.IsWord(i - 1) && !text.Is(i - 1, "rooms_by_head") && taken(meanings.RoomFor(text.At(i - 1)))) return;
+    }
     facts_.archetype = &handbook_.fallback_archetype();
+    GuessByFurniture();
+  }
+
+  const hb::Archetype* MostHintedAt() const {
+    const hb::Archetype* hinted = nullptr;
     int most = 0;
     for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
       int hints = 0;
       for (const std::string& hint : archetype.hints()) hints += Phrase(hint).Occurs(tokens_) ? 1 : 0;
-      if (hints > most) {
-        most = hints;
-        facts_.archetype = &archetype;
-      }
+      if (hints <= most) continue;
+      most = hints;
+      hinted = &archetype;
     }
-    if (most == 0) GuessByFurniture();
+    return hinted;
   }
 
   // The kind that most of the pieces that are named belong to, the first of them above all: of "a trestle table with

@@ -68,31 +68,32 @@ Thing Meanings::ThingOf(std::string_view noun) const {
   const std::vector<NounSense> senses = SensesOf(noun);
   Thing thing{.known = !senses.empty()};
   for (const NounSense& sense : PhysicalOf(senses)) {
-    bool none = false;
     for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
       const auto anchor = things_.find(kind.id);
       if (anchor == things_.end() || kind.steps > anchor->second.most_steps) continue;
-      if (anchor->second.entry != nullptr) return {true, true, anchor->second.entry};
-      none = true;
-      break;
+      thing.is_thing = thing.is_thing || anchor->second.entry != nullptr;
+      thing.like = anchor->second.entry;
+      return thing;
     }
-    thing.is_thing = thing.is_thing || (!none && sense.domain == Domain::kArtifact);
+    thing.is_thing = thing.is_thing || sense.domain == Domain::kArtifact;
   }
   return thing;
 }
 
 const hb::Archetype* Meanings::RoomOf(std::string_view noun) const {
-  for (const NounSense& sense : SensesOf(noun)) {
-    if (sense.domain != Domain::kArtifact && sense.domain != Domain::kLocation && sense.domain != Domain::kGroup) continue;
-    for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
-      if (const auto anchor = rooms_.find(kind.id); anchor != rooms_.end()) return anchor->second.entry;
-    }
-  }
-  return nullptr;
+  return RoomAmong(noun, kUsualSenses, [](Domain domain) { return domain == Domain::kArtifact || domain == Domain::kLocation; });
 }
 
 const hb::Archetype* Meanings::RoomFor(std::string_view noun) const {
-  for (const NounSense& sense : SensesOf(noun)) {
+  return RoomAmong(noun, 2, [](Domain) { return true; });
+}
+
+const hb::Archetype* Meanings::RoomAmong(std::string_view noun, std::size_t most,
+                                         const std::function<bool(english::Domain)>& counts) const {
+  std::vector<NounSense> senses = SensesOf(noun);
+  senses.resize(std::min(senses.size(), most));
+  for (const NounSense& sense : senses) {
+    if (!counts(sense.domain)) continue;
     for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
       if (const auto anchor = rooms_.find(kind.id); anchor != rooms_.end()) return anchor->second.entry;
     }

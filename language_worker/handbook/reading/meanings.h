@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "english/wordnet.h"
 #include "flair/handbook/v1/handbook.pb.h"
 
 namespace flair::language {
@@ -49,6 +51,10 @@ class Meanings {
 
   template <typename Entry>
   static void Add(std::string_view text, const Entry* entry, int most_steps, Anchors<Entry>& anchors);
+
+  // That of the first `most` senses whose domain counts.
+  const hb::Archetype* RoomAmong(std::string_view noun, std::size_t most,
+                                 const std::function<bool(english::Domain)>& counts) const;
 
   Anchors<hb::Furniture> things_;
   Anchors<hb::Archetype> rooms_;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "language_worker/handbook/reading/meanings.h"
+
 namespace flair::language {
 namespace {
 
@@ -15,15 +17,6 @@ constexpr std::size_t kMostBareWords = 3;
 constexpr std::size_t kShortText = 4;
 constexpr std::size_t kShortestName = 4;
 
-// "readers", "gardeners": of whom an unknown word in "for six ..." most likely speaks.
-bool SoundsLikePersons(std::string_view word) {
-  if (word.size() <= 5 || IsIn("person_like_things", word)) return false;
-  for (std::size_t length = 3; length <= 5; ++length) {
-    if (IsIn("person_endings", word.substr(word.size() - length))) return true;
-  }
-  return false;
-}
-
 class PeopleReader {
  public:
   PeopleReader(const std::vector<Token>& tokens, std::vector<bool>& used)
@@ -34,7 +27,7 @@ class PeopleReader {
       if (used_[i]) continue;
       const bool purpose = text_.At(i) == "for";
       if (purpose || text_.Is(i, "holds_people")) {
-        if (const std::optional<int> number = Introduced(i + 1, purpose)) return number;
+        if (const std::optional<int> number = Introduced(i + 1)) return number;
       }
       if (const std::optional<int> number = NumberOfPersons(i)) return number;
     }
@@ -57,7 +50,7 @@ class PeopleReader {
   }
 
   // Behind "for", "seats", "a family of": a number that ends its phrase or counts whom it is for.
-  std::optional<int> Introduced(std::size_t at, bool purpose) {
+  std::optional<int> Introduced(std::size_t at) {
     const std::size_t start = at;
     while (at < start + kMostAdverbs && (text_.Is(at, "about_numbers") || text_.Is(at, "before_people"))) ++at;
     const std::optional<int> number = NumberAt(at);
@@ -65,8 +58,8 @@ class PeopleReader {
     if (Ends(at + 1)) return Take(start - 1, at + 1, *number);
     for (std::size_t noun = at + 1; noun <= at + 1 + kMostBeforePersons && noun < tokens_.size(); ++noun) {
       if (text_.IsHyphen(noun)) continue;
-      if (!text_.IsWord(noun) || Ends(noun)) break;
-      if (CountsPeople(text_.At(noun)) || (purpose && SoundsLikePersons(text_.At(noun)))) {
+      if (!text_.IsWord(noun) || used_[noun] || Ends(noun)) break;
+      if (CountsPeople(text_.At(noun))) {
         const std::optional<int> all = WithOthers(noun + 1, *number);
         return Take(start - 1, noun + 1, all.value_or(*number));
       }
@@ -78,6 +71,8 @@ class PeopleReader {
   std::optional<int> NumberOfPersons(std::size_t i) {
     const std::optional<int> number = NumberAt(i);
     if (!number) return std::nullopt;
+    // "Where twelve can eat."
+    if (*number > 1 && text_.Is(i + 1, "modal_verbs") && text_.IsWord(i + 2)) return Take(i, i + 2, *number);
     for (std::size_t noun = i + 1; noun <= i + 1 + kMostBeforePersons && noun < tokens_.size(); ++noun) {
       if (text_.IsHyphen(noun)) continue;
       if (!text_.IsWord(noun) || used_[noun] || Ends(noun)) break;
@@ -182,7 +177,7 @@ bool IsIdle(std::string_view word) {
 
 }  // namespace
 
-bool CountsPeople(std::string_view word) { return IsFormIn("persons", word); }
+bool CountsPeople(std::string_view word) { return IsFormIn("persons", word) || MeansPeople(word); }
 
 std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool>& used) {
   return PeopleReader(tokens, used).Read();

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "english/wordnet.h"
 #include "english/words.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_words.h"
@@ -53,6 +54,7 @@ hb::Furniture CarriedBy(hb::FurnitureKind kind, hb::Furniture furniture) {
 struct NounPhrase {
   std::size_t begin = 0;
   std::size_t end = 0;
+  bool counted = false;  // an article or a number stands before it
 };
 
 class OwnFinder {
@@ -66,43 +68,49 @@ class OwnFinder {
   }
 
   std::vector<OwnClass> Find() {
-    bool named_before = false;  // in the sentence
-    std::size_t listed_to = 0;  // behind the last thing on a top, which others may follow without an article
     for (std::size_t i = 0; i < tokens_.size() && found_.size() < kMostClasses; ++i) {
       if (const Mention* mention = mention_at_[i]; mention != nullptr && i == mention->begin) {
         if (mention->furniture->named_as_said()) NameAsSaid(*mention);
         if (PhraseBefore("wall_mounted", tokens_, i)) HangUp(*mention->furniture);
-        if (mention->furniture->kind() == hb::FURNITURE_KIND_SURFACE) listed_to = mention->end;
       }
-      named_before = (named_before || mention_at_[i] != nullptr) && !text_.EndsSentence(i);
-      const std::optional<NounPhrase> phrase = PhraseAt(i, listed_to, named_before);
-      if (!phrase || !IsLeftOver(*phrase)) continue;
-      Add(*phrase);
-      listed_to = phrase->end;
-      i = phrase->end - 1;
+      const std::optional<NounPhrase> phrase = PhraseAt(i);
+      if (!phrase) continue;
+      if (IsLeftOver(*phrase)) Add(*phrase);
+      // A piece within it is still to be looked at.
+      i = std::max(i, phrase->begin - 1);
     }
     return std::move(found_);
   }
 
  private:
   bool Continues(std::size_t i) const {
-    if (text_.IsHyphen(i)) return true;
-    return (text_.IsWord(i) && !text_.Is(i, "thing_ends")) || (text_.IsNumber(i) && tokens_[i].glued);
+    if (text_.IsHyphen(i) || (text_.At(i) == "'s" && text_.IsWord(i + 1))) return true;
+    if (text_.IsNumber(i)) return tokens_[i].glued;
+    return text_.IsWord(i) && !text_.Is(i, "thing_ends") && !text_.Is(i, "pronouns") && !NumberWord(text_.At(i));
   }
 
-  // "a tin of pencils": the thing is the tin.
-  std::optional<NounPhrase> PhraseAt(std::size_t i, std::size_t listed_to, bool named_before) const {
-    const bool article =
-        (text_.Is(i, "thing_articles") && text_.At(i) != "the") || NumberWord(text_.At(i)) || text_.IsNumber(i);
-    const bool in_a_list = named_before && text_.Is(i, "listing") && text_.IsWord(i + 1) &&
-                           !text_.Is(i + 1, "thing_articles") && !NumberWord(text_.At(i + 1));
-    const bool listed = in_a_list || (listed_to > 0 && (i == listed_to || i == listed_to + 1) &&
-                                      text_.Is(i, "listing") && !text_.Is(i + 1, "thing_articles") &&
-                                      !NumberWord(text_.At(i + 1)) && !text_.IsNumber(i + 1));
-    const bool held = text_.Is(i, "holding_words") && !text_.Is(i + 1, "thing_articles");
-    if (!article && !listed && !held) return std::nullopt;
-    NounPhrase phrase{i + 1, i + 1};
-    while (phrase.end < tokens_.size() && Continues(phrase.end)) ++phrase.end;
+  // The one that begins with an article or a number at `i`, or without one behind a word that lists things.
+  std::optional<NounPhrase> PhraseAt(std::size_t i) const {
+    const auto opens = [&](std::size_t k) {
+      return (text_.Is(k, "thing_articles") && text_.At(k) != "the") || NumberWord(text_.At(k)) || text_.IsNumber(k);
+    };
+    const bool bare = (text_.Is(i, "listing") || text_.Is(i, "holding_words") || text_.Is(i, "having")) &&
+                      text_.IsWord(i + 1) && !opens(i + 1);
+    if (!opens(i) && !bare) return std::nullopt;
+    NounPhrase phrase{i + 1, i + 1, opens(i)};
+    const auto goes_on = [&](std::size_t k) {
+      if (!text_.IsWord(k) || !text_.IsWord(k + 1) || text_.Is(k + 1, "thing_ends")) return false;
+      return k == phrase.begin && text_.At(k).ends_with("ed");  // "stacked boxes"
+    };
+    // "two work stands", whose last word is a verb elsewhere.
+    const auto is_counted_noun = [&](std::size_t k) {
+      return k > phrase.begin && NumberWord(text_.At(i)).value_or(1) > 1 && text_.IsWord(k) &&
+             !english::IsPlural(text_.At(k - 1)) && english::IsPlural(text_.At(k));
+    };
+    while (phrase.end < tokens_.size() &&
+           (Continues(phrase.end) || goes_on(phrase.end) || is_counted_noun(phrase.end))) {
+      ++phrase.end;
+    }
     // "leaning", "neatly placed": said of the thing, not its name.
     while (phrase.end > phrase.begin + 1 && IsSaidOf(phrase.end - 1)) --phrase.end;
     if (phrase.end == phrase.begin || phrase.end > phrase.begin + kMostOfAPhrase) return std::nullopt;
@@ -127,6 +135,11 @@ class OwnFinder {
       // "The bathtub nestles into": a verb.
       if (mention_at_[i] != nullptr && noun.ends_with('s')) return false;
     }
+    const bool holds_a_piece = std::any_of(mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin),
+                                           mention_at_.begin() + static_cast<std::ptrdiff_t>(last),
+                                           [](auto* at) { return at != nullptr; });
+    const Thing thing = handbook_.vocabulary().meanings->ThingOf(text_.Quote(phrase.begin, phrase.end));
+    if (thing.known ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
     return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) && !CountsPeople(noun) &&
            !IsIn("openings", noun) && !IsFormIn("wall_nouns", noun) && !IsIn("unit_words", noun) &&
            LongestAt(handbook_.vocabulary().rooms, tokens_, last, true).second == 0;
@@ -145,26 +158,24 @@ class OwnFinder {
   }
 
   bool IsAdjective(std::size_t i) const {
-    const std::string_view word = text_.At(i);
     if (text_.IsNumber(i) || text_.IsHyphen(i) || text_.IsHyphen(i + 1)) return true;
     if (text_.Is(i, "looks") || text_.Is(i, "adjectives") || text_.Is(i, "materials")) return true;
     if (LongestAt(handbook_.vocabulary().colours, tokens_, i, false).second > 0) return true;
-    return !text_.Is(i, "like_adjectives") &&
-           std::ranges::any_of(WordsOf("adjective_endings"), [&](const std::string& ending) {
-             return word.size() > ending.size() + 2 && word.ends_with(ending);
-           });
+    const std::string_view word = text_.At(i);
+    return english::WordNet::Get().IsAdjective(word) && !handbook_.vocabulary().meanings->ThingOf(word).is_thing;
   }
 
   // Its last words, without what says how it looks.
   std::string NameOf(NounPhrase phrase) const {
     while (phrase.begin + 1 < phrase.end &&
-           (phrase.end - phrase.begin > kMostNameWords || IsAdjective(phrase.begin) || text_.IsHyphen(phrase.begin))) {
+           (phrase.end - phrase.begin > kMostNameWords || IsAdjective(phrase.begin) || text_.IsHyphen(phrase.begin) ||
+            text_.At(phrase.begin) == "'s")) {
       ++phrase.begin;
     }
     std::string name;
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       const bool last = i + 1 == phrase.end;
-      if (text_.IsWord(i))
+      if (text_.IsWord(i) && text_.At(i) != "'s")
         name += (name.empty() ? "" : " ") + (last ? english::Singular(tokens_[i].text) : tokens_[i].text);
     }
     return name;
@@ -175,7 +186,7 @@ class OwnFinder {
     const std::string said = text_.Quote(mention.begin, mention.end), one = english::Singular(said);
     const auto& words = mention.furniture->synonyms();
     for (const std::string& name : {said, one}) {
-      if (Includes(words, name)) return AddClass(*mention.furniture, name, false);
+      if (Includes(words, name)) return AddClass(*mention.furniture, name);
     }
   }
 
@@ -184,42 +195,65 @@ class OwnFinder {
     const bool can = furniture.kind() == hb::FURNITURE_KIND_SURFACE ||
                      (IsOnTheFloor(furniture) && furniture.depth_m().typical() < kFlatM);
     if (!can || furniture.walk_over() || !names_.insert(furniture.name()).second) return;
-    found_.push_back({CarriedBy(hb::FURNITURE_KIND_WALL, furniture), "", false});
+    found_.push_back({.furniture = CarriedBy(hb::FURNITURE_KIND_WALL, furniture)});
   }
 
   void Add(const NounPhrase& phrase) {
     const std::string name = NameOf(phrase);
-    if (name.empty()) return;
+    if (name.empty() || IsRefused(tokens_, phrase.begin)) return;
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
-      if (length > 0 && i + length == phrase.end && !IsOtherThing(phrase)) return AddClass(*kin, name, false);
+      if (length > 0 && i + length == phrase.end && !IsOtherThing(phrase)) return AddClass(*kin, name);
     }
-    const hb::Furniture* const thing = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_);
-    if (thing == nullptr) return;
+    const hb::Furniture* like = handbook_.vocabulary().meanings->ThingOf(name).like;
+    if (like == nullptr) like = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_);
+    if (like == nullptr) return;
+    const bool plain = like->named_as_said();
     const std::size_t before = found_.size();
-    AddClass(*thing, name, true);
-    if (found_.size() > before) found_.back().listed = IsListed(phrase);
+    AddClass(*like, name);
+    if (found_.size() == before) return;
+    OwnClass& own = found_.back();
+    own.unplaced = true;
+    own.like = like;
+    own.plain = plain;
+    own.listed = IsListed(phrase);
+    own.furniture.clear_category();
+    if (plain) own.base.clear();
   }
 
-  // "With a honey extractor, two kick wheels": not "for a farm", "a slice of life", "a piano we love" or "3 metres".
+  // Whether it is among what the room is to have: "with a honey extractor, two kick wheels and hive boxes", not "for a
+  // farm", "a slice of life" or "jars of honey and spice".
   bool IsListed(const NounPhrase& phrase) const {
-    const auto known = mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin);
-    const bool holds_a_piece =
-        std::any_of(known, mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.end), [](auto* at) { return at; });
-    const std::string_view noun = text_.At(phrase.end - 1);
-    return phrase.begin >= 2 && text_.Is(phrase.begin - 2, "listing") && text_.At(phrase.end) != "of" &&
-           !holds_a_piece && !IsFormIn("unit_words", noun) && !noun.ends_with("ing");
+    if (text_.At(phrase.end) == "of" || text_.At(phrase.end - 1).ends_with("ing")) return false;
+    bool counted = phrase.counted;
+    for (std::size_t i = phrase.begin - (phrase.counted ? 1 : 0); i > 0; --i) {
+      const std::size_t at = i - 1;
+      if (text_.EndsSentence(at) || text_.At(at) == ":" || text_.Is(at, "having") || text_.Is(at, "holding_words")) {
+        return true;
+      }
+      // What is listed behind a counted thing is a thing of the room, too.
+      if (text_.Is(at, "listing") && counted) return true;
+      if (text_.Is(at, "listing") || text_.IsHyphen(at)) continue;
+      if (text_.Is(at, "not_in_a_list") || text_.Is(at, "thing_ends")) {
+        const bool article = text_.Is(at, "thing_articles");
+        if (!article) return false;
+        counted = true;
+        continue;
+      }
+      if (mention_at_[at] != nullptr || NumberWord(text_.At(at))) counted = true;
+    }
+    return false;  // the room itself
   }
 
-  void AddClass(const hb::Furniture& kin, const std::string& name, bool unplaced) {
+  void AddClass(const hb::Furniture& kin, const std::string& name) {
     if (!names_.insert(name).second || handbook_.FindFurniture(name) != nullptr) return;
-    OwnClass own{kin, unplaced ? "" : kin.name(), unplaced};
+    OwnClass own{.furniture = kin, .base = kin.name()};
     own.furniture.set_name(name);
     own.furniture.set_plural(english::Plural(name));
     own.furniture.clear_synonyms();
     own.furniture.clear_smaller();
     own.furniture.clear_named_as_said();
-    if (unplaced) own.furniture.clear_category();
+    own.furniture.clear_meanings();
     found_.push_back(std::move(own));
   }
 
@@ -265,15 +299,18 @@ std::vector<OwnClass> Placed(std::vector<OwnClass> classes, const BriefFacts& fa
     if (own.unplaced) {
       const auto place = std::ranges::find_if(
           facts.places, [&](const Place& one) { return one.furniture->name() == own.furniture.name(); });
-      own.plain = place == facts.places.end();
-      if (own.plain && !own.listed) continue;
-      const hb::Furniture* thing = PlainThing(own.plain ? hb::FURNITURE_KIND_FLOOR : KindOf(*place), handbook);
+      if (place == facts.places.end() && !own.listed) continue;
+      own.plain = own.plain && place == facts.places.end();
+      const hb::FurnitureKind kind = place == facts.places.end() ? own.like->kind() : KindOf(*place);
+      const hb::Furniture* thing = kind == own.like->kind() ? own.like : PlainThing(kind, handbook);
       if (thing == nullptr) continue;
       const std::string name = own.furniture.name(), plural = own.furniture.plural();
       own.furniture = *thing;
       own.furniture.set_name(name);
       own.furniture.set_plural(plural);
       own.furniture.clear_named_as_said();
+      own.furniture.clear_synonyms();
+      own.furniture.clear_meanings();
     }
     placed.push_back(std::move(own));
   }
@@ -294,7 +331,7 @@ std::vector<OwnClass> OtherwiseCarried(const BriefFacts& facts) {
     if (has_its_own) continue;
     if (same || IsOfAnyKind(furniture) || !MayBeCarriedOtherwise(furniture, *place.asked)) continue;
     if (!names.insert(furniture.name()).second) continue;
-    OwnClass& own = all.emplace_back(OwnClass{CarriedBy(kind, furniture), "", false});
+    OwnClass& own = all.emplace_back(OwnClass{.furniture = CarriedBy(kind, furniture)});
     // A "floor plant" on a table is the "potted plant" of the brief.
     if (kind == hb::FURNITURE_KIND_SURFACE || furniture.name().starts_with("floor "))
       own.furniture.set_name(english::Singular(place.called));
@@ -326,7 +363,7 @@ bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace&
 const hb::Furniture* PlainThing(hb::FurnitureKind kind, const Handbook& handbook) {
   const auto& all = handbook.contents().furniture();
   const auto thing = std::ranges::find_if(all, [&](const hb::Furniture& one) {
-    return one.named_as_said() && one.synonyms().empty() && one.kind() == kind;
+    return one.named_as_said() && one.synonyms().empty() && one.meanings().empty() && one.kind() == kind;
   });
   return thing == all.end() ? nullptr : &*thing;
 }

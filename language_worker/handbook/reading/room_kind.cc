@@ -73,6 +73,13 @@ class RoomKindReader {
       // Names within names do not count, but what follows may be longer: "studio office".
       if (length > 1) Skip(names, i, length);
     }
+    // Of a "kindergarten cloakroom" the second is the room, the first tells whose.
+    for (std::size_t i = found_.size(); i > 1; --i) {
+      const Found &first = found_[i - 2], &second = found_[i - 1];
+      if (first.room.end == second.room.begin && !first.use && !second.use && first.list != second.list) {
+        found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(i - 2));
+      }
+    }
     // A use alone is none: "living" of "living plants".
     std::erase_if(found_, [&](const Found& one) {
       return one.use && (!one.closed || std::ranges::count(found_, one.list, &Found::list) < 2);

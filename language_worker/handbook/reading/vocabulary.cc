@@ -124,7 +124,9 @@ std::vector<Correction> Speller::Correct(std::vector<Token>& tokens) const {
   return corrections;
 }
 
-Vocabulary::Vocabulary(const Handbook& handbook) : speller(std::make_shared<const Speller>(handbook.contents())) {
+Vocabulary::Vocabulary(const Handbook& handbook)
+    : speller(std::make_shared<const Speller>(handbook.contents())),
+      meanings(std::make_shared<const Meanings>(handbook.contents())) {
   for (const hb::Noun& noun : handbook.contents().nouns()) {
     Head head{.noun = &noun, .words = {}, .options = {}, .modifiers = {}};
     for (const std::string& word : noun.words()) head.words.emplace_back(word);

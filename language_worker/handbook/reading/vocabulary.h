@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -108,6 +109,7 @@ struct Vocabulary {
   std::vector<Head> heads;
   std::vector<Phrase> other_things;
   std::shared_ptr<const Speller> speller;
+  std::shared_ptr<const Meanings> meanings;
 };
 
 }  // namespace flair::language
