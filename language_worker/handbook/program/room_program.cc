@@ -2,6 +2,7 @@
 #include "language_worker/handbook/program/room_program.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "language_worker/handbook/program/essentials.h"
 
@@ -72,6 +73,7 @@ class ProgramMaker {
     for (const hb::Changes* changes : program_.changes) Apply(*changes);
     ApplyWishes(facts_, handbook_, program_);
     BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
+    LeaveOutWhatCameLater();
     GiveZonesTheirPrimaries();
     SplitIntoGroups(area_m2_, handbook_, program_);
     MarkEssentials(program_);
@@ -190,6 +192,33 @@ class ProgramMaker {
 
   static void DropLast(std::vector<ProgramItem>& items, int count, std::size_t least) {
     for (; count > 0 && items.size() > least; --count) items.pop_back();
+  }
+
+  // Rooms of an earlier time have what there was instead, unless the brief asks for it all the same.
+  void LeaveOutWhatCameLater() {
+    std::optional<int> year = facts_.year;
+    for (const hb::Changes* changes : program_.changes) {
+      if (changes->year() != 0) year = std::min(year.value_or(changes->year()), changes->year());
+    }
+    if (!year) return;
+    const auto came_later = [&](const hb::Furniture* one) { return one->since_year() > *year; };
+    // A pharaoh's server room is no joke of ours.
+    if (std::ranges::all_of(program_.floor_items, came_later, &ProgramItem::furniture)) return;
+    for (auto* items : {&program_.floor_items, &program_.tertiary_items}) {
+      for (ProgramItem& item : *items) {
+        const hb::Furniture* then = item.furniture;
+        while (then != nullptr && came_later(then)) then = handbook_.FindFurniture(then->before());
+        if (item.requested || then == nullptr || then == item.furniture) continue;
+        program_.substitutes.emplace_back(item.furniture->name(), then->name());
+        item.furniture = then;
+        item.entry = nullptr;
+      }
+      std::erase_if(*items, [&](const ProgramItem& item) { return !item.requested && came_later(item.furniture); });
+    }
+    std::erase_if(program_.essentials, [&](const hb::Essential* essential) {
+      const hb::Furniture* furniture = handbook_.FindFurniture(essential->furniture(0));
+      return furniture != nullptr && came_later(furniture);
+    });
   }
 
   // Zones whose primary is gone go as well; what stood in them moves to the first zone.

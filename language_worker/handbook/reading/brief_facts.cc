@@ -38,6 +38,7 @@ class BriefReader {
     ReadOtherRooms();
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
     ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
+    facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     ReadThemesAndStyles();
     ReadNeeds();
     if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
@@ -129,13 +130,20 @@ class BriefReader {
       return archetype != nullptr;
     };
     const Meanings& meanings = *handbook_.vocabulary().meanings;
-    if (taken(meanings.RoomOf(text.Quote(begin, end))) || taken(MostHintedAt())) return;
+    if ((!NamesAPiece(begin, end) && taken(meanings.RoomOf(text.Quote(begin, end)))) || taken(MostHintedAt())) return;
     // "A breakfast room", "a sleeping module": what goes on there.
-    for (std::size_t i = end; i > begin; --i) {
-      if (text.IsWord(i - 1) && !text.Is(i - 1, "rooms_by_head") && taken(meanings.RoomFor(text.At(i - 1)))) return;
+    for (std::size_t i = end; end > begin && text.Is(end - 1, "room_like_nouns") && i - 1 > begin; --i) {
+      if (text.IsWord(i - 2) && taken(meanings.RoomFor(text.At(i - 2)))) return;
     }
     facts_.archetype = &handbook_.fallback_archetype();
     GuessByFurniture();
+  }
+
+  bool NamesAPiece(std::size_t begin, std::size_t end) const {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true).second + i >= end) return true;
+    }
+    return false;
   }
 
   const hb::Archetype* MostHintedAt() const {
@@ -204,6 +212,7 @@ class BriefReader {
   void ReadNeeds() {
     // Needs look at the same words.
     std::vector<bool> peoples_words = used_;
+    facts_.year = ReadYear(tokens_, peoples_words);
     facts_.people = ReadPeople(tokens_, peoples_words);
     std::vector<const hb::Need*> found;
     for (const hb::Need& need : handbook_.contents().needs()) {

@@ -11,6 +11,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/brief.pb.h"
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/finishes.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/size_phrase.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -70,9 +71,11 @@ struct BriefFacts {
   std::vector<const hb::Need*> needs;
   std::vector<const hb::Style*> styles;         // named directly: "scandinavian"
   std::vector<const hb::NamedColour*> colours;  // of the room
+  std::vector<AskedFinish> finishes;
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table"
   std::optional<int> people;
+  std::optional<int> year;              // of its time: "around 1750"
   std::string room_words;               // what it calls the room; where no kind is named, its first words
   std::vector<std::string> unheard;     // other words of which nothing was made: "of solid oak"
   std::vector<std::size_t> told;        // tokens that a remark quotes already

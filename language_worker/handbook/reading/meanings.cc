@@ -81,20 +81,30 @@ Thing Meanings::ThingOf(std::string_view noun) const {
 }
 
 const hb::Archetype* Meanings::RoomOf(std::string_view noun) const {
-  return RoomAmong(noun, kUsualSenses, [](Domain domain) { return domain == Domain::kArtifact || domain == Domain::kLocation; });
+  static const std::vector<std::uint32_t> places = [] {
+    std::vector<std::uint32_t> ids;
+    for (const std::string& place : WordsOf("meanings_of_places")) {
+      if (const std::optional<NounSense> sense = WordNet::Get().Find(place)) ids.push_back(sense->id);
+    }
+    return ids;
+  }();
+  return RoomAmong(noun, kUsualSenses, [](const std::vector<Kind>& kinds) {
+    return std::ranges::any_of(kinds, [](const Kind& kind) { return Includes(places, kind.id); });
+  });
 }
 
 const hb::Archetype* Meanings::RoomFor(std::string_view noun) const {
-  return RoomAmong(noun, 2, [](Domain) { return true; });
+  return RoomAmong(noun, 2, [](const std::vector<Kind>&) { return true; });
 }
 
 const hb::Archetype* Meanings::RoomAmong(std::string_view noun, std::size_t most,
-                                         const std::function<bool(english::Domain)>& counts) const {
+                                         const std::function<bool(const std::vector<english::Kind>&)>& counts) const {
   std::vector<NounSense> senses = SensesOf(noun);
   senses.resize(std::min(senses.size(), most));
   for (const NounSense& sense : senses) {
-    if (!counts(sense.domain)) continue;
-    for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
+    const std::vector<Kind> kinds = WordNet::Get().KindsOf(sense);
+    if (!counts(kinds)) continue;
+    for (const Kind& kind : kinds) {
       if (const auto anchor = rooms_.find(kind.id); anchor != rooms_.end()) return anchor->second.entry;
     }
   }

@@ -52,9 +52,9 @@ class Meanings {
   template <typename Entry>
   static void Add(std::string_view text, const Entry* entry, int most_steps, Anchors<Entry>& anchors);
 
-  // That of the first `most` senses whose domain counts.
+  // That of the first `most` senses which count by what they are kinds of.
   const hb::Archetype* RoomAmong(std::string_view noun, std::size_t most,
-                                 const std::function<bool(english::Domain)>& counts) const;
+                                 const std::function<bool(const std::vector<english::Kind>&)>& counts) const;
 
   Anchors<hb::Furniture> things_;
   Anchors<hb::Archetype> rooms_;

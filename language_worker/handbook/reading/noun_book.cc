@@ -82,6 +82,12 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
       if (said > 0 && at + said <= noun) return modifier.furniture;
     }
   }
+  // "A leather chair for reading" is a reading chair.
+  if (noun + length < tokens.size() && tokens[noun + length].text == "for") {
+    for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
+      if (modifier.words.MatchAt(tokens, noun + length + 1, /*plural=*/false) > 0) return modifier.furniture;
+    }
+  }
   return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
 }
 

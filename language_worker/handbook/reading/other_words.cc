@@ -183,6 +183,30 @@ std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool
   return PeopleReader(tokens, used).Read();
 }
 
+std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>& used) {
+  constexpr double kLeast = 1000, kToday = 1990, kMostCentury = 19;
+  const BriefText text(tokens);
+  const auto take = [&](std::size_t begin, std::size_t end, double year) {
+    std::fill(used.begin() + static_cast<std::ptrdiff_t>(begin), used.begin() + static_cast<std::ptrdiff_t>(end), true);
+    return static_cast<int>(year);
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (!text.IsNumber(i) || used[i]) continue;
+    const double number = text.NumberAt(i);
+    std::size_t next = i + 1;
+    if (text.Is(next, "ordinal_endings")) ++next;
+    if (text.IsHyphen(next)) ++next;
+    const bool century = number >= 1 && number <= kMostCentury && text.Says(next, {"century", "c"}) && next > i + 1;
+    if (century) return take(i, next + 1, 100 * number - 50);
+    const bool decade = text.Says(i + 1, {"s"});
+    const bool dated = i > 0 && text.Is(i - 1, "before_years") && !text.Is(i + 1, "unit_words");
+    if (number >= kLeast && number < kToday && number == std::floor(number) && (decade || dated)) {
+      return take(i - (dated ? 1 : 0), i + (decade ? 2 : 1), number);
+    }
+  }
+  return std::nullopt;
+}
+
 bool ReadsAsEnglish(const std::vector<Token>& tokens) {
   std::size_t words = 0;
   for (const Token& token : tokens) {

@@ -16,6 +16,9 @@ namespace flair::language {
 // not say.
 std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool>& used);
 
+// The time that a brief sets the room in: "around 1750", "the 1920s", "an 18th-century study"; none for today.
+std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>& used);
+
 // Whether "six WORD" counts those whom the room is for: people, guests, children ...
 bool CountsPeople(std::string_view word);
 

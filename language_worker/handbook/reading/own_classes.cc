@@ -139,8 +139,10 @@ class OwnFinder {
                                            mention_at_.begin() + static_cast<std::ptrdiff_t>(last),
                                            [](auto* at) { return at != nullptr; });
     const Thing thing = handbook_.vocabulary().meanings->ThingOf(text_.Quote(phrase.begin, phrase.end));
-    if (thing.known ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
-    return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) && !CountsPeople(noun) &&
+    // A "toy organizer" is nobody.
+    const bool for_things = last > phrase.begin && noun.ends_with("er") && !IsAdjective(last - 1);
+    if (thing.known && !for_things ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
+    return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) && (for_things || !CountsPeople(noun)) &&
            !IsIn("openings", noun) && !IsFormIn("wall_nouns", noun) && !IsIn("unit_words", noun) &&
            LongestAt(handbook_.vocabulary().rooms, tokens_, last, true).second == 0;
   }
@@ -205,20 +207,19 @@ class OwnFinder {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
       if (length > 0 && i + length == phrase.end && !IsOtherThing(phrase)) return AddClass(*kin, name);
     }
-    const hb::Furniture* like = handbook_.vocabulary().meanings->ThingOf(name).like;
-    if (like == nullptr) like = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_);
-    if (like == nullptr) return;
-    const bool plain = like->named_as_said();
+    const hb::Furniture* const thing = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_);
+    if (thing == nullptr) return;
     const std::size_t before = found_.size();
-    AddClass(*like, name);
+    AddClass(*thing, name);
     if (found_.size() == before) return;
     OwnClass& own = found_.back();
+    own.like = handbook_.vocabulary().meanings->ThingOf(name).like;
+    if (own.like == nullptr) own.like = thing;
     own.unplaced = true;
-    own.like = like;
-    own.plain = plain;
+    own.plain = own.like->named_as_said();
     own.listed = IsListed(phrase);
     own.furniture.clear_category();
-    if (plain) own.base.clear();
+    own.base = own.plain ? "" : own.like->name();
   }
 
   // Whether it is among what the room is to have: "with a honey extractor, two kick wheels and hive boxes", not "for a
@@ -304,6 +305,7 @@ std::vector<OwnClass> Placed(std::vector<OwnClass> classes, const BriefFacts& fa
       const hb::FurnitureKind kind = place == facts.places.end() ? own.like->kind() : KindOf(*place);
       const hb::Furniture* thing = kind == own.like->kind() ? own.like : PlainThing(kind, handbook);
       if (thing == nullptr) continue;
+      if (thing != own.like) own.base.clear();
       const std::string name = own.furniture.name(), plural = own.furniture.plural();
       own.furniture = *thing;
       own.furniture.set_name(name);

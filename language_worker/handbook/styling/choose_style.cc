@@ -57,16 +57,44 @@ StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, cons
   floor_ = Pick(style_->floors(), choice, "style.floor");
   ceiling_ = style_->ceilings_size() > 0 ? Pick(style_->ceilings(), choice, "style.ceiling") : PlainCeiling();
   title_ = style_->title().empty() ? style_->name() : style_->title();
-  if (facts.colours.empty()) return;
+  if (!facts.colours.empty()) Lead(facts.colours);
+  for (const AskedFinish& finish : facts.finishes) Take(finish);
+}
+
+// The surface that the brief names is of what it says, in the colour that it says or that such a surface has in a style.
+void StyleChoice::Take(const AskedFinish& asked) {
+  const bool walls = asked.surface == AskedFinish::Surface::kWalls;
+  hb::Finish& finish = walls ? wall_ : asked.surface == AskedFinish::Surface::kFloor ? floor_ : ceiling_;
+  finish.clear_description();
+  if (asked.colour != nullptr) *finish.mutable_colour() = *asked.colour;
+  if (asked.material.empty()) return;
+  finish.set_material(asked.material);
+  if (asked.colour != nullptr) return;
+  const auto has_it = [&](const auto& one) { return one.material().find(asked.material) != std::string::npos; };
+  for (const hb::Style& style : handbook_.contents().styles()) {
+    for (const auto* finishes : {walls ? &style.walls() : &style.floors(), walls ? &style.floors() : &style.walls()}) {
+      const auto found = std::ranges::find_if(*finishes, has_it);
+      if (found == finishes->end()) continue;
+      *finish.mutable_colour() = found->colour();
+      return;
+    }
+    const auto found = std::ranges::find_if(style.materials(), has_it);
+    if (found == style.materials().end() || found->colours_size() == 0) continue;
+    *finish.mutable_colour() = found->colours(0);
+    return;
+  }
+}
+
+void StyleChoice::Lead(const std::vector<const hb::NamedColour*>& colours) {
   // Colours of the brief lead the palette and take the walls.
   hb::Palette led;
-  for (const hb::NamedColour* colour : facts.colours) *led.add_colours() = *colour;
+  for (const hb::NamedColour* colour : colours) *led.add_colours() = *colour;
   for (const hb::NamedColour& colour : palette_.colours()) *led.add_colours() = colour;
   palette_ = led;
-  *wall_.mutable_colour() = *facts.colours.front();
+  *wall_.mutable_colour() = *colours.front();
   wall_.clear_description();
-  if (title_.find(facts.colours.front()->name()) == std::string::npos)
-    title_ = facts.colours.front()->name() + " " + title_;
+  if (title_.find(colours.front()->name()) == std::string::npos)
+    title_ = colours.front()->name() + " " + title_;
 }
 
 const hb::MaterialChoice* StyleChoice::MaterialOf(const std::string& group) const {

@@ -47,6 +47,8 @@ class StyleChoice {
   std::string Describe(const hb::Furniture& furniture, const Look& look) const;
 
  private:
+  void Lead(const std::vector<const hb::NamedColour*>& colours);
+  void Take(const AskedFinish& asked);
   const hb::MaterialChoice* MaterialOf(const std::string& group) const;
   void TakeAskedMaterial(const hb::Furniture& furniture, Look& look) const;
 

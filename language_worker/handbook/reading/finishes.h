@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+// What a brief says of a surface of the room: "walls covered in cork", "an oak floor", "dark green walls".
+struct AskedFinish {
+  enum class Surface { kWalls, kFloor, kCeiling };
+  Surface surface = Surface::kWalls;
+  std::string material;                     // as said; empty where only the colour is
+  const hb::NamedColour* colour = nullptr;  // null where only the material is said
+};
+
+// Reads them and marks the tokens that it has used. Words in `used` belong to something else. One finish a surface: the
+// first.
+std::vector<AskedFinish> ReadFinishes(const Handbook& handbook, const std::vector<Token>& tokens,
+                                      std::vector<bool>& used);
+
+}  // namespace flair::language
