@@ -159,7 +159,11 @@ class WishMaker {
   void ReplaceRivals(const hb::Furniture& furniture, const std::string& zone_name) {
     const bool makes_it = furniture.makes_zone().name() == zone_name;
     for (const hb::ZoneSpec& zone : program_.zones) {
-      if (zone.name() != zone_name || !(makes_it || Includes(zone.primaries(), furniture.name()))) continue;
+      const bool main = std::ranges::any_of(zone.primaries(), [&](const std::string& name) {
+        const hb::Furniture* primary = handbook_.FindFurniture(name);
+        return primary != nullptr && primary->category() == furniture.category();
+      });
+      if (zone.name() != zone_name || !(makes_it || main)) continue;
       std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
         if (item.requested || item.zone != zone_name) return false;
         const bool same = item.furniture->category() == furniture.category();

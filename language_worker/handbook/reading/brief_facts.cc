@@ -44,7 +44,7 @@ class BriefReader {
     if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
-      for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
+      for (const std::string& thing : UnknownThings(tokens_, handbook_.vocabulary(), used_)) facts_.not_known.push_back(thing);
       for (const std::size_t i : pieces.counts) used_[i] = true;
       for (const std::size_t i : facts_.told) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) {
@@ -69,6 +69,17 @@ class BriefReader {
   void ReadArchetype() {
     kind_ = ReadRoomKind(tokens_, handbook_);
     facts_.archetype = kind_.room.archetype;
+    // "A triclinium for a museum": the room that nobody named is the first, if its word means one.
+    const BriefText text(tokens_);
+    for (std::size_t i = 0; facts_.archetype != nullptr && i < kind_.room.begin; ++i) {
+      if (!text.Is(i, "for_whom")) continue;
+      if (const hb::Archetype* first = handbook_.vocabulary().meanings->RoomOf(text.Quote(text.BehindArticle(0), i))) {
+        facts_.archetype = first;
+        facts_.room_words = text.Quote(text.BehindArticle(0), i);
+        Use(0, i);
+        return;
+      }
+    }
     facts_.archetype_named = facts_.archetype != nullptr;
     if (!facts_.archetype_named) return GuessArchetype();
     facts_.room_words = Quote(kind_.room);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "english/wordnet.h"
+
 namespace flair::language {
 namespace {
 
@@ -22,6 +24,14 @@ bool SaysLooks(const Token& token) {
   return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
          IsIn("looks", token.text) || IsIn("materials", token.text) || IsIn("adjectives", token.text) ||
          IsIn("piece_measures", token.text);
+}
+
+// "An overbed table", "a treatment chair": a noun before it makes a thing of its own.
+bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
+  const Token& before = tokens[noun - 1];
+  if (before.kind != Token::Kind::kWord || tokens[noun].kind != Token::Kind::kWord) return false;
+  const english::WordNet& words = english::WordNet::Get();
+  return !words.IsAdjective(before.text) && !words.IsVerb(before.text) && !words.SensesOf(before.text).empty();
 }
 
 }  // namespace
@@ -88,7 +98,7 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
       if (modifier.words.MatchAt(tokens, noun + length + 1, /*plural=*/false) > 0) return modifier.furniture;
     }
   }
-  return head->noun->strict() && noun > 0 && !SaysLooks(tokens[noun - 1]) ? nullptr : named;
+  return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr : named;
 }
 
 const hb::Noun* NounBook::NounAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {

@@ -27,6 +27,7 @@ bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool oth
   if (IsOfAnyKind(furniture)) return true;
   const bool floor = IsOnTheFloor(furniture);
   if (otherwise) return MayBeCarriedOtherwise(furniture, asked);
+  if (furniture.walk_over() && AskedNames(asked, "faces")) return false;  // it has no front
   if (asked.kinds().empty()) return floor && (!furniture.walk_over() || !AskedNames(asked, "under the {target}"));
   return std::ranges::find(asked.kinds(), static_cast<int>(furniture.kind())) != asked.kinds().end() &&
          (!floor || furniture.walk_over());

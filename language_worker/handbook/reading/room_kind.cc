@@ -47,8 +47,12 @@ class RoomKindReader {
     bool within = false;
     std::size_t list = 0;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (words_.EndsSentence(i)) within = false;
+      if (words_.EndsSentence(i) && found_.empty()) within = false;
       within = within || words_.Is(i, "having");
+      // What follows the first clause tells what is in the room: "a classroom, with tables and a reading corner".
+      const bool parted = words_.IsSign(i) && words_.Says(i, {",", ":", ".", ";"}) && !words_.IsNumber(i + 1);
+      const bool lists = words_.Is(i + 1, "listing") || UseAt(i + 1).use || LongestAt(names, tokens_, i + 1, false).second > 0;
+      within = within || (parted && !found_.empty() && found_.back().closed && !lists);
       Found found;
       auto [archetype, length] = LongestAt(names, tokens_, i, /*plural=*/false);
       found.room = {archetype, i, i + length};
