@@ -29,6 +29,13 @@ std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program) {
   for (const hb::ZoneSpec& zone : program.zones) {
     if (Includes(zone.primaries(), furniture.name())) return zone.name();
   }
+  // A single bed is where the usual double bed would be.
+  for (const hb::ZoneSpec& zone : program.zones) {
+    for (const ProgramItem& item : program.floor_items) {
+      const bool main = item.zone == zone.name() && Includes(zone.primaries(), item.furniture->name());
+      if (main && item.furniture->category() == furniture.category() && furniture.category() != "box") return item.zone;
+    }
+  }
   for (const std::string& hint : furniture.zone_hints()) {
     if (HasZone(program, hint)) return hint;
   }

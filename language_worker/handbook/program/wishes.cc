@@ -223,7 +223,10 @@ class WishMaker {
     if (name.empty()) return SeatPeopleAnywhere();
     auto item = std::ranges::find_if(program_.floor_items,
                                      [&](const ProgramItem& one) { return one.furniture->name() == name; });
-    if (item != program_.floor_items.end() && item->requested) return;
+    const bool counted = std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
+      return wish.furniture->name() == name && wish.counted;
+    });
+    if (item != program_.floor_items.end() && item->requested && counted) return;
     if (item == program_.floor_items.end()) {
       const hb::Furniture* furniture = handbook_.FindFurniture(name);
       if (furniture == nullptr || std::ranges::find(facts_.refusals, furniture) != facts_.refusals.end()) return;

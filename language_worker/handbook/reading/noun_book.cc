@@ -31,7 +31,7 @@ bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
   const Token& before = tokens[noun - 1];
   if (before.kind != Token::Kind::kWord || tokens[noun].kind != Token::Kind::kWord) return false;
   const english::WordNet& words = english::WordNet::Get();
-  return !words.IsAdjective(before.text) && !words.IsVerb(before.text) && !words.SensesOf(before.text).empty();
+  return !before.text.ends_with("ed") && !words.IsAdjective(before.text) && !words.IsVerb(before.text);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "absl/strings/numbers.h"
+
 #include "english/wordnet.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -193,6 +195,11 @@ std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>&
     return static_cast<int>(year);
   };
   for (std::size_t i = 0; i < tokens.size(); ++i) {
+    // "1950s" may be one word.
+    int decade_word = 0;
+    const std::string_view word = text.At(i);
+    const bool digits = word.size() == 5 && word.back() == 's' && absl::SimpleAtoi(std::string(word.substr(0, 4)), &decade_word);
+    if (digits && !used[i] && decade_word >= kLeast && decade_word < kToday) return take(i, i + 1, decade_word);
     if (!text.IsNumber(i) || used[i]) continue;
     const double number = text.NumberAt(i);
     std::size_t next = i + 1;

@@ -205,7 +205,12 @@ class OwnFinder {
     if (name.empty() || IsRefused(tokens_, phrase.begin)) return;
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
-      if (length > 0 && i + length == phrase.end && !IsOtherThing(phrase)) return AddClass(*kin, name);
+      if (length == 0 || i + length < phrase.end || IsOtherThing(phrase)) continue;
+      const std::size_t before = found_.size();
+      AddClass(*kin, name);
+      // Nobody eats at an "overbed table".
+      if (found_.size() > before && kin->category().ends_with("table")) found_.back().furniture.clear_companions();
+      return;
     }
     const hb::Furniture* const thing = PlainThing(hb::FURNITURE_KIND_FLOOR, handbook_);
     if (thing == nullptr) return;

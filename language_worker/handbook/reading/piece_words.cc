@@ -92,10 +92,21 @@ int SeatsAfter(const std::vector<Token>& tokens, std::size_t i) {
 
 Rows RowsAround(const std::vector<Token>& tokens, std::size_t i, std::size_t length) {
   constexpr std::size_t kMostWords = 4, kPhrase = 4;
+  constexpr int kUsualInARow = 2;
   const auto number = [&](std::size_t k) { return std::min(CountAt(tokens, k), 100); };
   const auto rows_at = [&](std::size_t k) {
     if (k + kPhrase > tokens.size() || !MatchesWord(tokens[k + 1].text, "row") || tokens[k + 2].text != "of") return 0;
     return number(k) * number(k + 3);
+  };
+  // "Eight rows of pews", "two rows of recliners, four each".
+  const auto each_behind = [&](std::size_t k) {
+    for (std::size_t at = k; at < std::min(k + kMostWords, tokens.size()); ++at) {
+      const std::size_t end = std::min(at + kMostWords, tokens.size());
+      for (std::size_t each = at + 1; each < end && number(at) > 0; ++each) {
+        if (tokens[each].text == "each" || tokens[each].text == "per") return number(at);
+      }
+    }
+    return 0;
   };
   const std::size_t end = i + length;
   std::vector<std::size_t> starts;
@@ -104,6 +115,12 @@ Rows RowsAround(const std::vector<Token>& tokens, std::size_t i, std::size_t len
   for (const std::size_t start : starts) {
     const int rows = rows_at(start);
     if (rows > 0) return {rows, start, start + kPhrase};
+  }
+  for (std::size_t back = 3; back <= 3 + kMostWords && back <= i; ++back) {
+    const std::size_t start = i - back;
+    if (number(start) == 0 || !MatchesWord(tokens[start + 1].text, "row") || tokens[start + 2].text != "of") continue;
+    const int each = each_behind(end);
+    return {number(start) * (each > 0 ? each : kUsualInARow), start, start + 3};
   }
   return {};
 }
