@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "english/wordnet.h"
 #include "language_worker/handbook/loading/handbook_files.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -22,12 +23,15 @@ struct Reference {
   std::string_view field;
   std::string_view kind;
 };
-constexpr std::array<Reference, 41> kReferences = {{
+constexpr std::array<Reference, 44> kReferences = {{
     {"Furniture.hosts", "furniture"},
     {"Furniture.smaller", "furniture"},
     {"Furniture.zone_hints", "zone"},
     {"Furniture.material_group", "material group"},
     {"Furniture.fixed_colour", "colour"},
+    {"Furniture.before", "furniture"},
+    {"Furniture.meanings", "meaning"},
+    {"Archetype.meanings", "meaning"},
     {"ObjectEntry.furniture", "furniture"},
     {"ObjectEntry.or_furniture", "furniture"},
     {"ObjectEntry.hosts", "host"},
@@ -218,6 +222,12 @@ class Checker {
           text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
       if (!good) Fault(line_, where, fmt::format("\"{}\" is not #RRGGBB", text));
       return;
+    }
+    if (reference->kind == "meaning") {
+      if (english::WordNet::Get().Find(text)) return;
+      return Fault(
+          line_, where,
+          fmt::format("WordNet has no sense \"{}\" of a noun; \"seat#3\" is the third of \"seat\"", text));
     }
     std::string kind(reference->kind);
     // Objects of a room stand in its own zones; those that needs and themes add, in any.

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "english/wordnet.h"
 #include "language_worker/handbook/loading/handbook_files.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
@@ -129,6 +130,7 @@ absl::StatusOr<HandbookFindings> CheckHandbook(const fs::path& folder, const std
 absl::StatusOr<std::unique_ptr<const Handbook>> LoadHandbook(const fs::path& folder,
                                                              const std::vector<fs::path>& overlays) {
   constexpr std::size_t kMostShown = 20;
+  RETURN_IF_ERROR(english::WordNet::CheckInstalled());
   ASSIGN_OR_RETURN(HandbookFindings findings, CheckHandbook(folder, overlays));
   if (findings.handbook != nullptr) return std::move(findings.handbook);
   std::string message = "the handbook has faults:";
