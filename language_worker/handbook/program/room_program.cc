@@ -48,11 +48,14 @@ std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program) {
 }
 
 int PlacesOn(const hb::Furniture& furniture) {
-  constexpr double kOnABenchM = 0.5, kOnASofaM = 0.6, kTwoInABedM = 1.3;
+  constexpr double kOnABenchM = 0.5, kOnASofaM = 0.6, kCornerM = 0.9, kTwoInABedM = 1.3;
   const std::string& category = furniture.category();
   const double width_m = furniture.width_m().typical();
   if (category == "bench") return std::max(1, static_cast<int>(width_m / kOnABenchM));
   if (category == "sofa") return std::max(1, static_cast<int>(width_m / kOnASofaM));
+  if (category == "corner_sofa") {
+    return std::max(1, static_cast<int>((width_m + furniture.depth_m().typical() - kCornerM) / kOnASofaM));
+  }
   if (category == "bed" || category == "bunk_bed")
     return width_m >= kTwoInABedM || furniture.name() == "bunk bed" ? 2 : 1;
   return category == "chair" || category == "stool" || category == "armchair" ? 1 : 0;

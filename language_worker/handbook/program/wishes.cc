@@ -242,7 +242,7 @@ class WishMaker {
 
   // Of rooms where one sits on what is there anyway, or sleeps: more armchairs, or beds, until everyone has a place.
   void SeatPeopleAnywhere() {
-    constexpr int kMostMore = 6;
+    constexpr int kMostMore = 4;
     int seats = 0, beds = 0;
     ProgramItem *armchairs = nullptr, *bed = nullptr;
     for (ProgramItem& item : program_.floor_items) {

@@ -201,7 +201,8 @@ class BriefReader {
 
   void ReadThemesAndStyles() {
     for (const hb::Theme& theme : handbook_.contents().themes()) {
-      if (!theme.fallback() && OccursUnused(theme.keywords())) AddOnce(facts_.themes, &theme);
+      const bool of_its_time = theme.changes().year() != 0;
+      if (!theme.fallback() && OccursUnused(theme.keywords(), of_its_time)) AddOnce(facts_.themes, &theme);
     }
     for (const hb::Style& style : handbook_.contents().styles()) {
       if (Phrase(style.name()).Occurs(tokens_)) AddOnce(facts_.styles, &style);
@@ -284,17 +285,24 @@ class BriefReader {
   }
 
   // As OccursAny, but not within words that name the room or its furniture: a king bed makes no king.
-  bool OccursUnused(const google::protobuf::RepeatedPtrField<std::string>& phrases) const {
+  bool OccursUnused(const google::protobuf::RepeatedPtrField<std::string>& phrases, bool of_the_room) const {
     for (const std::string& text : phrases) {
       const Phrase phrase(text);
       for (std::size_t i = 0; i < tokens_.size(); ++i) {
         const std::size_t length = phrase.MatchAt(tokens_, i);
         for (std::size_t k = i; k < i + length; ++k) {
-          if (!used_[k]) return true;
+          if (!used_[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
         }
       }
     }
     return false;
+  }
+
+  // "In a Victorian terrace" is where the room is today.
+  bool IsOfTheHouse(std::size_t i, std::size_t length) const {
+    const BriefText text(tokens_);
+    const std::size_t before = i > 0 && text.Is(i - 1, "articles") ? i - 1 : i;
+    return before > 0 && text.Is(before - 1, "into_a_wall") && text.Is(i + length, "houses");
   }
 
   bool OccursAny(const google::protobuf::RepeatedPtrField<std::string>& phrases) const {

@@ -26,8 +26,9 @@ class FinishReader {
       // "Parquet" and "wallpaper" say by themselves what the surface is of.
       if (text_.Is(i, "floor_finishes") || text_.Is(i, "wall_finishes")) finish.material = text_.At(i);
       std::size_t begin = i, end = i + 1;
+      if (text_.Is(end, "finish_materials") && finish.material.empty()) finish.material = text_.At(end++);  // "floor tiles"
       ReadBefore(i, begin, finish);
-      if (finish.material.empty() && finish.colour == nullptr) ReadBehind(i + 1, end, finish);
+      if (finish.material.empty() && finish.colour == nullptr) ReadBehind(end, end, finish);
       if (finish.material.empty() && finish.colour == nullptr) continue;
       std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
                 true);
@@ -64,14 +65,15 @@ class FinishReader {
 
   // "Dark green tiled walls".
   void ReadBefore(std::size_t i, std::size_t& begin, AskedFinish& finish) const {
-    constexpr std::size_t kMostBack = 4;
+    constexpr std::size_t kMostBack = 5;
     for (std::size_t back = std::min(kMostBack, i); back >= 1; --back) {
       const std::size_t at = i - back;
       std::size_t k = at;
       AskedFinish tried = finish;
       while (k < i && !used_[k]) {
         const std::size_t length = TakeAt(k, tried);
-        const bool between = text_.IsHyphen(k) || text_.Is(k, "looks") || (text_.At(k) == "and" && k > at);
+        const bool between = text_.IsHyphen(k) || text_.Is(k, "looks") || text_.Is(k, "finish_patterns") ||
+                             (text_.At(k) == "and" && k > at);
         if (length == 0 && !between) break;
         k += std::max<std::size_t>(1, length);
       }
