@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "english/words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/other_words.h"
@@ -210,7 +211,7 @@ class BriefReader {
     const auto& colours = handbook_.vocabulary().colours;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
-      if (length == 0 || used_[i]) continue;
+      if (length == 0 || used_[i] || IsOfAThing(i + length)) continue;
       AddOnce(facts_.colours, colour);
       Use(i, length);
       i += length - 1;
@@ -219,6 +220,13 @@ class BriefReader {
       for (const std::string& keyword : theme->keywords()) UseAll(keyword);
     }
     for (const hb::Style* style : facts_.styles) UseAll(style->name());
+  }
+
+  // "Black taps": the colour of something small that is not drawn, not the room's.
+  bool IsOfAThing(std::size_t i) const {
+    const BriefText text(tokens_);
+    return text.IsWord(i) && !text.Is(i, "coloured_rooms") && english::IsPlural(text.At(i)) &&
+           handbook_.vocabulary().meanings->ThingOf(text.At(i)).known;
   }
 
   void ReadNeeds() {
@@ -231,7 +239,7 @@ class BriefReader {
       int people = 0;
       if (!Applies(need, people)) continue;
       found.push_back(&need);
-      if (people > 0 && !facts_.people) facts_.people = people;
+      if (people > 0 && need.min_people() > 0 && !facts_.people) facts_.people = people;
     }
     used_ = std::move(peoples_words);
     for (const hb::Need* need : found) {

@@ -94,7 +94,8 @@ class OwnFinder {
     const auto opens = [&](std::size_t k) {
       return (text_.Is(k, "thing_articles") && text_.At(k) != "the") || NumberWord(text_.At(k)) || text_.IsNumber(k);
     };
-    const bool bare = (text_.Is(i, "listing") || text_.Is(i, "holding_words") || text_.Is(i, "having")) &&
+    const bool bare = (text_.Is(i, "listing") || text_.Is(i, "holding_words") || text_.Is(i, "having") ||
+                       text_.At(i) == ":" || (text_.EndsSentence(i) && i + 1 < tokens_.size())) &&
                       text_.IsWord(i + 1) && !opens(i + 1);
     if (!opens(i) && !bare) return std::nullopt;
     NounPhrase phrase{i + 1, i + 1, opens(i)};
@@ -230,7 +231,11 @@ class OwnFinder {
   // Whether it is among what the room is to have: "with a honey extractor, two kick wheels and hive boxes", not "for a
   // farm", "a slice of life" or "jars of honey and spice".
   bool IsListed(const NounPhrase& phrase) const {
-    if (text_.At(phrase.end) == "of" || text_.At(phrase.end - 1).ends_with("ing")) return false;
+    if (text_.At(phrase.end - 1).ends_with("ing")) return false;
+    if (text_.At(phrase.end) == "of") {
+      const hb::Furniture* like = handbook_.vocabulary().meanings->ThingOf(text_.At(phrase.end - 1)).like;
+      if (like == nullptr || !IsOnTheFloor(*like)) return false;  // a slice of life, not "stands of buckets"
+    }
     bool counted = phrase.counted;
     for (std::size_t i = phrase.begin - (phrase.counted ? 1 : 0); i > 0; --i) {
       const std::size_t at = i - 1;

@@ -128,6 +128,11 @@ Rows RowsAround(const std::vector<Token>& tokens, std::size_t i, std::size_t len
 PieceCount CountBefore(const Handbook& handbook, const std::vector<Token>& tokens, const hb::Furniture& furniture,
                        std::size_t i, std::size_t length) {
   if (AsksForFew(tokens, i)) return {1};
+  // "Somewhere for forty pairs of shoes" is one piece.
+  for (std::size_t back = 2; back <= 4 && back <= i; ++back) {
+    const bool pairs = tokens[i - back].text == "pairs" && tokens[i - back + 1].text == "of";
+    if (pairs && CountAt(tokens, i - back - (back < i ? 1 : 0)) > 2) return {1};
+  }
   for (std::size_t back = 1; back <= 3 && back <= i; ++back) {
     const std::size_t at = i - back;
     const Token& token = tokens[at];

@@ -42,7 +42,7 @@ TEST(RoomKind, WhatComesBeforeWithIsTheRoom) {
       {"Master suite: bedroom, walk-in closet, bathroom", "bedroom; dressing room; bathroom"},
       {"A large family bathroom with dressing room", "bathroom; dressing room"},
       {"Bedroom with an en-suite door on the west wall", "bedroom"},
-      {"A hotel room that has a balcony", "bedroom; greenhouse"},
+      {"A hotel room that has a balcony", "bedroom; conservatory"},
       {"The entrance is in the middle of the south wall.", ""},
       {"Hall with a reading nook", "entrance hall; reading nook"},
       {"A bedroom with a view of the church", "bedroom"},

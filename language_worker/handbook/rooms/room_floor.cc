@@ -25,18 +25,21 @@ void SidesOf(double area_m2, double ratio, bool deeper, RoomSize& size) {
 }
 
 // How much larger a room is for more people than it usually has: each takes a place of their own and shares the ways.
-double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype) {
-  constexpr double kShareOfPlaces = 0.6, kEach_m2 = 3;
+double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype, const Handbook& handbook) {
+  constexpr double kShareOfPlaces = 0.6, kEach_m2 = 3, kEachInARow_m2 = 1.3;
   if (!facts.people || archetype.per_person().empty()) return 1;
   const double usual_m2 = archetype.width_m().typical() * archetype.depth_m().typical();
   for (const hb::Band& band : archetype.bands()) {
     if (band.max_area_m2() > 0 && usual_m2 >= band.max_area_m2()) continue;
     for (const hb::ObjectEntry& entry : band.objects()) {
       if (entry.furniture() != archetype.per_person()) continue;
-      const double usual = std::max(1, entry.count());
+      const hb::Furniture* place = handbook.FindFurniture(entry.furniture());
+      const int sharing = place == nullptr ? 1 : std::max(1, PlacesOn(*place));
+      const double usual = std::max(1, entry.count()) * sharing;
       const double more = std::max(0.0, *facts.people / usual - 1);
+      const double each_m2 = sharing > 1 ? kEachInARow_m2 : kEach_m2;
       // Few have most of a room to themselves; many take what a place and its share of the ways need.
-      return 1 + std::min(kShareOfPlaces * more, kEach_m2 * usual * more / usual_m2);
+      return 1 + std::min(kShareOfPlaces * more, each_m2 * usual * more / usual_m2);
     }
     break;
   }
@@ -89,7 +92,7 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     size.assumption = fmt::format("Only one side is given; the other is taken as {:g} m.", other_m);
   } else {
     const bool named = archetype.name() != handbook.fallback_archetype().name();
-    area_factor *= CrowdFactor(facts, archetype);
+    area_factor *= CrowdFactor(facts, archetype, handbook);
     double all_m2 = width_m * depth_m;
     const std::vector<FurtherKind> also = AlsoOf(facts, archetype);
     for (const FurtherKind& one : also) all_m2 += kShared * one.share * UsualArea(*one.archetype);
