@@ -33,6 +33,7 @@ class BriefReader {
     ASSIGN_OR_RETURN(facts_.size, ReadSize(tokens_, handbook_, used_));
     const std::vector<bool> size_words = std::exchange(used_, std::vector<bool>(tokens_.size()));
     ReadArchetype();
+    TakeRoomOfNeeds();
     const std::vector<bool> room_words = used_;
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
     ReadPieceSizes(pieces.mentions, size_words);
@@ -90,6 +91,17 @@ class BriefReader {
       facts_.also.push_back({one.archetype});
     }
     facts_.places_not_known = kind_.places;
+  }
+
+  // "A bedroom for our twins, aged five" is a child's, and its words mean what they mean there.
+  void TakeRoomOfNeeds() {
+    for (const hb::Need& need : handbook_.contents().needs()) {
+      int people = 0;
+      const hb::Archetype* becomes = handbook_.FindArchetype(need.changes().becomes_room());
+      if (becomes == nullptr || need.min_people() > 0 || !Applies(need, people)) continue;
+      facts_.archetype = becomes;
+      return;
+    }
   }
 
   // Rooms that the room has, unless their words mean a piece ("with a bar"): a corner of it, or a room of their own.
