@@ -202,6 +202,15 @@ TEST(LoadHandbook, SaysWhereAFolderIsWrong) {
   EXPECT_NE(std::string(handbook.status().message()).find("/nonexistent"), std::string::npos);
 }
 
+TEST(Handbook, RoomsOfAnEarlierTimeHoldWhatThereWasThen) {
+  const Answers today = Ask("A study of 4 m x 4 m."), then = Ask("A study of 4 m x 4 m around 1750.");
+  EXPECT_GT(today.Count("office chair"), 0);
+  EXPECT_EQ(then.Count("office chair"), 0);
+  EXPECT_GT(then.Count("dining chair"), 0) << "instead of the office chair";
+  EXPECT_EQ(then.Count("laptop") + then.Count("computer monitor") + then.Count("printer"), 0);
+  EXPECT_EQ(Ask("A study of 4 m x 4 m around 1750 with a laptop.").Count("laptop"), 1) << "who asks for it gets it";
+}
+
 TEST(HandbookPeople, EveryoneHasADeskAndAChairAtIt) {
   const Answers team = Ask("An office for six people, 8 m x 6 m.");
   EXPECT_EQ(team.room.room_type(), "team office");

@@ -144,5 +144,36 @@ TEST(UnheardWords, AreAllThatAskForSomething) {
   }
 }
 
+// Surface, material and colour of all finishes that are read.
+std::string FinishesOf(const std::string& text) {
+  std::string all;
+  for (const AskedFinish& one : FactsOf(text).finishes) {
+    const bool walls = one.surface == AskedFinish::Surface::kWalls;
+    all += (all.empty() ? "" : "; ") +
+           std::string(walls                                              ? "walls"
+                       : one.surface == AskedFinish::Surface::kFloor ? "floor"
+                                                                          : "ceiling") +
+           " " + one.material + (one.colour == nullptr ? "" : " " + one.colour->name());
+  }
+  return all;
+}
+
+TEST(BriefFacts, FinishesAreReadFromEitherSide) {
+  EXPECT_EQ(FinishesOf("A bedroom with walls covered in cork."), "walls cork");
+  EXPECT_EQ(FinishesOf("A kitchen with dark green walls and an oak floor."), "walls  dark green; floor oak");
+  EXPECT_EQ(FinishesOf("A hall with black and white checkered floor tiles."), "floor tiles black");
+  EXPECT_EQ(FinishesOf("A bathroom with sage green tiles."), "walls tiles sage green");
+  EXPECT_EQ(FinishesOf("A room with a floor lamp of brass and a desk at the white wall."), "");
+}
+
+TEST(BriefFacts, TheTimeOfARoomIsThatOfItsThemesNotOfItsHouse) {
+  const auto year = [](const char* text) {
+    const BriefFacts facts = FactsOf(text);
+    return facts.themes.empty() ? 0 : facts.themes.back()->changes().year();
+  };
+  EXPECT_EQ(year("A victorian study."), 1885);
+  EXPECT_EQ(year("A kitchen in a Victorian terrace."), 0);
+}
+
 }  // namespace
 }  // namespace flair::language

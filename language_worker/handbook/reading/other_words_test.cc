@@ -54,6 +54,24 @@ TEST(ReadPeople, OtherNumbersAreNotOfPeople) {
 
 namespace {
 
+int YearOf(const char* text) {
+  const std::vector<Token> tokens = TokensOf(text);
+  std::vector<bool> used(tokens.size(), false);
+  return ReadYear(tokens, used).value_or(0);
+}
+
+TEST(ReadYear, IsReadHoweverItIsSaid) {
+  EXPECT_EQ(YearOf("A ship's cabin around 1750."), 1750);
+  EXPECT_EQ(YearOf("A 1920s kitchen"), 1920);
+  EXPECT_EQ(YearOf("An 18th-century study"), 1750);
+  EXPECT_EQ(YearOf("A room of 1200 by 1500 mm"), 0);
+  EXPECT_EQ(YearOf("A bedroom in 2024 style for 4 people"), 0);
+}
+
+}  // namespace
+
+namespace {
+
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
