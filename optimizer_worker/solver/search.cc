@@ -23,6 +23,8 @@ constexpr double kBox_m = 0.3;
 constexpr int kSettleRounds = 3;
 // Hard terms may grow by this when things touch.
 constexpr double kRounding = 1e-12;
+// Hard terms of an object that touches others.
+constexpr double kClear = 1e-9;
 // Free floor that a slid object leaves before a neighbour.
 constexpr double kWay_m = 0.6;
 // A step of SLSQP grows with the cube of the variables and cannot be interrupted. More objects than kMostTogether (no
@@ -143,6 +145,14 @@ void LayoutSearch::Construct(std::span<const int> objects, double noise, Random&
     Rank(object, kNever, noise, random, 1);
     layout_[object] = choices_.empty() ? candidates_.front() : choices_.front().pose;
   }
+}
+
+void LayoutSearch::PlaceClear(int object, Random& random) {
+  Propose(object, CandidateDensity{}, random);
+  hard_cost_.Prepare({&object, 1}, problem_, layout_);
+  std::erase_if(candidates_, [&](const Pose<double>& pose) { return hard_cost_.At({&pose, 1}, kClear) > kClear; });
+  Rank(object, kNever, 0, random, 1);
+  if (!choices_.empty()) layout_[object] = choices_.front().pose;
 }
 
 void LayoutSearch::Sweep(std::span<const int> objects, int rounds, const CandidateDensity& density, Random& random) {

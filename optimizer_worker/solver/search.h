@@ -52,6 +52,8 @@ class LayoutSearch {
 
   // Places `objects` in this order, each where the cost is least; `noise` > 0 adds up to that much to each candidate.
   void Construct(std::span<const int> objects, double noise, Random& random);
+  // Places one object anew where it collides with nothing, if there is such a place.
+  void PlaceClear(int object, Random& random);
   // Re-places each of `objects` while that helps, at most `rounds` times round.
   void Sweep(std::span<const int> objects, int rounds, const CandidateDensity& density, Random& random);
   // Moves `anchor` and the objects attached to it as one piece to the best candidate, if that helps.

@@ -162,6 +162,11 @@ constexpr int kPolishSweeps = 2;
 constexpr double kPolishNoise = 0.2;
 // What an angle that follows no wall has to be worth: less than one wish, more than what is won by a few degrees.
 constexpr double kCrooked = 0.3;
+// What a place off the middle of a front has to be worth to the ways and to the calls, and how far before the front
+// something stands at it.
+constexpr double kOffCenter = 0.2, kOffCenterOfCalls = 0.02, kBefore_m = 1, kAtMiddle_m = 1e-3;
+// Hard terms may grow by this.
+constexpr double kExact = 1e-12;
 constexpr CandidateDensity kSparse{.wall_samples = 2, .floor_samples = 10, .partner_samples = 1};
 
 // The smaller partners of an object: what moves along when it moves.
@@ -222,6 +227,33 @@ void Straighten(const Scene& scene, std::span<const int> objects, Problem& probl
   }
 }
 
+// Moves what stands before the front of something larger that it belongs to, such as a chair at its desk, to the middle
+// of it where that costs little: nobody asked for one end. For layouts that are exact already.
+void Center(const SolveInput& input, int object, LayoutSearch& search) {
+  for (int larger : input.partners[object]) {
+    const Footprint& theirs = input.scene.objects[larger].footprint;
+    if (!search.problem().placed(larger) || input.linked.TieOf(object, larger) == 0 ||
+        !input.linked.BelongsAt(larger, object, Side::kFront) ||
+        theirs.width_m < input.scene.objects[object].footprint.width_m) {
+      continue;
+    }
+    const Layout aside = search.layout();
+    const Frame<double> frame = FrameOf(aside[larger]);
+    const Vec2<double> at = frame.ToObject(flair::Center(aside[object]));
+    const double ahead = at.y - theirs.depth_m / 2;
+    if (std::abs(at.x) < kAtMiddle_m || std::abs(at.x) > theirs.width_m / 2 || ahead < 0 || ahead > kBefore_m) continue;
+    const double most = search.Score() + kOffCenter, hard = search.problem().Hard(aside);
+    const double most_of_calls = search.Cost() + kOffCenterOfCalls;
+    const Vec2<double> middle = frame.ToRoom(0, at.y);
+    Layout centered = aside;
+    centered[object] = {middle.x, middle.y, aside[object].theta_rad};
+    search.set_layout(centered);
+    if (search.problem().Hard(centered) > hard + kExact || search.Cost() > most_of_calls || search.Score() > most) {
+      search.set_layout(aside);
+    }
+  }
+}
+
 // `free`, and the groups that the objects of `violations` are in.
 std::vector<int> WithGroupsOf(const SolveInput& input, std::span<const Violation> violations, std::vector<int> free) {
   for (const Violation& violation : violations) {
@@ -238,13 +270,23 @@ std::vector<int> WithGroupsOf(const SolveInput& input, std::span<const Violation
 // Descends from where `search` is, makes the layout exact and lets it settle. Returns the score. What of `whole` is not
 // in `stage` moves only when nothing else helps.
 double Finish(const SolveInput& input, const StageSpec& whole, const StageSpec& stage, const SearchInput& search_input,
-              LayoutSearch& search) {
+              Random& random, LayoutSearch& search) {
   search.Descend(stage.objects, {.max_evaluations = 60, .relative_tolerance = 1e-4, .absolute_tolerance = 1e-5});
   Layout layout = search.layout();
   Straighten(input.scene, stage.objects, search.problem(), layout);
   std::vector<Violation> left = MakeExact(input, search.problem(), stage.objects, layout);
   if (!left.empty() && stage.objects.size() < whole.objects.size()) {
-    left = MakeExact(input, search.problem(), WithGroupsOf(input, left, stage.objects), layout);
+    // What is wedged beside a pattern goes elsewhere before the pattern gives way.
+    search.set_layout(layout);
+    for (const Violation& violation : left) {
+      for (int object : {violation.object, violation.other}) {
+        if (std::find(stage.objects.begin(), stage.objects.end(), object) == stage.objects.end()) continue;
+        search.PlaceClear(object, random);
+      }
+    }
+    layout = search.layout();
+    left = MakeExact(input, search.problem(), stage.objects, layout);
+    if (!left.empty()) left = MakeExact(input, search.problem(), WithGroupsOf(input, left, stage.objects), layout);
   }
   if (!left.empty() && stage.objects.size() < whole.objects.size()) {
     left = MakeExact(input, search.problem(), whole.objects, layout);
@@ -255,6 +297,7 @@ double Finish(const SolveInput& input, const StageSpec& whole, const StageSpec& 
   std::vector<std::vector<int>> members_of;
   for (int object : stage.objects) members_of.push_back(MembersOf(input, stage, object));
   settled.Settle(stage.objects, members_of);
+  for (int object : stage.objects) Center(input, object, settled);
   double score = settled.Score();
   for (const Violation& violation : left) score += kInfeasible * (0.01 + violation.depth_m);
   search.set_layout(settled.layout());
@@ -278,7 +321,7 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
     const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
     if (!input.OutOfTime() && !free.objects.empty()) Improve(input, free, search, random);
-    if (pass + 1 == passes) result.score = Finish(input, stage, free, search_input, search);
+    if (pass + 1 == passes) result.score = Finish(input, stage, free, search_input, random, search);
     result.evaluations += search.evaluations();
     for (int object : stage.objects) result.state.Place(object, search.layout()[object]);
   }

@@ -9,6 +9,7 @@
 
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/pattern_slots.h"
+#include "optimizer_worker/stages/patterns.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/testing/graphs.h"
@@ -200,6 +201,58 @@ TEST(WalkPenalty, ADeskDoesNotBlockTheFrontOfItsChair) {
   // Four chairs before the table, and the table before one of them.
   search_input.linked = nullptr;
   EXPECT_NEAR(penalty() - belonging, 5 * search_input.walk_weights.blocked_front, 1e-9);
+}
+
+TEST(DisorderOf, ChargesThoseThatDoNotLookAlongTheAxisOfMost) {
+  std::string objects;
+  for (int b = 0; b < 5; ++b) objects += ObjectText(fmt::format("bed_{}", b).c_str(), "PRIMARY", "FLOOR", 0.9, 2);
+  const NloptSolver solver;
+  const v1::LayoutGraph graph = Parse(RoomText(7, 8) + "object_list {" + objects + "}");
+  const SolveInput input = InputOf(graph, solver);
+  PartialLayout state(input.scene);
+  for (int b = 0; b < 3; ++b) state.Place(b, {1, 2.0 + 1.5 * b, -kPi / 2});
+  state.Place(3, {6, 2, kPi / 2});
+  state.Place(4, {6, 5, kPi / 2});
+  EXPECT_EQ(DisorderOf(input, state), 0);
+  state.Place(4, {6, 7, kPi});
+  EXPECT_GT(DisorderOf(input, state), 1);
+}
+
+TEST(Groups, WhatStandsBeforeAFrontStandsAtItsMiddleForEverySeed) {
+  const v1::LayoutGraph graph =
+      Parse(RoomText(4, 4) + "object_list {" + ObjectText("desk", "PRIMARY", "FLOOR", 1.4, 0.6) +
+            ObjectText("chair", "SECONDARY", "FLOOR", 0.5, 0.5) + "}" +
+            EdgeText("wall", "against_wall", Text("object", "desk")) +
+            EdgeText("seat", "next_to",
+                     Text("object", "chair") + Text("target", "desk") + Text("object_side", "front") +
+                         Text("target_side", "front")));
+  for (int seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const v1::SolvedLayout layout = Solve(graph, seed, v1::GROUP_POLICY_UNSPECIFIED);
+    const v1::Placement &desk = PlacementOf(layout, "desk"), &chair = PlacementOf(layout, "chair");
+    const Frame<double> frame = FrameOf(Pose<double>{desk.x_m(), desk.y_m(), desk.theta_rad()});
+    EXPECT_LT(std::abs(frame.ToObject({chair.x_m(), chair.y_m()}).x), 0.05);
+  }
+}
+
+TEST(ForEachPattern, KeepsRowsAlongWallsOffWindows) {
+  Room room = RectangularRoom(7, 10);
+  for (int wall : {1, 3}) {
+    Opening& window = room.openings.emplace_back();
+    window.kind = OpeningKind::kWindow;
+    window.wall = wall;
+    window.offset_m = 4;
+    window.width_m = 2;
+  }
+  const BoundingBox bed{{-0.5, -1}, {0.5, 1}};
+  bool found = false;
+  ForEachPattern(room, bed, 6, [&](const std::vector<Pose<double>>& poses) {
+    found = found || std::all_of(poses.begin(), poses.begin() + 6, [&](const Pose<double>& pose) {
+              const bool at_side = std::abs(std::abs(pose.x_m - 3.5) - 2.5) < 1e-6;
+              return at_side && (pose.y_m < 3.0 + 1e-6 || pose.y_m > 7.0 - 1e-6);
+            });
+  });
+  EXPECT_TRUE(found);
 }
 
 TEST(ForEachPattern, SharesOppositeWallsEvenly) {

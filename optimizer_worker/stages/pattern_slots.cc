@@ -2,6 +2,7 @@
 #include "optimizer_worker/stages/pattern_slots.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace flair::optimizer {
 namespace {
@@ -108,17 +109,34 @@ class GridMaker {
   std::vector<Pose<double>> slots_;
 };
 
-// Boxes along every wall in turn, or every second one: opposite rows.
+// Boxes along every wall in turn, or every second one: opposite rows. With a margin only where walls are so far from
+// windows and doors.
 class WallRows {
  public:
-  WallRows(const Room& room, const BoundingBox& box, size_t first, size_t step) : box_(box) {
+  WallRows(const Room& room, const BoundingBox& box, size_t first, size_t step, std::optional<double> margin_m)
+      : box_(box) {
     const double d = box.height_m();
     for (size_t k = 0; k < room.walls.size(); k += step) {
-      const Wall& wall = room.walls[(first + k) % room.walls.size()];
+      const size_t index = (first + k) % room.walls.size();
+      const Wall& wall = room.walls[index];
       // Corners are left to the row that comes first.
-      rows_.push_back({&wall, k > 0 && step == 1 ? d : 0.0,
-                       wall.length_m - (k > 0 && k + 1 == room.walls.size() ? d : 0.0)});
+      double low = k > 0 && step == 1 ? d : 0.0;
+      const double end = wall.length_m - (k > 0 && k + 1 == room.walls.size() ? d : 0.0);
+      std::vector<const Opening*> openings;
+      for (const Opening& opening : room.openings) {
+        if (margin_m.has_value() && static_cast<size_t>(opening.wall) == index) {
+          openings.push_back(&opening);
+        }
+      }
+      std::sort(openings.begin(), openings.end(),
+                [](const Opening* a, const Opening* b) { return a->offset_m < b->offset_m; });
+      for (const Opening* opening : openings) {
+        rows_.push_back({&wall, low, std::min(end, opening->offset_m - *margin_m)});
+        low = std::max(low, opening->offset_m + opening->width_m + *margin_m);
+      }
+      rows_.push_back({&wall, low, end});
     }
+    std::erase_if(rows_, [&](const Row& row) { return row.high - row.low < box.width_m(); });
   }
 
   // As many as fit with such gaps, one wall after the other.
@@ -173,7 +191,12 @@ void ForEachPattern(const Room& room, const BoundingBox& box, int count, const V
   }
   for (size_t wall = 0; wall < room.walls.size(); ++wall) {
     for (size_t step : {size_t{1}, size_t{2}}) {
-      const WallRows rows(room, box, wall, step);
+      for (double margin_m : {0.5, 1.0}) {
+        const WallRows between(room, box, wall, step, margin_m);
+        for (double gap : {0.1, 0.6}) between.Filled(gap, count, visit);
+        for (int each = 1; each <= kSpareOnWall; ++each) between.Shared(each, count, visit);
+      }
+      const WallRows rows(room, box, wall, step, std::nullopt);
       for (double gap : {0.0, 0.1, 0.6}) rows.Filled(gap, count, visit);
       const int fewest = std::max(2, count * static_cast<int>(step) / static_cast<int>(room.walls.size()));
       for (int each = fewest; each <= fewest + kSpareOnWall; ++each) rows.Shared(each, count, visit);

@@ -16,7 +16,7 @@ namespace flair::optimizer {
 // none.
 std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before);
 
-// What `state` is charged for groups of patterns that it has placed in no order: about a missed constraint for each.
+// What `state` is charged for groups of patterns that it has placed in no order: about two missed constraints for each.
 double DisorderOf(const SolveInput& input, const PartialLayout& state);
 
 // The objects that stand in a pattern: their groups are arranged alike, look along the same axes, and each
