@@ -78,8 +78,7 @@ int LayoutSearch::BlockedFronts() const {
   for (size_t i = 0; i < obstacles_.size(); ++i) {
     if (reachable[i]) continue;
     const evaluation::Obstacle& own = obstacles_[i];
-    const auto strip =
-        Box<double>::Before(own.footprint, FrameOf(own.pose), Side::kFront, evaluation::kFrontStrip_m);
+    const auto strip = Box<double>::Before(own.footprint, FrameOf(own.pose), Side::kFront, evaluation::kFrontStrip_m);
     bool belongs = false;
     for (size_t k = 0; input_.linked != nullptr && k < obstacles_.size() && !belongs; ++k) {
       belongs = input_.linked->BelongsAt(walked_[i], walked_[k], Side::kFront) &&

@@ -172,8 +172,8 @@ class WallRows {
   Pose<double> At(const Row& row, double offset) const {
     const double heading = row.wall->BackHeading();
     const Vec2<double> off = FrameOf(Pose<double>{0, 0, heading}).ToRoom(box_.Center().x, box_.Center().y);
-    const Vec2<double> p = row.wall->PointAt(offset + box_.width_m() / 2) +
-                           (box_.height_m() / 2) * row.wall->inward_normal - off;
+    const Vec2<double> p =
+        row.wall->PointAt(offset + box_.width_m() / 2) + (box_.height_m() / 2) * row.wall->inward_normal - off;
     return {p.x, p.y, heading};
   }
 

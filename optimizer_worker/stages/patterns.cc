@@ -69,7 +69,8 @@ bool ArePlaced(const SolveInput& input, const std::vector<int>& groups, const Pa
 }
 
 // Those of `groups`, all placed, that are arranged, look along the axes of most, and are in line with another.
-std::vector<int> InOrder(const SolveInput& input, const std::vector<int>& groups, const Layout& layout, const Tolerance& tolerance) {
+std::vector<int> InOrder(const SolveInput& input, const std::vector<int>& groups, const Layout& layout,
+                         const Tolerance& tolerance) {
   const std::vector<Group>& all = input.groups.all;
   const auto first = [&](int g) -> const Pose<double>& { return layout[all[g].objects[0]]; };
   const auto parallel = [&](int a, int b) {
@@ -79,8 +80,8 @@ std::vector<int> InOrder(const SolveInput& input, const std::vector<int>& groups
   const auto companions = [&](int g) {
     return std::count_if(groups.begin(), groups.end(), [&](int other) { return parallel(g, other); });
   };
-  const int model = *std::max_element(groups.begin(), groups.end(),
-                                      [&](int a, int b) { return companions(a) < companions(b); });
+  const int model =
+      *std::max_element(groups.begin(), groups.end(), [&](int a, int b) { return companions(a) < companions(b); });
   const Frame<double> frame = FrameOf(first(model));
   std::vector<int> in_order;
   std::copy_if(groups.begin(), groups.end(), std::back_inserter(in_order), [&](int g) {
@@ -153,7 +154,8 @@ class PatternPlacer {
   }
 
  private:
-  // What else is to be placed and calls name with the pattern, largest first: the teacher's desk belongs before the rows.
+  // What else is to be placed and calls name with the pattern, largest first: the teacher's desk belongs before the
+  // rows.
   std::vector<int> Companions(const PartialLayout& before) const {
     std::vector<int> companions;
     for (int object : stage_.objects) {

@@ -169,8 +169,8 @@ Problem MakeProblem(const SolveInput& input, const SceneCosts& costs, const Stag
 
 SearchInput SearchInputOf(const SolveInput& input, std::span<const Vec2<double>> zone_centers,
                           const evaluation::WalkGrid* walk_grid) {
-  return {input.scene, input.partners, zone_centers, input.solver, input.keep_out,
-          walk_grid,   {},             input.Over(), &input.linked};
+  return {input.scene, input.partners, zone_centers, input.solver, input.keep_out, walk_grid,
+          {},          input.Over(),   &input.linked};
 }
 
 PartialLayout StartOf(const SolveInput& input) {
