@@ -46,7 +46,7 @@ class BriefReader {
     if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
-      for (const std::string& thing : UnknownThings(tokens_, handbook_.vocabulary(), used_)) facts_.not_known.push_back(thing);
+      for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
       for (const std::size_t i : pieces.counts) used_[i] = true;
       for (const std::size_t i : facts_.told) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) {

@@ -192,7 +192,9 @@ class FurnitureReader {
   // "... a coffee table. The table should be round": the piece of that name that was asked for before. Null where the
   // words ask for another one.
   const Wish* MeantBefore(std::size_t i, std::size_t length) const {
-    if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - 1].text)) return nullptr;
+    // "The two beds" are those that were asked for.
+    const bool counted = i > 1 && NumberWord(tokens_[i - 1].text) && !IsArticle(tokens_[i - 1].text);
+    if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - (counted ? 2 : 1)].text)) return nullptr;
     const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
     const auto among = [&](const std::string& name) {
       return noun != nullptr && std::ranges::any_of(noun->options(), [&](const hb::NounOption& option) {

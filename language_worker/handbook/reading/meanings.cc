@@ -2,6 +2,7 @@
 #include "language_worker/handbook/reading/meanings.h"
 
 #include <algorithm>
+#include <array>
 
 #include "english/wordnet.h"
 #include "language_worker/handbook/reading/words.h"
@@ -29,9 +30,9 @@ std::vector<NounSense> SensesOf(std::string_view noun) {
 }
 
 // The senses in which a noun may name something that stands in a room, likeliest first.
-std::vector<NounSense> PhysicalOf(const std::vector<NounSense>& senses) {
+std::vector<NounSense> PhysicalOf(const std::vector<NounSense>& senses, std::size_t usual) {
   std::vector<NounSense> physical;
-  for (std::size_t i = 0; i < std::min(senses.size(), kUsualSenses); ++i) {
+  for (std::size_t i = 0; i < std::min(senses.size(), usual); ++i) {
     const Domain domain = senses[i].domain;
     const bool first = i == 0 && (domain == Domain::kPlant || domain == Domain::kFood || domain == Domain::kSubstance ||
                                   domain == Domain::kCommunication || domain == Domain::kNaturalObject);
@@ -56,7 +57,7 @@ Meanings::Meanings(const hb::Handbook& handbook) {
     Add<hb::Furniture>(noun, nullptr, kAnyDistance, things_);
   }
   for (const hb::Furniture& furniture : handbook.furniture()) {
-    const std::vector<NounSense> senses = PhysicalOf(WordNet::Get().SensesOf(furniture.name()));
+    const std::vector<NounSense> senses = PhysicalOf(WordNet::Get().SensesOf(furniture.name()), kUsualSenses);
     if (!senses.empty()) things_.try_emplace(senses.front().id, Anchor<hb::Furniture>{&furniture, kNear});
   }
   for (const hb::Archetype& archetype : handbook.archetypes()) {
@@ -64,10 +65,10 @@ Meanings::Meanings(const hb::Handbook& handbook) {
   }
 }
 
-Thing Meanings::ThingOf(std::string_view noun) const {
+Thing Meanings::ThingOf(std::string_view noun, std::size_t usual) const {
   const std::vector<NounSense> senses = SensesOf(noun);
   Thing thing{.known = !senses.empty()};
-  for (const NounSense& sense : PhysicalOf(senses)) {
+  for (const NounSense& sense : PhysicalOf(senses, usual)) {
     for (const Kind& kind : WordNet::Get().KindsOf(sense)) {
       const auto anchor = things_.find(kind.id);
       if (anchor == things_.end() || kind.steps > anchor->second.most_steps) continue;
@@ -109,6 +110,14 @@ const hb::Archetype* Meanings::RoomAmong(std::string_view noun, std::size_t most
     }
   }
   return nullptr;
+}
+
+bool NamesNoThing(std::string_view word) {
+  const std::vector<NounSense> senses = WordNet::Get().SensesOf(word);
+  if (senses.empty()) return WordNet::Get().Knows(word);
+  constexpr std::array kNone = {Domain::kAttribute, Domain::kFeeling, Domain::kPerson, Domain::kQuantity, Domain::kState,
+                                Domain::kTime,      Domain::kGroup};
+  return Includes(kNone, senses.front().domain);
 }
 
 bool MeansPeople(std::string_view noun) {

@@ -32,7 +32,8 @@ class Meanings {
  public:
   explicit Meanings(const hb::Handbook& handbook);
 
-  Thing ThingOf(std::string_view noun) const;
+  // Looks at the `usual` most frequent senses.
+  Thing ThingOf(std::string_view noun, std::size_t usual = 3) const;
 
   // The kind of room that such a room is furnished as; null when it is no room.
   const hb::Archetype* RoomOf(std::string_view noun) const;
@@ -59,6 +60,10 @@ class Meanings {
   Anchors<hb::Furniture> things_;
   Anchors<hb::Archetype> rooms_;
 };
+
+// Whether a word is no noun, or one that means a quality, a mood, a time, a number or people first of all: it names
+// nothing that could be missing in a room.
+bool NamesNoThing(std::string_view word);
 
 // Whether the noun means people first of all: "gardeners", "guests".
 bool MeansPeople(std::string_view noun);

@@ -5,7 +5,6 @@
 
 #include "absl/strings/numbers.h"
 
-#include "english/wordnet.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -226,8 +225,7 @@ bool ReadsAsEnglish(const std::vector<Token>& tokens) {
   return words <= kShortText;
 }
 
-std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const Vocabulary& vocabulary,
-                                       std::vector<bool>& used) {
+std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, std::vector<bool>& used) {
   const ThingFinder finder(tokens, used);
   const BriefText text(tokens);
   std::vector<std::string> things;
@@ -235,9 +233,7 @@ std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, const V
     ThingFinder::Found found = finder.ThingAt(i);
     if (found.begin == found.end) found = finder.BareThingAt(i);
     if (found.begin == found.end || IsFormIn("not_pieces", text.At(found.end - 1))) continue;
-    const Thing meant = vocabulary.meanings->ThingOf(text.Quote(found.begin, found.end));
-    const bool word = meant.known || english::WordNet::Get().Knows(text.At(found.end - 1));
-    if (word && !meant.is_thing) continue;
+    if (NamesNoThing(text.At(found.end - 1)) || IsFormIn("parts_of_furniture", text.At(found.end - 1))) continue;
     std::string thing = text.Quote(found.begin, found.end);
     for (std::size_t k = found.begin; k < found.end; ++k) used[k] = true;
     if (!Includes(things, thing)) things.push_back(std::move(thing));

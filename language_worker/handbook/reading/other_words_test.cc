@@ -2,8 +2,6 @@
 // For how many a room is, in the words of briefs.
 #include "language_worker/handbook/reading/other_words.h"
 
-#include "language_worker/handbook/testing/test_handbook.h"
-
 #include <gtest/gtest.h>
 
 #include "gmock/gmock.h"
@@ -80,7 +78,7 @@ std::vector<std::string> UnknownOf(std::string_view text, const std::vector<std:
   const std::vector<Token> tokens = TokensOf(text);
   std::vector<bool> used;
   for (const Token& token : tokens) used.push_back(std::find(known.begin(), known.end(), token.text) != known.end());
-  return UnknownThings(tokens, TheHandbook().vocabulary(), used);
+  return UnknownThings(tokens, used);
 }
 
 TEST(UnknownThings, AreWhatIsListedAndNotUnderstood) {

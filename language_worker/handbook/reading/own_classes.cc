@@ -139,7 +139,10 @@ class OwnFinder {
     const bool holds_a_piece = std::any_of(mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin),
                                            mention_at_.begin() + static_cast<std::ptrdiff_t>(last),
                                            [](auto* at) { return at != nullptr; });
-    const Thing thing = handbook_.vocabulary().meanings->ThingOf(text_.Quote(phrase.begin, phrase.end));
+    // Behind a piece a rarer sense will do: a "car lift" is no help.
+    constexpr std::size_t kUsual = 3, kInACompound = 8;
+    const Thing thing = handbook_.vocabulary().meanings->ThingOf(text_.Quote(phrase.begin, phrase.end),
+                                                                 holds_a_piece ? kInACompound : kUsual);
     // A "toy organizer" is nobody.
     const bool for_things = last > phrase.begin && noun.ends_with("er") && !IsAdjective(last - 1);
     if (thing.known && !for_things ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;

@@ -179,6 +179,19 @@ bool RefuseKind(const Handbook& handbook, const std::vector<Token>& tokens, std:
 }
 
 bool IsRefused(const std::vector<Token>& tokens, std::size_t i) {
+  const BriefText text(tokens);
+  // "Please leave the rug out", "washing machine not in here".
+  constexpr std::size_t kMostBehind = 3;
+  for (std::size_t at = i + 1; at <= i + kMostBehind && at < tokens.size() && !text.EndsSentence(at); ++at) {
+    if (text.BehindPhrase(at, "refused_behind")) return true;
+    const bool left_out = text.At(at) == "out" && i >= 1 &&
+                          (text.At(i - 1) == "leave" || (i >= 2 && text.At(i - 2) == "leave"));
+    if (left_out) return true;
+    if (text.IsSign(at) && !text.IsHyphen(at)) break;
+  }
+  for (const std::size_t back : {1, 2, 3}) {
+    if (back <= i && text.BehindPhrase(i - back, "refused_before").value_or(0) >= i - back + 2) return true;
+  }
   for (std::size_t back = 1; back <= 4 && back <= i; ++back) {
     const std::string& word = tokens[i - back].text;
     const std::string_view before = back < i ? std::string_view(tokens[i - back - 1].text) : std::string_view();

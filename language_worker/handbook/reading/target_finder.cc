@@ -50,7 +50,7 @@ bool TargetFinder::FindNamedBefore(std::size_t subject, bool plural, Place& plac
     if (!IsOnATop(*mentions_[*holder].furniture)) place.target = mentions_[*holder].furniture;
   }
   const bool on_a_top = carries || piece.kind() == hb::FURNITURE_KIND_CEILING;
-  for (const int tops : {2, 1, 0}) {
+  for (const int tops : {plural ? 2 : 1, 1, 0}) {
     for (std::size_t m = subject; m-- > 0 && place.target == nullptr;) {
       const hb::Furniture& target = *mentions_[m].furniture;
       if (&target == &piece || (plural && !on_a_top && mentions_[m].count < 2 && tops > 0)) continue;
