@@ -161,7 +161,7 @@ class WishMaker {
     for (const hb::ZoneSpec& zone : program_.zones) {
       const bool main = std::ranges::any_of(zone.primaries(), [&](const std::string& name) {
         const hb::Furniture* primary = handbook_.FindFurniture(name);
-        return primary != nullptr && primary->category() == furniture.category();
+        return primary != nullptr && (primary == &furniture || ShareANoun(*primary, furniture));
       });
       if (zone.name() != zone_name || !(makes_it || main)) continue;
       std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
@@ -172,6 +172,18 @@ class WishMaker {
         return (rival && !StandsWith(furniture, *item.furniture)) || (makes_it && IsSeat(*item.furniture));
       });
     }
+  }
+
+  // Whether one word may mean either: a single bed and a double bed.
+  bool ShareANoun(const hb::Furniture& one, const hb::Furniture& other) const {
+    return one.category() == other.category() &&
+           std::ranges::any_of(handbook_.contents().nouns(), [&](const hb::Noun& noun) {
+             const auto means = [&](const hb::Furniture& furniture) {
+               return std::ranges::any_of(noun.options(),
+                                          [&](const auto& option) { return option.furniture() == furniture.name(); });
+             };
+             return means(one) && means(other);
+           });
   }
 
   // Of pieces that stand for one another the room has the one that is asked for: a corner sofa comes instead of the

@@ -124,6 +124,7 @@ class ThingFinder {
     if (used_[i] || !BeginsThing(i)) return {};
     std::size_t end = i + 1;
     while (end < tokens_.size() && Continues(end)) ++end;
+    while (end > i + 2 && tokens_[end - 1].text.ends_with("ed")) --end;  // "kneeler turned towards"
     // The feet and inches of a size are no thing.
     if (end == i + 1 || end > i + 1 + kMostWords || tokens_[i + 1].kind == Token::Kind::kSign) return {};
     for (std::size_t k = i + 1; k < end; ++k) {
@@ -165,7 +166,8 @@ class ThingFinder {
   bool Continues(std::size_t i) const {
     const Token& token = tokens_[i];
     if (token.kind == Token::Kind::kSign) return (token.text == "-" || token.text == "'") && token.glued;
-    return token.kind == Token::Kind::kWord && !IsIn("after_things", token.text);
+    return token.kind == Token::Kind::kWord && !IsIn("after_things", token.text) &&
+           !(IsIn("thing_ends", token.text) && NamesNoThing(token.text));
   }
 
   const BriefText text_;

@@ -308,8 +308,11 @@ class PlaceReader {
     }
     for (std::size_t k = begin; k < end; ++k) {
       if (!IsIn("exact_directions", text_.At(k)) || text.find(text_.At(k)) != std::string::npos) continue;
-      facts_.places_loosely_kept.push_back(
-          fmt::format("\"{} {}\": it {}", place.furniture->name(), place.said, text.substr(text.find('}') + 2)));
+      std::string kept = text.substr(text.find('}') + 2);
+      if (const std::size_t slot = kept.find("{target}"); slot != std::string::npos && place.target != nullptr) {
+        kept.replace(slot, std::string_view("{target}").size(), place.target->name());
+      }
+      facts_.places_loosely_kept.push_back(fmt::format("\"{} {}\": it {}", place.furniture->name(), place.said, kept));
       return;
     }
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "english/wordnet.h"
 #include "english/words.h"
 
 namespace flair::language {
@@ -97,6 +98,7 @@ bool Speller::Knows(std::string_view word) const {
 
 std::string Speller::MeantBy(std::string_view word) const {
   if (word.size() < kShortest || word.size() > kLongest || Knows(word)) return "";
+  if (english::WordNet::Get().Knows(word)) return "";
   std::string meant;
   for (const std::string& key : {FirstKey(word), LastKey(word)}) {
     const auto words = by_ends_.find(key);
