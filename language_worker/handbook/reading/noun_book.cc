@@ -31,6 +31,12 @@ bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
   const Token& before = tokens[noun - 1];
   if (before.kind != Token::Kind::kWord || tokens[noun].kind != Token::Kind::kWord) return false;
   const english::WordNet& words = english::WordNet::Get();
+  // "Overbed" is over a bed, "frobnicated" is done to it.
+  constexpr std::size_t kShortest = 3;
+  for (std::size_t k = kShortest; k + kShortest <= before.text.size(); ++k) {
+    const std::string_view word = before.text;
+    if (words.Knows(word.substr(0, k)) && !words.SensesOf(word.substr(k)).empty()) return !words.IsAdjective(word);
+  }
   return !before.text.ends_with("ed") && !words.IsAdjective(before.text) && !words.IsVerb(before.text);
 }
 
