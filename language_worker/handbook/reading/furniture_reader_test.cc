@@ -43,7 +43,7 @@ TEST(NounBook, ANounMeansWhatTheRoomHas) {
                 {"A child's bedroom with storage.", "1 toy chest"},
                 {"A bedroom with a lamp.", "1 table lamp"},
                 {"A home office with somewhere to sit.", "1 armchair"},
-                {"A lounge with a stove.", "1 fireplace"}});
+                {"A lounge with a stove.", "1 wood stove"}});
 }
 
 TEST(NounBook, TheWordsBeforeANounTellWhichOne) {
