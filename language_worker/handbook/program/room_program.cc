@@ -82,7 +82,7 @@ class ProgramMaker {
     TakeBands();
     for (const hb::Changes* changes : program_.changes) Apply(*changes);
     ApplyWishes(facts_, handbook_, program_);
-    BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
+    if (!IsOnlyGuessed()) BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
     LeaveOutWhatCameLater();
     GiveZonesTheirPrimaries();
     SplitIntoGroups(area_m2_, handbook_, program_);
@@ -112,11 +112,19 @@ class ProgramMaker {
     }
     const bool further = !owner.empty();
     for (const hb::ObjectEntry& entry : band.objects()) {
+      if (IsOnlyGuessed()) break;
       if (!further || !IsThereAlready(entry.furniture())) Add(entry, owner + "band", archetype);
     }
     for (const hb::ObjectEntry& entry : archetype.tertiaries()) {
       if (!further || !Lists(program_, entry.furniture())) Add(entry, owner + "tertiary", archetype);
     }
+  }
+
+  // Who lists what is in a room of a kind that nobody knows wants that, and not the stock of the kind that came nearest.
+  bool IsOnlyGuessed() const {
+    constexpr int kEnough = 3;
+    const auto asked = std::ranges::count_if(facts_.wishes, [](const Wish& wish) { return IsFloorPiece(*wish.furniture); });
+    return !facts_.archetype_named && asked >= kEnough;
   }
 
   // The piece, or another that the same seats are pulled up to: of two kinds with a dining table one has it.

@@ -73,20 +73,29 @@ bool IsMeasure(const std::vector<Token>& tokens, std::size_t i) {
   return i >= 2 && tokens[i].glued && tokens[i - 1].text == "-" && MeasuresThePiece(tokens, i - 2);
 }
 
+// The index of the number of those who sit at a table, behind "for", "seating", "to seat" and the like; 0 for none.
+std::size_t SeatsNumberAt(const std::vector<Token>& tokens, std::size_t i) {
+  const BriefText text(tokens);
+  const std::optional<std::size_t> end = text.BehindPhrase(i, "before_seats");
+  return end && CountAt(tokens, *end) > 0 ? *end : 0;
+}
+
 bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i) {
+  if (SeatsNumberAt(tokens, i) > 0) return true;
   if (CountAt(tokens, i + 1) == 0) return false;
   const bool seats =
       i + 2 < tokens.size() && (MatchesWord(tokens[i + 2].text, "chair") || MatchesWord(tokens[i + 2].text, "seat"));
-  return tokens[i].text == "for" || (tokens[i].text == "with" && seats);
+  return tokens[i].text == "with" && seats;
 }
 
 int SeatsAfter(const std::vector<Token>& tokens, std::size_t i) {
-  const int number = CountAt(tokens, i + 1);
-  if (number == 0 || tokens[i].text != "for") return 0;
+  const std::size_t at = SeatsNumberAt(tokens, i);
+  const int number = at > 0 ? CountAt(tokens, at) : 0;
+  if (number == 0) return 0;
   // What may follow: "for six by the window". A number with another behind it is a size.
-  const bool by_size = i + 3 < tokens.size() && tokens[i + 3].kind == Token::Kind::kNumber;
-  const bool ends = i + 2 == tokens.size() || tokens[i + 2].kind == Token::Kind::kSign ||
-                    CountsPeople(tokens[i + 2].text) || (IsIn("after_seats", tokens[i + 2].text) && !by_size);
+  const bool by_size = at + 2 < tokens.size() && tokens[at + 2].kind == Token::Kind::kNumber;
+  const bool ends = at + 1 == tokens.size() || tokens[at + 1].kind == Token::Kind::kSign ||
+                    CountsPeople(tokens[at + 1].text) || (IsIn("after_seats", tokens[at + 1].text) && !by_size);
   return ends && number <= kMostSeats ? number : 0;
 }
 

@@ -46,6 +46,9 @@ bool IsMeasure(const std::vector<Token>& tokens, std::size_t i);
 // "for eight", "with six chairs": behind a word for a table, those who sit at it.
 bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i);
 
+// The index of the number in "for eight", "seating twelve", "laid for one" that begins there; 0 for none.
+std::size_t SeatsNumberAt(const std::vector<Token>& tokens, std::size_t i);
+
 // Of "a table for eight", "a table for 8 people": eight. 0 when nothing of the kind stands there.
 int SeatsAfter(const std::vector<Token>& tokens, std::size_t i);
 
