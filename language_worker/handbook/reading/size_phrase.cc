@@ -239,7 +239,8 @@ class SizeReader {
       size.width_m = measure->value;
     } else if (text_.Says(end, {"long", "deep"})) {
       size.depth_m = measure->value;
-    } else if (text_.Says(end, {"square", "room", "bedroom"}) || text_.At(end + 1) == "room") {
+    } else if (text_.Says(end, {"square", "across", "diameter", "room", "bedroom"}) || text_.At(end + 1) == "room" ||
+               text_.At(end + 1) == "diameter") {
       size.width_m = size.depth_m = measure->value;
     }
     return size;
