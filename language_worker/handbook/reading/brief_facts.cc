@@ -46,9 +46,9 @@ class BriefReader {
     if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
+      for (const std::size_t i : facts_.told) used_[i] = true;
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
       for (const std::size_t i : pieces.counts) used_[i] = true;
-      for (const std::size_t i : facts_.told) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) {
         const bool only = facts_.nothing_else && IsOneOf(tokens_[i].text, {"nothing", "else"});
         used_[i] = used_[i] || size_words[i] || only;
@@ -149,6 +149,10 @@ class BriefReader {
     while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
     if (text.Is(end, "rooms_by_head")) ++end;
     if (!text.Is(begin, "rooms_by_head")) facts_.room_words = text.Quote(begin, end);
+    // That it is not known is told once.
+    bool pieces = false;
+    for (std::size_t i = begin; i < end; ++i) pieces = pieces || NamesAPiece(i, i + 1);
+    for (std::size_t i = begin; i < end && !pieces; ++i) facts_.told.push_back(i);
     const auto taken = [&](const hb::Archetype* archetype) {
       if (archetype != nullptr) facts_.archetype = archetype;
       return archetype != nullptr;
