@@ -70,7 +70,7 @@ TEST(Essentials, AreInEveryRoomOfUsualSize) {
 // On a floor that is too small the lesser things go first: while anything else stands there, no essential is left out.
 TEST(Essentials, AreLeftOutAfterEverythingElse) {
   for (const hb::Archetype& room : TheHandbook().contents().archetypes()) {
-    if (room.name() == "roman bath" || room.name() == "garage") continue;  // their essential is larger than the room
+    if (room.name() == "roman bath" || room.name() == "garage" || room.name() == "car workshop") continue;  // too large
     const v1::ObjectList objects = List("A " + room.name() + ", 2.2 m x 2.2 m.").objects;
     if (Missing(objects).empty()) continue;
     for (const v1::Object& object : objects.objects()) {
