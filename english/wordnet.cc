@@ -180,9 +180,12 @@ bool WordNet::IsA(std::string_view noun, std::uint32_t kind, std::size_t most) c
   });
 }
 
-bool WordNet::IsAdjective(std::string_view word) const { return !files_->adjectives.LineOf(LemmaOf(word)).empty(); }
+bool WordNet::IsAdjective(std::string_view word) const {
+  return word.size() <= kLongest && !files_->adjectives.LineOf(LemmaOf(word)).empty();
+}
 
 bool WordNet::IsVerb(std::string_view word) const {
+  if (word.size() > kLongest) return false;
   if (!files_->verbs.LineOf(LemmaOf(word)).empty()) return true;
   const auto without = [&](std::string_view ending, std::string_view more) {
     return word.ends_with(ending) &&
@@ -193,6 +196,7 @@ bool WordNet::IsVerb(std::string_view word) const {
 }
 
 bool WordNet::Knows(std::string_view word) const {
+  if (word.size() > kLongest) return false;
   return !SensesOf(word).empty() || IsAdjective(word) || IsVerb(word) || !files_->adverbs.LineOf(LemmaOf(word)).empty();
 }
 

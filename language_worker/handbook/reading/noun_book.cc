@@ -32,8 +32,8 @@ bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
   if (before.kind != Token::Kind::kWord || tokens[noun].kind != Token::Kind::kWord) return false;
   const english::WordNet& words = english::WordNet::Get();
   // "Overbed" is over a bed, "frobnicated" is done to it.
-  constexpr std::size_t kShortest = 3;
-  for (std::size_t k = kShortest; k + kShortest <= before.text.size(); ++k) {
+  constexpr std::size_t kShortest = 3, kLongest = 24;
+  for (std::size_t k = kShortest; k + kShortest <= std::min(before.text.size(), kLongest); ++k) {
     const std::string_view word = before.text;
     if (words.Knows(word.substr(0, k)) && !words.SensesOf(word.substr(k)).empty()) return !words.IsAdjective(word);
   }
