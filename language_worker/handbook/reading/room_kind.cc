@@ -66,7 +66,9 @@ class RoomKindReader {
       }
       if (found.room.archetype == nullptr || IsADoor(found.room)) continue;
       found.within = within;
-      found.outside = IsOutside(found.room) || IsOfAPiece(found.room);
+      found.outside = IsOutside(found.room) || IsOfAPiece(found.room) || BecomesAnother(found.room.end);
+      const bool became = !found_.empty() && BecomesAnother(found_.back().room.end) && i < found_.back().room.end + 6;
+      if (became) found.outside = IsOfAPiece(found.room);
       found.closed = Closes(found.room.end);
       found.had = found.within && IsHad(i);
       const bool open_plan = !found_.empty() && IsOpenPlan(found_.back().room, found.room);
@@ -122,6 +124,15 @@ class RoomKindReader {
     std::size_t at = room.begin;
     while (at > 0 && words_.Is(at - 1, "before_a_room")) --at;
     return at > 0 && words_.Is(at - 1, "on_the_way_to");
+  }
+
+  // "Turning the garage into a bedroom", "a barn converted to a studio": what it was.
+  bool BecomesAnother(std::size_t end) const {
+    constexpr std::size_t kMostBetween = 3;
+    for (std::size_t i = end; i < end + kMostBetween && !words_.EndsSentence(i); ++i) {
+      if (words_.Is(i, "becoming")) return true;
+    }
+    return false;
   }
 
   // The "bar" of a grab bar or a bar stool.

@@ -43,6 +43,8 @@ TEST(RoomKind, WhatComesBeforeWithIsTheRoom) {
       {"A large family bathroom with dressing room", "bathroom; dressing room"},
       {"Bedroom with an en-suite door on the west wall", "bedroom"},
       {"A hotel room that has a balcony", "bedroom; conservatory"},
+      {"Garage conversion into a guest room for my in-laws", "guest room"},
+      {"Turning the garage into a bedroom for my father", "bedroom"},
       {"The entrance is in the middle of the south wall.", ""},
       {"Hall with a reading nook", "entrance hall; reading nook"},
       {"A bedroom with a view of the church", "bedroom"},
