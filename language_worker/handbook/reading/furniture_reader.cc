@@ -234,7 +234,9 @@ class FurnitureReader {
       Use(rows.begin, rows.end - rows.begin);
     }
     if (SeatsTheLast(furniture, count, i, length)) return;
-    if (count.number == 1) count.number = OneForEachBefore(i, length);
+    if (count.number == 1 && !facts_.wishes.empty() && IsOneForEach(tokens_, used_, i, length)) {
+      count.number = std::clamp(facts_.wishes.back().count, 1, kMostOfAKind);
+    }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(tokens_, used_, i, i + length)};
     wish.noun = nouns_.NounAt(tokens_, i, length);
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
@@ -250,25 +252,6 @@ class FurnitureReader {
       if (furniture.kind() == hb::FURNITURE_KIND_WALL)
         Use(*at, *BriefText(tokens_).BehindPhrase(*at, "wall_mounted") - *at);
     }
-  }
-
-  // "Five desks, one stool at each", "three guests, each with a microphone": as many as of what was counted before.
-  int OneForEachBefore(std::size_t i, std::size_t length) const {
-    constexpr std::size_t kMostWords = 5, kMostBack = 4;
-    const BriefText text(tokens_);
-    bool each = false;
-    for (std::size_t k = i + length; k < i + length + kMostWords && k < tokens_.size() && !text.IsSign(k); ++k) {
-      if (used_[k] || text.Says(k, {"and", "with"})) break;
-      const bool said = text.Says(k, {"each", "every"}) && (text.Says(k + 1, {"one", "of", "table", "desk", "bed", "seat"}) ||
-                                                           k + 1 >= tokens_.size() || text.IsSign(k + 1) ||
-                                                           text.Is(k + 1, "thing_ends"));
-      each = each || (said && !text.Says(k + 1, {"side", "end", "wall", "corner"}));
-    }
-    for (std::size_t back = 1; back <= kMostBack && back < i; ++back) {
-      if (text.Says(i - back, {"with", "has"}) && text.Says(i - back - 1, {"each", "every"})) each = true;
-    }
-    if (!each || facts_.wishes.empty()) return 1;
-    return std::max(1, std::min(facts_.wishes.back().count, kMostOfAKind));
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".

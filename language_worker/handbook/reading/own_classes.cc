@@ -144,7 +144,8 @@ class OwnFinder {
     const Thing thing = handbook_.vocabulary().meanings->ThingOf(text_.Quote(phrase.begin, phrase.end),
                                                                  holds_a_piece ? kInACompound : kUsual);
     // A "toy organizer" is nobody.
-    const bool for_things = last > phrase.begin && noun.ends_with("er") && !IsAdjective(last - 1);
+    const bool for_whom = phrase.begin > 1 && text_.Says(phrase.begin - 2, {"for", "of", "by"});
+    const bool for_things = last > phrase.begin && noun.ends_with("er") && !IsAdjective(last - 1) && !for_whom;
     if (thing.known && !for_things ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
     return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) && (for_things || !CountsPeople(noun)) &&
            !IsIn("openings", noun) && !IsFormIn("wall_nouns", noun) && !IsIn("unit_words", noun) &&

@@ -80,6 +80,23 @@ std::size_t SeatsNumberAt(const std::vector<Token>& tokens, std::size_t i) {
   return end && CountAt(tokens, *end) > 0 ? *end : 0;
 }
 
+bool IsOneForEach(const std::vector<Token>& tokens, const std::vector<bool>& used, std::size_t i, std::size_t length) {
+  constexpr std::size_t kMostWords = 5, kMostBack = 4;
+  const BriefText text(tokens);
+  for (std::size_t back = 1; back <= kMostBack && back < i; ++back) {
+    if (text.Says(i - back, {"with", "has"}) && text.Says(i - back - 1, {"each", "every"})) return true;
+  }
+  for (std::size_t k = i + length; k < i + length + kMostWords && k < tokens.size() && !text.IsSign(k); ++k) {
+    if (used[k] || text.Says(k, {"and", "with"})) break;
+    if (!text.Says(k, {"each", "every"}) || text.Says(k + 1, {"side", "end", "wall", "corner"})) continue;
+    if (text.Says(k + 1, {"one", "of", "table", "desk", "bed", "seat"}) || k + 1 >= tokens.size() ||
+        text.IsSign(k + 1) || text.Is(k + 1, "thing_ends")) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i) {
   if (SeatsNumberAt(tokens, i) > 0) return true;
   if (CountAt(tokens, i + 1) == 0) return false;

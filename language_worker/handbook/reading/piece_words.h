@@ -46,6 +46,10 @@ bool IsMeasure(const std::vector<Token>& tokens, std::size_t i);
 // "for eight", "with six chairs": behind a word for a table, those who sit at it.
 bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i);
 
+// "Five desks, one stool at each", "three guests, each with a microphone": as many as of what was counted before. Words in
+// `used` belong to something else.
+bool IsOneForEach(const std::vector<Token>& tokens, const std::vector<bool>& used, std::size_t i, std::size_t length);
+
 // The index of the number in "for eight", "seating twelve", "laid for one" that begins there; 0 for none.
 std::size_t SeatsNumberAt(const std::vector<Token>& tokens, std::size_t i);
 
