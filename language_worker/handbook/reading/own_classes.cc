@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t kMostOfAPhrase = 8;  // of a noun phrase
 constexpr std::size_t kMostNameWords = 3;  // of a name
 constexpr std::size_t kMostClasses = 40;
+constexpr std::size_t kLongestName = 48;  // ids of objects are made from it
 
 void Scale(double factor, hb::Extent& extent) {
   extent.set_typical(extent.typical() * factor);
@@ -207,7 +208,7 @@ class OwnFinder {
 
   void Add(const NounPhrase& phrase) {
     const std::string name = NameOf(phrase);
-    if (name.empty() || IsRefused(tokens_, phrase.begin)) return;
+    if (name.empty() || name.size() > kLongestName || IsRefused(tokens_, phrase.begin)) return;
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
       if (length == 0 || i + length < phrase.end || IsOtherThing(phrase)) continue;

@@ -56,6 +56,10 @@ TEST(OwnClasses, MoodsPeopleAndPartsOfTheRoomAreNoPieces) {
   }
 }
 
+TEST(OwnClasses, AnEndlessWordIsNoName) {
+  EXPECT_THAT(OwnOf("A workshop with a " + std::string(300, 'x') + " and a zither."), ElementsAre("zither"));
+}
+
 TEST(OwnClasses, ALastWordThatIsKnownSaysOfWhatKindItIs) {
   const BriefFacts facts = FactsOf("A study with a reagent cabinet against the wall.");
   ASSERT_THAT(OwnOf("A study with a reagent cabinet against the wall."), ElementsAre("reagent cabinet"));
