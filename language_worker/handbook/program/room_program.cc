@@ -75,6 +75,10 @@ class ProgramMaker {
       : facts_(facts), handbook_(handbook), area_m2_(area_m2), choice_(choice) {
     program_.archetype = &EffectiveArchetype(facts, handbook);
     program_.changes = AllChanges(facts);
+    constexpr int kEnoughForAList = 3;
+    program_.listed = std::ranges::count_if(facts.wishes, [](const Wish& wish) {
+                        return IsFloorPiece(*wish.furniture);
+                      }) >= kEnoughForAList;
     if (program_.archetype->max_tertiaries() > 0) program_.max_tertiaries = program_.archetype->max_tertiaries();
   }
 
@@ -113,6 +117,7 @@ class ProgramMaker {
     const bool further = !owner.empty();
     for (const hb::ObjectEntry& entry : band.objects()) {
       if (IsOnlyGuessed()) break;
+      if (IsBeyondTheBrief(entry, band)) continue;
       if (!further || !IsThereAlready(entry.furniture())) Add(entry, owner + "band", archetype);
     }
     for (const hb::ObjectEntry& entry : archetype.tertiaries()) {
@@ -120,11 +125,24 @@ class ProgramMaker {
     }
   }
 
-  // Who lists what is in a room of a kind that nobody knows wants that, and not the stock of the kind that came nearest.
-  bool IsOnlyGuessed() const {
-    constexpr int kEnough = 3;
-    const auto asked = std::ranges::count_if(facts_.wishes, [](const Wish& wish) { return IsFloorPiece(*wish.furniture); });
-    return !facts_.archetype_named && asked >= kEnough;
+  // Who lists what is in a room of a kind that nobody knows wants that, and not the stock of the kind that came
+  // nearest.
+  bool IsOnlyGuessed() const { return !facts_.archetype_named && program_.listed; }
+
+  // Nor does a bedroom whose pieces are listed get a desk as well: of the stock its first two zones come, and those of
+  // which the brief asks for something.
+  bool IsBeyondTheBrief(const hb::ObjectEntry& entry, const hb::Band& band) const {
+    constexpr int kMainZones = 2;
+    const auto zone = std::ranges::find(band.zones(), entry.zone());
+    if (!program_.listed || zone - band.zones().begin() < kMainZones || zone == band.zones().end()) return false;
+    return std::ranges::none_of(band.objects(), [&](const hb::ObjectEntry& other) {
+      return other.zone() == entry.zone() && std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
+               const hb::Furniture* stock = handbook_.FindFurniture(other.furniture());
+               return stock != nullptr &&
+                      (wish.furniture == stock ||
+                       (wish.furniture->category() == stock->category() && stock->category() != "box"));
+             });
+    });
   }
 
   // The piece, or another that the same seats are pulled up to: of two kinds with a dining table one has it.

@@ -39,6 +39,7 @@ struct RoomProgram {
   std::vector<const hb::Essential*> essentials;                  // what the room cannot do without
   double primary_scale = 1;
   int max_tertiaries = 12;
+  bool listed = false;  // whether the brief lists what is in the room, rather than naming a piece or two
 };
 
 // Whether a condition holds, as far as area, room and chance go. `key` names the choice for `chance`.

@@ -164,8 +164,8 @@ class WishMaker {
         return primary != nullptr && (primary == &furniture || ShareANoun(*primary, furniture));
       });
       if (zone.name() != zone_name || !(makes_it || main)) continue;
-      std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-        if (item.requested || item.zone != zone_name) return false;
+      EraseUnasked([&](const ProgramItem& item) {
+        if (item.zone != zone_name) return false;
         const bool same = item.furniture->category() == furniture.category();
         const bool rival = same || (makes_it && Includes(zone.primaries(), item.furniture->name()));
         // An island stands parallel to the counter, not instead of it.
@@ -187,20 +187,40 @@ class WishMaker {
   }
 
   // Of pieces that stand for one another the room has the one that is asked for: a corner sofa comes instead of the
-  // sofa.
+  // sofa. Where the brief lists what there is, so do pieces of one category: its lab benches are the room's benches.
   void ReplaceAlike(const hb::Furniture& furniture) {
+    if (program_.listed && IsFloorPiece(furniture) && furniture.category() != "box") {
+      EraseUnasked([&](const ProgramItem& item) {
+        return item.furniture->category() == furniture.category() && item.furniture != &furniture &&
+               !IsWished(*item.furniture) && !StandsWith(furniture, *item.furniture);
+      });
+    }
     for (const hb::Noun& noun : handbook_.contents().nouns()) {
       const auto among = [&](const hb::Furniture& one) {
         return std::ranges::any_of(noun.options(),
                                    [&](const auto& option) { return option.furniture() == one.name(); });
       };
       if (!noun.one_of() || !among(furniture)) continue;
-      std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-        if (item.requested || item.furniture == &furniture || IsWished(*item.furniture)) return false;
-        if (!among(*item.furniture)) return false;
+      EraseUnasked([&](const ProgramItem& item) {
+        if (item.furniture == &furniture || IsWished(*item.furniture) || !among(*item.furniture)) return false;
         program_.substitutes.emplace_back(item.furniture->name(), furniture.name());
         return true;
       });
+    }
+  }
+
+  // Takes stock off the floor; who sat at it goes as well.
+  template <typename Goes>
+  void EraseUnasked(const Goes& goes) {
+    std::vector<const hb::Furniture*> gone;
+    std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
+      if (item.requested || !goes(item)) return false;
+      gone.push_back(item.furniture);
+      return true;
+    });
+    for (const hb::Furniture* host : gone) {
+      const hb::Furniture* seat = SeatOf(*host, handbook_);
+      if (seat != nullptr) RemoveUnaccompanied(seat->name());
     }
   }
 
@@ -233,11 +253,11 @@ class WishMaker {
     if (!facts_.people) return;
     const std::string& name = program_.archetype->per_person();
     if (name.empty()) return SeatPeopleAnywhere();
+    if (SeatPeopleAtKin(name)) return;
     auto item = std::ranges::find_if(program_.floor_items,
                                      [&](const ProgramItem& one) { return one.furniture->name() == name; });
-    const bool counted = std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
-      return wish.furniture->name() == name && wish.counted;
-    });
+    const bool counted = std::ranges::any_of(
+        facts_.wishes, [&](const Wish& wish) { return wish.furniture->name() == name && wish.counted; });
     if (item != program_.floor_items.end() && item->requested && counted) return;
     if (item == program_.floor_items.end()) {
       const hb::Furniture* furniture = handbook_.FindFurniture(name);
@@ -250,6 +270,23 @@ class WishMaker {
     const std::string zone = item->zone;
     const hb::Furniture& furniture = *item->furniture;
     SeatAt(furniture, item->count, 0, zone);
+  }
+
+  // Twenty-four pupils at "six island benches" sit four at each of those, and not at benches of ours.
+  bool SeatPeopleAtKin(const std::string& name) {
+    const hb::Furniture* usual = handbook_.FindFurniture(name);
+    if (usual == nullptr || usual->category() == "box") return false;
+    const bool without_seats = IsSeat(*usual) && !Lists(program_.floor_items, name);
+    const auto kin = std::ranges::find_if(facts_.wishes, [&](const Wish& wish) {
+      if (!wish.counted || wish.count < 2 || wish.furniture == usual || !IsFloorPiece(*wish.furniture)) return false;
+      return wish.furniture->category() == usual->category() ||
+             (without_seats && SeatOf(*wish.furniture, handbook_) != nullptr);
+    });
+    if (kin == facts_.wishes.end()) return false;
+    EraseUnasked([&](const ProgramItem& item) { return item.furniture == usual; });
+    const int each = kin->seats > 0 ? kin->seats : (*facts_.people + kin->count - 1) / kin->count;
+    SeatAt(*kin->furniture, kin->count, each, HomeOf(*kin->furniture, program_));
+    return true;
   }
 
   // Of rooms where one sits on what is there anyway, or sleeps: more armchairs, or beds, until everyone has a place.
