@@ -35,12 +35,12 @@ class BriefReader {
     ReadArchetype();
     TakeRoomOfNeeds();
     const std::vector<bool> room_words = used_;
+    facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
     ReadPieceSizes(pieces.mentions, size_words);
     ReadOtherRooms();
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
     ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
-    facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     ReadThemesAndStyles();
     ReadNeeds();
     if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
@@ -224,11 +224,15 @@ class BriefReader {
     for (const hb::Style& style : handbook_.contents().styles()) {
       if (Phrase(style.name()).Occurs(tokens_)) AddOnce(facts_.styles, &style);
     }
+    const BriefText text(tokens_);
     const auto& colours = handbook_.vocabulary().colours;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
       if (length == 0 || used_[i] || IsOfAThing(i + length)) continue;
-      AddOnce(facts_.colours, colour);
+      // "No pink", "not hospital white".
+      const bool refused =
+          text.Is(i - std::min<std::size_t>(i, 1), "refusing") || text.Is(i - std::min<std::size_t>(i, 2), "refusing");
+      AddOnce(refused ? facts_.refused_colours : facts_.colours, colour);
       Use(i, length);
       i += length - 1;
     }

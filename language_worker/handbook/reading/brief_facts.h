@@ -69,8 +69,9 @@ struct BriefFacts {
   bool nothing_else = false;  // "only a bed and a wardrobe"
   std::vector<const hb::Theme*> themes;
   std::vector<const hb::Need*> needs;
-  std::vector<const hb::Style*> styles;         // named directly: "scandinavian"
-  std::vector<const hb::NamedColour*> colours;  // of the room
+  std::vector<const hb::Style*> styles;                 // named directly: "scandinavian"
+  std::vector<const hb::NamedColour*> colours;          // of the room
+  std::vector<const hb::NamedColour*> refused_colours;  // that are not to be in it
   std::vector<AskedFinish> finishes;
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table"

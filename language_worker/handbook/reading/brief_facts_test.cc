@@ -150,9 +150,9 @@ std::string FinishesOf(const std::string& text) {
   for (const AskedFinish& one : FactsOf(text).finishes) {
     const bool walls = one.surface == AskedFinish::Surface::kWalls;
     all += (all.empty() ? "" : "; ") +
-           std::string(walls                                              ? "walls"
+           std::string(walls                                         ? "walls"
                        : one.surface == AskedFinish::Surface::kFloor ? "floor"
-                                                                          : "ceiling") +
+                                                                     : "ceiling") +
            " " + one.material + (one.colour == nullptr ? "" : " " + one.colour->name());
   }
   return all;
@@ -161,9 +161,21 @@ std::string FinishesOf(const std::string& text) {
 TEST(BriefFacts, FinishesAreReadFromEitherSide) {
   EXPECT_EQ(FinishesOf("A bedroom with walls covered in cork."), "walls cork");
   EXPECT_EQ(FinishesOf("A kitchen with dark green walls and an oak floor."), "walls  dark green; floor oak");
-  EXPECT_EQ(FinishesOf("A hall with black and white checkered floor tiles."), "floor tiles black");
+  EXPECT_EQ(FinishesOf("A hall with black and white checkered floor tiles."), "floor checkered tiles black");
   EXPECT_EQ(FinishesOf("A bathroom with sage green tiles."), "walls tiles sage green");
+  EXPECT_EQ(FinishesOf("A meeting room with grey carpet tile and a Persian carpet."), "floor carpet tile grey");
+  EXPECT_EQ(FinishesOf("A parlour with moss for a floor, its walls lined with oak bookshelves."), "floor moss");
+  EXPECT_EQ(FinishesOf("Terracotta tiles on the floor, reclaimed oak walls"),
+            "floor tiles terracotta; walls reclaimed oak");
+  EXPECT_EQ(FinishesOf("A pottery. The floor has to be something I can hose down."), "floor sealed tile");
   EXPECT_EQ(FinishesOf("A room with a floor lamp of brass and a desk at the white wall."), "");
+}
+
+TEST(BriefFacts, RefusedColoursAreNotTheRooms) {
+  const BriefFacts facts = FactsOf("A nursery in mustard and white, NO pink.");
+  ASSERT_EQ(facts.refused_colours.size(), 1u);
+  EXPECT_EQ(facts.refused_colours.front()->name(), "pink");
+  EXPECT_TRUE(std::ranges::find(facts.colours, facts.refused_colours.front()) == facts.colours.end());
 }
 
 TEST(BriefFacts, TheTimeOfARoomIsThatOfItsThemesNotOfItsHouse) {

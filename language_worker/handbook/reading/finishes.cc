@@ -12,6 +12,11 @@ namespace {
 
 using Surface = AskedFinish::Surface;
 
+void Append(std::string_view word, std::string& words) {
+  if (!words.empty()) words += ' ';
+  words += word;
+}
+
 class FinishReader {
  public:
   FinishReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used)
@@ -26,9 +31,12 @@ class FinishReader {
       // "Parquet" and "wallpaper" say by themselves what the surface is of.
       if (text_.Is(i, "floor_finishes") || text_.Is(i, "wall_finishes")) finish.material = text_.At(i);
       std::size_t begin = i, end = i + 1;
-      if (text_.Is(end, "finish_materials") && finish.material.empty()) finish.material = text_.At(end++);  // "floor tiles"
-      ReadBefore(i, begin, finish);
+      while (text_.Is(end, "finish_materials")) Append(text_.At(end++), finish.material);
+      ReadBefore(BeforeUnderfoot(i), begin, finish);
+      // "A Persian carpet" lies on the floor.
+      if (text_.Is(i, "carpets") && HasArticle(begin)) continue;
       if (finish.material.empty() && finish.colour == nullptr) ReadBehind(end, end, finish);
+      if (finish.material.empty() && *surface == Surface::kFloor && IsWashedDown(i)) finish.material = "sealed tile";
       if (finish.material.empty() && finish.colour == nullptr) continue;
       std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
                 true);
@@ -40,6 +48,8 @@ class FinishReader {
  private:
   // "The north wall" and "a wall" are places; all walls are a surface.
   std::optional<Surface> SurfaceAt(std::size_t i) const {
+    const bool on_the_floor = text_.At(i + 1) == "underfoot" || (text_.At(i + 1) == "on" && text_.Is(i + 3, "floors"));
+    if (text_.Is(i, "wall_finishes") && on_the_floor) return Surface::kFloor;
     if (text_.At(i) == "walls" || text_.Is(i, "wall_finishes")) return Surface::kWalls;
     const bool part = text_.Says(i + 1, {"lamp", "cushion", "plan", "plant", "mirror", "space", "area", "to", "light"});
     if ((text_.Is(i, "floors") && !part) || text_.Is(i, "floor_finishes")) return Surface::kFloor;
@@ -58,27 +68,52 @@ class FinishReader {
       if (finish.colour == nullptr) finish.colour = colour;
       return length;
     }
-    if (!text_.Is(i, "materials") && !text_.Is(i, "finish_materials")) return 0;
-    if (finish.material.empty()) finish.material = text_.At(i);
+    const bool pattern = text_.Is(i, "finish_patterns");
+    if (!pattern && !text_.Is(i, "materials") && !text_.Is(i, "finish_materials")) return 0;
+    Append(text_.At(i), finish.material);
     return 1;
   }
 
-  // "Dark green tiled walls".
+  // Whether an article stands up to three words before.
+  bool HasArticle(std::size_t i) const {
+    for (std::size_t back = 1; back <= std::min<std::size_t>(3, i); ++back) {
+      if (text_.Says(i - back, {"a", "an"})) return true;
+    }
+    return false;
+  }
+
+  // "Moss for a floor" and "sand on the floor" say it before those words.
+  std::size_t BeforeUnderfoot(std::size_t i) const {
+    const bool said = i >= 3 && text_.Says(i - 2, {"on", "for", "as"}) && text_.Says(i - 1, {"the", "a"});
+    return said ? i - 2 : i;
+  }
+
+  // "The floor has to be something I can hose down."
+  bool IsWashedDown(std::size_t i) const {
+    constexpr std::size_t kReach = 10;
+    for (std::size_t k = i > 4 ? i - 4 : 0; k < std::min(i + kReach, tokens_.size()); ++k) {
+      if (k > i && text_.At(k) == ".") break;
+      if (text_.Is(k, "washed_down")) return true;
+    }
+    return false;
+  }
+
+  // "Dark green tiled walls", "black and white checkerboard floor": the longest run of such words.
   void ReadBefore(std::size_t i, std::size_t& begin, AskedFinish& finish) const {
-    constexpr std::size_t kMostBack = 5;
-    for (std::size_t back = std::min(kMostBack, i); back >= 1; --back) {
-      const std::size_t at = i - back;
+    constexpr std::size_t kMostBack = 6;
+    for (std::size_t at = i - std::min(kMostBack, i); at < i; ++at) {
+      AskedFinish before{.surface = finish.surface};
       std::size_t k = at;
-      AskedFinish tried = finish;
       while (k < i && !used_[k]) {
-        const std::size_t length = TakeAt(k, tried);
-        const bool between = text_.IsHyphen(k) || text_.Is(k, "looks") || text_.Is(k, "finish_patterns") ||
-                             (text_.At(k) == "and" && k > at);
-        if (length == 0 && !between) break;
+        const std::size_t length = TakeAt(k, before);
+        const bool between = k > at && (text_.IsHyphen(k) || text_.At(k) == "and");
+        if (length == 0 && !between && !text_.Is(k, "looks")) break;
         k += std::max<std::size_t>(1, length);
       }
-      if (k != i || (tried.material == finish.material && tried.colour == finish.colour)) continue;
-      finish = std::move(tried);
+      if (k != i || (before.material.empty() && before.colour == nullptr)) continue;
+      if (!finish.material.empty()) Append(finish.material, before.material);
+      finish.material = before.material;
+      if (finish.colour == nullptr) finish.colour = before.colour;
       begin = at;
       return;
     }
@@ -90,11 +125,18 @@ class FinishReader {
     std::size_t k = i;
     while (k < i + kMostBetween && (text_.Is(k, "finish_links") || text_.Is(k, "looks"))) ++k;
     if (k == i) return;
+    AskedFinish behind{.surface = finish.surface};
     while (k < tokens_.size() && !used_[k]) {
-      const std::size_t length = TakeAt(k, finish);
-      if (length == 0) break;
-      end = k += length;
+      const std::size_t length = TakeAt(k, behind);
+      AskedFinish more = behind;
+      if (length == 0 && !(text_.At(k) == "and" && TakeAt(k + 1, more) > 0)) break;
+      k += std::max<std::size_t>(1, length);
     }
+    // "Walls lined with oak bookshelves" are not of oak.
+    if (LongestAt(handbook_.vocabulary().names, tokens_, k, /*plural=*/true).second > 0) return;
+    if (behind.material.empty() && behind.colour == nullptr) return;
+    finish = std::move(behind);
+    end = k;
   }
 
   const Handbook& handbook_;

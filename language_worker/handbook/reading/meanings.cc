@@ -16,7 +16,7 @@ using english::NounSense;
 using english::WordNet;
 
 constexpr int kAnyDistance = 100;
-constexpr int kNear = 1;                  // "settle" is a bench, but no "seat" of the handbook
+constexpr int kNear = 1;                 // "settle" is a bench, but no "seat" of the handbook
 constexpr std::size_t kUsualSenses = 3;  // a "hammock" is a hill first
 
 // The longest end of a compound that WordNet has, and its senses.
@@ -115,8 +115,8 @@ const hb::Archetype* Meanings::RoomAmong(std::string_view noun, std::size_t most
 bool NamesNoThing(std::string_view word) {
   const std::vector<NounSense> senses = WordNet::Get().SensesOf(word);
   if (senses.empty()) return WordNet::Get().Knows(word);
-  constexpr std::array kNone = {Domain::kAttribute, Domain::kFeeling, Domain::kPerson, Domain::kQuantity, Domain::kState,
-                                Domain::kTime,      Domain::kGroup};
+  constexpr std::array kNone = {Domain::kAttribute, Domain::kFeeling, Domain::kPerson, Domain::kQuantity,
+                                Domain::kState,     Domain::kTime,    Domain::kGroup};
   return Includes(kNone, senses.front().domain);
 }
 

@@ -104,7 +104,8 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
       if (modifier.words.MatchAt(tokens, noun + length + 1, /*plural=*/false) > 0) return modifier.furniture;
     }
   }
-  return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr : named;
+  return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr
+                                                                                                        : named;
 }
 
 const hb::Noun* NounBook::NounAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "absl/strings/numbers.h"
-
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -199,7 +198,8 @@ std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>&
     // "1950s" may be one word.
     int decade_word = 0;
     const std::string_view word = text.At(i);
-    const bool digits = word.size() == 5 && word.back() == 's' && absl::SimpleAtoi(std::string(word.substr(0, 4)), &decade_word);
+    const bool digits =
+        word.size() == 5 && word.back() == 's' && absl::SimpleAtoi(std::string(word.substr(0, 4)), &decade_word);
     if (digits && !used[i] && decade_word >= kLeast && decade_word < kToday) return take(i, i + 1, decade_word);
     if (!text.IsNumber(i) || used[i]) continue;
     const double number = text.NumberAt(i);

@@ -86,7 +86,8 @@ TEST(UnknownThings, AreWhatIsListedAndNotUnderstood) {
                         {"counter", "ovens", "tables"}),
               ElementsAre("bakery", "proofing cabinet"));
   EXPECT_THAT(UnknownOf("A hall with 3 left-handed violins", {"hall"}), ElementsAre("left-handed violins"));
-  EXPECT_THAT(UnknownOf("A room for an orrery and for another orrery, with an orrery", {"room"}), ElementsAre("orrery"));
+  EXPECT_THAT(UnknownOf("A room for an orrery and for another orrery, with an orrery", {"room"}),
+              ElementsAre("orrery"));
 }
 
 TEST(UnknownThings, AreAlsoThoseListedWithoutAnArticle) {

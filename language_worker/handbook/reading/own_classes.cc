@@ -137,9 +137,9 @@ class OwnFinder {
       // "The bathtub nestles into": a verb.
       if (mention_at_[i] != nullptr && noun.ends_with('s')) return false;
     }
-    const bool holds_a_piece = std::any_of(mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin),
-                                           mention_at_.begin() + static_cast<std::ptrdiff_t>(last),
-                                           [](auto* at) { return at != nullptr; });
+    const bool holds_a_piece =
+        std::any_of(mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin),
+                    mention_at_.begin() + static_cast<std::ptrdiff_t>(last), [](auto* at) { return at != nullptr; });
     // Behind a piece a rarer sense will do: a "car lift" is no help.
     constexpr std::size_t kUsual = 3, kInACompound = 8;
     const Thing thing = handbook_.vocabulary().meanings->ThingOf(text_.Quote(phrase.begin, phrase.end),
@@ -148,9 +148,9 @@ class OwnFinder {
     const bool for_whom = phrase.begin > 1 && text_.Says(phrase.begin - 2, {"for", "of", "by"});
     const bool for_things = last > phrase.begin && noun.ends_with("er") && !IsAdjective(last - 1) && !for_whom;
     if (thing.known && !for_things ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
-    return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) && (for_things || !CountsPeople(noun)) &&
-           !IsIn("openings", noun) && !IsFormIn("wall_nouns", noun) && !IsIn("unit_words", noun) &&
-           LongestAt(handbook_.vocabulary().rooms, tokens_, last, true).second == 0;
+    return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) &&
+           (for_things || !CountsPeople(noun)) && !IsIn("openings", noun) && !IsFormIn("wall_nouns", noun) &&
+           !IsIn("unit_words", noun) && LongestAt(handbook_.vocabulary().rooms, tokens_, last, true).second == 0;
   }
 
   // "A luggage rack": what ends in the name of a class, and is none of it.
@@ -175,9 +175,8 @@ class OwnFinder {
 
   // Its last words, without what says how it looks.
   std::string NameOf(NounPhrase phrase) const {
-    while (phrase.begin + 1 < phrase.end &&
-           (phrase.end - phrase.begin > kMostNameWords || IsAdjective(phrase.begin) || text_.IsHyphen(phrase.begin) ||
-            text_.At(phrase.begin) == "'s")) {
+    while (phrase.begin + 1 < phrase.end && (phrase.end - phrase.begin > kMostNameWords || IsAdjective(phrase.begin) ||
+                                             text_.IsHyphen(phrase.begin) || text_.At(phrase.begin) == "'s")) {
       ++phrase.begin;
     }
     std::string name;

@@ -49,7 +49,8 @@ TEST(OwnClasses, AThingThatIsListedIsMadeAndTheBriefIsTold) {
 
 TEST(OwnClasses, MoodsPeopleAndPartsOfTheRoomAreNoPieces) {
   for (const char* text :
-       {"A living room for a zither.", "A living room with a slice of life.", "A living room with a touch of gold in the corner.", "A bedroom with a view over the garden.",
+       {"A living room for a zither.", "A living room with a slice of life.",
+        "A living room with a touch of gold in the corner.", "A bedroom with a view over the garden.",
         "A study for a writer by the window.", "A study for a crime writer by the window.",
         "A bedroom with a high ceiling and a feature wall behind the bed."}) {
     EXPECT_THAT(OwnOf(text), IsEmpty()) << text;

@@ -210,8 +210,8 @@ bool IsRefused(const std::vector<Token>& tokens, std::size_t i) {
   constexpr std::size_t kMostBehind = 3;
   for (std::size_t at = i + 1; at <= i + kMostBehind && at < tokens.size() && !text.EndsSentence(at); ++at) {
     if (text.BehindPhrase(at, "refused_behind")) return true;
-    const bool left_out = text.At(at) == "out" && i >= 1 &&
-                          (text.At(i - 1) == "leave" || (i >= 2 && text.At(i - 2) == "leave"));
+    const bool left_out =
+        text.At(at) == "out" && i >= 1 && (text.At(i - 1) == "leave" || (i >= 2 && text.At(i - 2) == "leave"));
     if (left_out) return true;
     if (text.IsSign(at) && !text.IsHyphen(at)) break;
   }

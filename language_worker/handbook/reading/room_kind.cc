@@ -51,7 +51,8 @@ class RoomKindReader {
       within = within || words_.Is(i, "having");
       // What follows the first clause tells what is in the room: "a classroom, with tables and a reading corner".
       const bool parted = words_.IsSign(i) && words_.Says(i, {",", ":", ".", ";"}) && !words_.IsNumber(i + 1);
-      const bool lists = words_.Is(i + 1, "listing") || UseAt(i + 1).use || LongestAt(names, tokens_, i + 1, false).second > 0;
+      const bool lists =
+          words_.Is(i + 1, "listing") || UseAt(i + 1).use || LongestAt(names, tokens_, i + 1, false).second > 0;
       within = within || (parted && !found_.empty() && found_.back().closed && !lists);
       Found found;
       auto [archetype, length] = LongestAt(names, tokens_, i, /*plural=*/false);
@@ -278,12 +279,24 @@ class ShapeReader {
       if (text_.Is(i, "sloped_rooms") && IsOfRoom(i, i + 1).value_or(true))
         return {RoomShape::kRectangle, tokens_[i].text};
       // "all year round": without a room such words mean something else.
-      if (text_.Is(i, "shapes") && IsOfRoom(i, i + 1).value_or(false)) return {RoomShape::kRectangle, tokens_[i].text};
+      for (const auto& [list, shape] : kShapes) {
+        if (!text_.Is(i, list) || !IsOfRoom(i, i + 1).value_or(false)) continue;
+        return {shape, shape == RoomShape::kRectangle ? tokens_[i].text : ""};
+      }
+    }
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (text_.Is(i, "round_buildings")) return {RoomShape::kRound, ""};
     }
     return {};
   }
 
  private:
+  static constexpr std::pair<const char*, RoomShape> kShapes[] = {{"round_shapes", RoomShape::kRound},
+                                                                  {"oval_shapes", RoomShape::kOval},
+                                                                  {"octagonal_shapes", RoomShape::kOctagon},
+                                                                  {"hexagonal_shapes", RoomShape::kHexagon},
+                                                                  {"shapes", RoomShape::kRectangle}};
+
   static ShapeRequest OfLetter(char letter) {
     if (letter == 'l') return {RoomShape::kL, ""};
     if (letter == 't') return {RoomShape::kT, ""};

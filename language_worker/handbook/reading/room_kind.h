@@ -32,17 +32,17 @@ struct RoomKind {
 RoomKind ReadRoomKind(const std::vector<Token>& tokens, const Handbook& handbook);
 
 // Outlines that the handbook can draw.
-enum class RoomShape { kRectangle, kL, kT, kU };
+enum class RoomShape { kRectangle, kL, kT, kU, kRound, kOval, kOctagon, kHexagon };
 
 // What a brief says about the room's outline.
 struct ShapeRequest {
   RoomShape shape = RoomShape::kRectangle;
-  // The word for an outline that cannot be drawn, as written but in lower case: "hexagonal"; else empty.
+  // The word for an outline that cannot be drawn, as written but in lower case: "triangular"; else empty.
   std::string unknown;
 };
 
 // Reads "L-shaped", "T shape", "shaped like a U" and words such as "round" where they speak of the room; an L-shaped
-// sofa and a round table do not. The first such word counts.
+// sofa and a round table do not. The first such word counts, then that the room is a turret or a yurt.
 ShapeRequest ReadShape(const std::vector<Token>& tokens, const Handbook& handbook);
 
 }  // namespace flair::language

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
@@ -125,7 +126,36 @@ double Micrometres(double length_m) { return std::round(length_m * 1e6) / 1e6; }
 
 const char* NameOf(RoomShape shape) { return shape == RoomShape::kL ? "L" : shape == RoomShape::kT ? "T" : "U"; }
 
+// Of a room with as many corners round its middle; 0 for others. What is round has walls that a piece can stand at.
+int CornersOf(RoomShape shape, double shorter_m) {
+  constexpr double kLargeM = 4.5;
+  switch (shape) {
+    case RoomShape::kRound:
+    case RoomShape::kOval:
+      return shorter_m < kLargeM ? 8 : 12;
+    case RoomShape::kOctagon:
+      return 8;
+    case RoomShape::kHexagon:
+      return 6;
+    default:
+      return 0;
+  }
+}
+
+// With a wall along every side of its bounding rectangle where the number of corners is a multiple of four.
+Outline Polygon(int sides, double w, double d) {
+  Outline outline;
+  const bool flat = sides % 4 == 0;
+  const double step_rad = 2 * std::numbers::pi / sides, half_d = std::cos(step_rad / 2), half_w = flat ? half_d : 1;
+  for (int i = 0; i < sides; ++i) {
+    const double at_rad = (flat ? i + 0.5 : i) * step_rad;
+    outline.push_back({w / 2 * (1 + std::cos(at_rad) / half_w), d / 2 * (1 + std::sin(at_rad) / half_d)});
+  }
+  return outline;
+}
+
 double ShareOf(RoomShape shape) {
+  if (const int sides = CornersOf(shape, 0); sides > 0) return sides == 6 ? 3.0 / 4 : 5.0 / 6;
   return shape == RoomShape::kL ? 21.0 / 25 : shape == RoomShape::kT ? 3.0 / 4 : 5.0 / 6;
 }
 
@@ -177,6 +207,12 @@ void SetOutline(const Outline& outline, v1::Room& room) {
   }
 }
 
+// As wide as deep, unless it is oval or both are given.
+void SetRound(RoomShape shape, double w, double d, const SizeRequest& asked, v1::Room& room) {
+  if (shape != RoomShape::kOval && !(asked.width_m && asked.depth_m)) w = d = RoundToStep(std::sqrt(w * d));
+  SetOutline(Polygon(CornersOf(shape, std::min(w, d)), w, d), room);
+}
+
 }  // namespace
 
 void SetFloor(const ShapeRequest& request, const SizeRequest& asked, const RoomSize& size, const Choice& choice,
@@ -186,7 +222,8 @@ void SetFloor(const ShapeRequest& request, const SizeRequest& asked, const RoomS
     Warn("shape_unknown",
          fmt::format(
              "A room that is \"{}\" cannot be drawn; it is a rectangle of {:g} m x {:g} m with an upright wall on "
-             "every side instead. Rectangles and L, T and U shapes can be drawn, and a floor plan of your own "
+             "every side instead. Rectangles, L, T and U shapes, round rooms, octagons and hexagons can be drawn, and "
+             "a floor plan of your own "
              "can have any straight walls.",
              request.unknown, size.width_m, size.depth_m),
          room);
@@ -197,6 +234,7 @@ void SetFloor(const ShapeRequest& request, const SizeRequest& asked, const RoomS
     w = RoundToStep(w / std::sqrt(ShareOf(request.shape)));
     d = RoundToStep(d / std::sqrt(ShareOf(request.shape)));
   }
+  if (CornersOf(request.shape, 0) > 0) return SetRound(request.shape, w, d, asked, room);
   // Turned by a quarter the sides change places, so that the room has its size after it.
   const std::size_t quarters = choice.Index("room.shape.turn", 4);
   const bool across = quarters % 2 == 1;

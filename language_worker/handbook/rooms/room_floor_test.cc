@@ -29,6 +29,27 @@ class RoomFloor : public testing::Test {
   }
 };
 
+TEST_F(RoomFloor, RoundRoomsAreAsWideAsAsked) {
+  const struct {
+    const char* text;
+    int corners;
+    double width_m, area_m2;
+  } kCases[] = {{"A round bedroom, 6 m across.", 12, 6, 28.9},
+                {"A circular study, 3 m across.", 8, 3, 7.5},
+                {"An octagonal living room of 5 m x 5 m.", 8, 5, 20.7},
+                {"A hexagonal office of 6 m x 5 m.", 6, 6, 22.5}};
+  for (const auto& expected : kCases) {
+    for (int seed = 0; seed < 8; ++seed) {
+      const v1::Room room = RoomOf(expected.text, seed);
+      EXPECT_TRUE(Validate(room).ok()) << expected.text << " seed " << seed << ": " << Validate(room);
+      EXPECT_EQ(room.floor().vertices_size(), expected.corners) << expected.text;
+      EXPECT_NEAR(Extent(room, true), expected.width_m, 1e-5) << expected.text;
+      EXPECT_NEAR(FloorArea(room), expected.area_m2, 0.1) << expected.text;
+      EXPECT_GE(room.openings_size(), 2) << "a door and a window";
+    }
+  }
+}
+
 TEST_F(RoomFloor, EveryShapeAndSeedIsAValidRoomOfTheSizeAskedFor) {
   const struct {
     const char* text;
@@ -66,9 +87,9 @@ TEST_F(RoomFloor, AnAreaIsThatOfTheFloor) {
 }
 
 TEST_F(RoomFloor, SaysWhatWasDoneInstead) {
-  const v1::Room round = RoomOf("A round bedroom of 4 m x 4 m.");
-  EXPECT_EQ(round.floor().vertices_size(), 4);
-  EXPECT_TRUE(Says(round, "shape_unknown"));
+  const v1::Room pointed = RoomOf("A triangular bedroom of 4 m x 4 m.");
+  EXPECT_EQ(pointed.floor().vertices_size(), 4);
+  EXPECT_TRUE(Says(pointed, "shape_unknown"));
   const v1::Room small = RoomOf("An L-shaped bathroom of 2 m x 2 m.");
   EXPECT_EQ(small.floor().vertices_size(), 4);
   EXPECT_TRUE(Says(small, "shape_too_small"));

@@ -44,6 +44,37 @@ hb::Finish PlainCeiling() {
   return finish;
 }
 
+long RgbOf(const hb::NamedColour& colour) { return std::strtol(colour.hex().c_str() + 1, nullptr, 16); }
+
+// Whether somebody who wants none of the one would not want the other: pink and blush.
+bool IsAlike(const hb::NamedColour& one, const hb::NamedColour& other) {
+  constexpr long kAlike = 60 * 60;  // squared distance of their red, green and blue
+  if (one.hex().size() != 7 || other.hex().size() != 7) return false;
+  long distance = 0;
+  for (const int shift : {16, 8, 0}) {
+    const long difference = ((RgbOf(one) >> shift) & 255) - ((RgbOf(other) >> shift) & 255);
+    distance += difference * difference;
+  }
+  return distance < kAlike || other.name().find(one.name()) != std::string::npos;
+}
+
+// The style without colours like those; the last of a list stays.
+hb::Style Without(const std::vector<const hb::NamedColour*>& refused, const hb::Style& style) {
+  hb::Style left = style;
+  const auto strike = [&](auto& list, const auto& colour_of) {
+    for (int i = list.size() - 1; i >= 0 && list.size() > 1; --i) {
+      const bool out = std::ranges::any_of(refused, [&](const auto* one) { return IsAlike(*one, colour_of(list[i])); });
+      if (out) list.DeleteSubrange(i, 1);
+    }
+  };
+  const auto itself = [](const hb::NamedColour& colour) -> const hb::NamedColour& { return colour; };
+  const auto of_finish = [](const hb::Finish& finish) -> const hb::NamedColour& { return finish.colour(); };
+  for (hb::Palette& palette : *left.mutable_palettes()) strike(*palette.mutable_colours(), itself);
+  for (hb::MaterialChoice& material : *left.mutable_materials()) strike(*material.mutable_colours(), itself);
+  for (auto* finishes : {left.mutable_walls(), left.mutable_floors()}) strike(*finishes, of_finish);
+  return left;
+}
+
 }  // namespace
 
 StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, const Choice& choice)
@@ -51,17 +82,18 @@ StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, cons
       choice_(choice),
       object_colours_(facts.object_colours),
       object_materials_(facts.object_materials),
-      style_(PickStyle(facts, handbook, choice)) {
-  palette_ = Pick(style_->palettes(), choice, "style.palette");
-  wall_ = Pick(style_->walls(), choice, "style.wall");
-  floor_ = Pick(style_->floors(), choice, "style.floor");
-  ceiling_ = style_->ceilings_size() > 0 ? Pick(style_->ceilings(), choice, "style.ceiling") : PlainCeiling();
-  title_ = style_->title().empty() ? style_->name() : style_->title();
+      style_(Without(facts.refused_colours, *PickStyle(facts, handbook, choice))) {
+  palette_ = Pick(style_.palettes(), choice, "style.palette");
+  wall_ = Pick(style_.walls(), choice, "style.wall");
+  floor_ = Pick(style_.floors(), choice, "style.floor");
+  ceiling_ = style_.ceilings_size() > 0 ? Pick(style_.ceilings(), choice, "style.ceiling") : PlainCeiling();
+  title_ = style_.title().empty() ? style_.name() : style_.title();
   if (!facts.colours.empty()) Lead(facts.colours);
   for (const AskedFinish& finish : facts.finishes) Take(finish);
 }
 
-// The surface that the brief names is of what it says, in the colour that it says or that such a surface has in a style.
+// The surface that the brief names is of what it says, in the colour that it says or that such a surface has in a
+// style.
 void StyleChoice::Take(const AskedFinish& asked) {
   const bool walls = asked.surface == AskedFinish::Surface::kWalls;
   hb::Finish& finish = walls ? wall_ : asked.surface == AskedFinish::Surface::kFloor ? floor_ : ceiling_;
@@ -70,7 +102,12 @@ void StyleChoice::Take(const AskedFinish& asked) {
   if (asked.material.empty()) return;
   finish.set_material(asked.material);
   if (asked.colour != nullptr) return;
-  const auto has_it = [&](const auto& one) { return one.material().find(asked.material) != std::string::npos; };
+  // Of "reclaimed oak boards" the colour is that of oak.
+  const auto has_it = [&](const auto& one) {
+    return std::ranges::any_of(TokensOf(asked.material), [&](const Token& word) {
+      return one.material().find(word.text) != std::string::npos;
+    });
+  };
   for (const hb::Style& style : handbook_.contents().styles()) {
     for (const auto* finishes : {walls ? &style.walls() : &style.floors(), walls ? &style.floors() : &style.walls()}) {
       const auto found = std::ranges::find_if(*finishes, has_it);
@@ -93,14 +130,13 @@ void StyleChoice::Lead(const std::vector<const hb::NamedColour*>& colours) {
   palette_ = led;
   *wall_.mutable_colour() = *colours.front();
   wall_.clear_description();
-  if (title_.find(colours.front()->name()) == std::string::npos)
-    title_ = colours.front()->name() + " " + title_;
+  if (title_.find(colours.front()->name()) == std::string::npos) title_ = colours.front()->name() + " " + title_;
 }
 
 const hb::MaterialChoice* StyleChoice::MaterialOf(const std::string& group) const {
   std::vector<const hb::MaterialChoice*> options;
   for (const std::string& wanted : {group, std::string()}) {
-    for (const hb::MaterialChoice& material : style_->materials()) {
+    for (const hb::MaterialChoice& material : style_.materials()) {
       if (material.group() == wanted) options.push_back(&material);
     }
     if (!options.empty()) return options[choice_.Index("material." + wanted, options.size())];
@@ -139,11 +175,11 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
   for (const auto& [piece, colour] : object_colours_) {
     if (piece->name() == furniture.name()) look.colour = *colour;
   }
-  if (style_->adjectives_size() > 0) {
+  if (style_.adjectives_size() > 0) {
     const std::size_t turn =
-        choice_.Index("adjective." + furniture.name(), static_cast<std::size_t>(style_->adjectives_size()));
-    look.adjective = style_->adjectives(static_cast<int>((turn + static_cast<std::size_t>(number)) %
-                                                         static_cast<std::size_t>(style_->adjectives_size())));
+        choice_.Index("adjective." + furniture.name(), static_cast<std::size_t>(style_.adjectives_size()));
+    look.adjective = style_.adjectives(static_cast<int>((turn + static_cast<std::size_t>(number)) %
+                                                        static_cast<std::size_t>(style_.adjectives_size())));
   }
   return look;
 }

@@ -28,7 +28,7 @@ class StyleChoice {
 
   // Such as "green boho".
   const std::string& title() const { return title_; }
-  const hb::Style& style() const { return *style_; }
+  const hb::Style& style() const { return style_; }
   // At least one colour; a colour that the brief names comes first.
   const hb::Palette& palette() const { return palette_; }
   const hb::Finish& wall() const { return wall_; }
@@ -56,7 +56,7 @@ class StyleChoice {
   const Choice& choice_;
   const std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours_;
   const std::vector<std::pair<const hb::Furniture*, std::string>> object_materials_;
-  const hb::Style* style_ = nullptr;
+  hb::Style style_;  // without the colours that the brief refuses
   std::string title_;
   hb::Palette palette_;
   hb::Finish wall_, floor_, ceiling_;
