@@ -75,10 +75,10 @@ class ProgramMaker {
       : facts_(facts), handbook_(handbook), area_m2_(area_m2), choice_(choice) {
     program_.archetype = &EffectiveArchetype(facts, handbook);
     program_.changes = AllChanges(facts);
-    constexpr int kEnoughForAList = 3;
-    program_.listed = std::ranges::count_if(facts.wishes, [](const Wish& wish) {
-                        return IsFloorPiece(*wish.furniture);
-                      }) >= kEnoughForAList;
+    const auto floor =
+        std::ranges::count_if(facts.wishes, [](const auto& one) { return IsFloorPiece(*one.furniture); });
+    const std::size_t said = facts.wishes.size() + facts.refusals.size();
+    program_.listed = floor >= 3 || (floor == 2 && said >= 3);
     if (program_.archetype->max_tertiaries() > 0) program_.max_tertiaries = program_.archetype->max_tertiaries();
   }
 

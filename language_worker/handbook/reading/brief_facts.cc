@@ -34,6 +34,7 @@ class BriefReader {
     const std::vector<bool> size_words = std::exchange(used_, std::vector<bool>(tokens_.size()));
     ReadArchetype();
     TakeRoomOfNeeds();
+    facts_.shape = ReadShape(tokens_, handbook_);
     const std::vector<bool> room_words = used_;
     facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
@@ -47,6 +48,7 @@ class BriefReader {
     facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
     if (facts_.reads_as_english) {
       for (const std::size_t i : facts_.told) used_[i] = true;
+      Use(facts_.shape.begin, facts_.shape.end - facts_.shape.begin);
       for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
       for (const std::size_t i : pieces.counts) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) {

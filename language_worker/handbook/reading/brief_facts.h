@@ -13,6 +13,7 @@
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/finishes.h"
 #include "language_worker/handbook/reading/opening_reader.h"
+#include "language_worker/handbook/reading/room_kind.h"
 #include "language_worker/handbook/reading/size_phrase.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -54,6 +55,7 @@ inline constexpr int kMostOfAKind = 40;
 // What a brief says, as far as the handbook knows the words. Pointers go into the handbook and are never null.
 struct BriefFacts {
   SizeRequest size;
+  ShapeRequest shape;
   const hb::Archetype* archetype = nullptr;
   std::vector<FurtherKind> also;               // the room is these, too: "kitchen/living/dining"
   std::vector<std::string> other_rooms;        // named beside it, not furnished: "ensuite"

@@ -275,17 +275,17 @@ class ShapeReader {
   ShapeRequest Read() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [letter, length] = LetterAt(i);
-      if (length > 0 && IsOfRoom(i, i + length).value_or(true)) return OfLetter(letter);
+      if (length > 0 && IsOfRoom(i, i + length).value_or(true)) return Said(OfLetter(letter), i, length);
       if (text_.Is(i, "sloped_rooms") && IsOfRoom(i, i + 1).value_or(true))
-        return {RoomShape::kRectangle, tokens_[i].text};
-      // "all year round": without a room such words mean something else.
+        return Said({RoomShape::kRectangle, tokens_[i].text}, i, 1);
+      // "All year round": without a room such words mean something else.
       for (const auto& [list, shape] : kShapes) {
-        if (!text_.Is(i, list) || !IsOfRoom(i, i + 1).value_or(false)) continue;
-        return {shape, shape == RoomShape::kRectangle ? tokens_[i].text : ""};
+        if (!text_.Is(i, list) || !(StandsAlone(i) || IsOfRoom(i, i + 1).value_or(false))) continue;
+        return Said({shape, shape == RoomShape::kRectangle ? tokens_[i].text : ""}, i, 1);
       }
     }
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (text_.Is(i, "round_buildings")) return {RoomShape::kRound, ""};
+      if (text_.Is(i, "round_buildings")) return Said({RoomShape::kRound, ""}, i, 1);
     }
     return {};
   }
@@ -296,6 +296,22 @@ class ShapeReader {
                                                                   {"octagonal_shapes", RoomShape::kOctagon},
                                                                   {"hexagonal_shapes", RoomShape::kHexagon},
                                                                   {"shapes", RoomShape::kRectangle}};
+
+  static ShapeRequest Said(ShapeRequest request, std::size_t i, std::size_t length) {
+    request.begin = i;
+    request.end = i + length;
+    return request;
+  }
+
+  // "A tower study, circular, 6 m across", before any piece is named.
+  bool StandsAlone(std::size_t i) const {
+    const auto ends = [&](std::size_t k) { return k >= tokens_.size() || (EndsClause(k) && text_.IsSign(k)); };
+    if (i == 0 || !ends(i - 1) || !ends(i + 1)) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (LongestAt(vocabulary_.names, tokens_, k, /*plural=*/true).second > 0) return false;
+    }
+    return true;
+  }
 
   static ShapeRequest OfLetter(char letter) {
     if (letter == 'l') return {RoomShape::kL, ""};

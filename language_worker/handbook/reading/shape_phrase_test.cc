@@ -25,6 +25,8 @@ TEST_F(ShapePhrase, ReadsLettersInAllTheirSpellings) {
 TEST_F(ShapePhrase, ReadsWhatIsRoundOrHasManyWalls) {
   EXPECT_EQ(Read("A round bedroom.").shape, RoomShape::kRound);
   EXPECT_EQ(Read("A study in a turret, 5 m across").shape, RoomShape::kRound);
+  EXPECT_EQ(Read("A wizard's tower study, circular, 6 metres across.").shape, RoomShape::kRound);
+  EXPECT_EQ(Read("A study with a table, round, of oak.").shape, RoomShape::kRectangle);
   EXPECT_EQ(Read("An oval office of 30 m2").shape, RoomShape::kOval);
   EXPECT_EQ(Read("A hexagonal living room of 20 m2").shape, RoomShape::kHexagon);
   EXPECT_EQ(Read("The office is octagonal.").shape, RoomShape::kOctagon);

@@ -160,9 +160,8 @@ void RemarkOnOpenings(const BriefFacts& facts, const std::vector<std::string>& n
 absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& handbook) {
   if (brief.has_room()) return brief.room();
   ASSIGN_OR_RETURN(BriefFacts facts, ReadBrief(brief, handbook));
-  const ShapeRequest shape = ReadShape(TokensOf(brief.text()), handbook);
   // "Round, 6 m across".
-  if (shape.shape == RoomShape::kRound && !facts.size.depth_m) facts.size.depth_m = facts.size.width_m;
+  if (facts.shape.shape == RoomShape::kRound && !facts.size.depth_m) facts.size.depth_m = facts.size.width_m;
   const hb::Archetype& archetype = EffectiveArchetype(facts, handbook);
   const Choice choice(brief.seed(), brief.text());
   const RoomSize size = ChooseRoomSize(facts, handbook, choice);
@@ -170,7 +169,7 @@ absl::StatusOr<v1::Room> DescribeRoom(const v1::Brief& brief, const Handbook& ha
   room.set_room_type(archetype.name());
   room.set_title(TitleOf(brief.text()));
   room.set_height_m(size.height_m);
-  SetFloor(shape, facts.size, size, choice, room);
+  SetFloor(facts.shape, facts.size, size, choice, room);
   const std::vector<std::string> not_made = AddOpenings(PlanOpenings(facts, archetype, FloorArea(room)), choice, room);
   if (!size.assumption.empty()) Remark(v1::SEVERITY_NOTE, "size_assumed", size.assumption, room);
   RemarkOnBrief(facts, archetype, room);
