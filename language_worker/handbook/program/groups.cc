@@ -116,10 +116,12 @@ class Grouper {
     Split(static_cast<std::size_t>(item - program_.floor_items.begin()), across, zones);
   }
 
+  // Tables with their seats, and what the brief wants in groups.
   void SplitTables(std::size_t i) {
     const ProgramItem& host = program_.floor_items[i];
-    if (host.count < 2 || host.seats < 2 || !IsTable(*host.furniture)) return;
-    const int in_each = (host.count + kMostGroups - 1) / kMostGroups;
+    const bool asked = host.in_each > 0 && host.in_each < host.count;
+    if (!asked && (host.count < 2 || host.seats < 2 || !IsTable(*host.furniture))) return;
+    const int in_each = std::max(asked ? host.in_each : 1, (host.count + kMostGroups - 1) / kMostGroups);
     const int count = (host.count + in_each - 1) / in_each;
     std::vector<hb::ZoneSpec> zones;
     for (const hb::ZoneSpec& zone : program_.zones) {

@@ -24,6 +24,7 @@ struct ProgramItem {
   const hb::Furniture* seat_of = nullptr;  // what it is pulled up to, in the same zone; null for what stands by itself
   bool optional = false;                   // asked for only if there is room
   PieceSize size = {};                     // as asked for
+  int in_each = 0;                         // that many are a group of their own; 0 when nobody says so
   int essential = 0;                       // so many of them the room cannot do without
 };
 

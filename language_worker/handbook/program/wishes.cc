@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -45,6 +47,7 @@ class WishMaker {
                                 {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
     program_.floor_items.front().optional = wish.optional;
     program_.floor_items.front().size = wish.size;
+    program_.floor_items.front().in_each = wish.in_each;
     SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
@@ -89,6 +92,10 @@ class WishMaker {
       };
       std::erase_if(program_.tertiary_items, is_another);
       std::erase_if(program_.floor_items, is_another);
+      // No more desks than chairs.
+      for (ProgramItem& host : program_.floor_items) {
+        if (!host.requested && SeatOf(*host.furniture, handbook_) == wish.furniture) host.count = std::min(host.count, wish.count);
+      }
     }
   }
 
@@ -116,7 +123,18 @@ class WishMaker {
   bool AddToWhatIsThere(const Wish& wish, std::vector<ProgramItem>& items) {
     const auto item = std::ranges::find_if(items, [&](const auto& one) { return one.furniture == wish.furniture; });
     if (item == items.end()) return false;
+    if (item->requested && item->seats > 0 && wish.seats > 0) {
+      // Four tables for four, and now those for two.
+      const std::string zone = fmt::format("{} for {}", item->zone, wish.seats);
+      const auto spec = std::ranges::find(program_.zones, item->zone, &hb::ZoneSpec::name);
+      if (spec == program_.zones.end()) return false;
+      program_.zones.insert(spec + 1, *spec)->set_name(zone);
+      items.insert(items.begin(), {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
+      SeatAt(*wish.furniture, wish.count, wish.seats, zone);
+      return true;
+    }
     item->count = wish.counted ? wish.count : std::max(item->count, wish.count);
+    item->in_each = wish.in_each;
     item->requested = true;
     item->optional = wish.optional;
     item->seats = wish.seats;
@@ -251,6 +269,13 @@ class WishMaker {
   // The class that each person has a place at, and the seats at each of it. Seats at a table are the table's.
   void CountPeople() {
     if (!facts_.people) return;
+    // "Seats for 24, mostly at tables for two."
+    for (const Wish& wish : facts_.wishes) {
+      const auto table = std::ranges::find(program_.floor_items, wish.furniture, &ProgramItem::furniture);
+      if (wish.counted || wish.seats == 0 || table == program_.floor_items.end()) continue;
+      table->count = std::min(kMostOfAKind, (*facts_.people + wish.seats - 1) / wish.seats);
+      return SeatAt(*wish.furniture, table->count, wish.seats, std::string(table->zone));
+    }
     const std::string& name = program_.archetype->per_person();
     if (name.empty()) return SeatPeopleAnywhere();
     if (SeatPeopleAtKin(name)) return;

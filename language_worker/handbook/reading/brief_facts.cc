@@ -39,7 +39,7 @@ class BriefReader {
     facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
     ReadPieceSizes(pieces.mentions, size_words);
-    ReadOtherRooms();
+    ReadOtherRooms(pieces.mentions);
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
     ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
     ReadThemesAndStyles();
@@ -92,7 +92,6 @@ class BriefReader {
       Use(one.begin, one.end - one.begin);
       facts_.also.push_back({one.archetype});
     }
-    facts_.places_not_known = kind_.places;
   }
 
   // "A bedroom for our twins, aged five" is a child's, and its words mean what they mean there.
@@ -107,7 +106,7 @@ class BriefReader {
   }
 
   // Rooms that the room has, unless their words mean a piece ("with a bar"): a corner of it, or a room of their own.
-  void ReadOtherRooms() {
+  void ReadOtherRooms(const std::vector<Mention>& pieces) {
     for (const NamedRoom& one : kind_.named) {
       constexpr double kCorner = 0.4;
       if (used_[one.begin]) continue;
@@ -115,6 +114,11 @@ class BriefReader {
       if (!own) facts_.also.push_back({one.archetype, kCorner});
       if (own) facts_.other_rooms.push_back(Quote(one));
       Use(one.begin, one.end - one.begin);
+    }
+    // Where in the room one of its uses lies: "kitchen at the east end".
+    for (const NamedRoom& one : kind_.placed) {
+      const bool piece = std::ranges::any_of(pieces, [&](const Mention& mention) { return mention.begin == one.begin; });
+      if (!piece) facts_.places_not_known.push_back(Quote(one));
     }
   }
 
@@ -288,10 +292,19 @@ class BriefReader {
       people = number;
       return true;
     }
-    // "A team of eight": however their number was said.
-    const bool counts = need.min_people() > 0 && facts_.people.has_value();
-    return counts && *facts_.people >= need.min_people() &&
-           (need.max_people() == 0 || *facts_.people <= need.max_people());
+    // "A team of eight", "twelve desks": however their number was said.
+    const int counted = facts_.people.value_or(DesksForMany());
+    return need.min_people() > 0 && counted >= need.min_people() &&
+           (need.max_people() == 0 || counted <= need.max_people());
+  }
+
+  // How many have a place of their own in the room; 0 where that makes no crowd.
+  int DesksForMany() const {
+    constexpr int kMany = 5;
+    const auto one = std::ranges::find_if(facts_.wishes, [&](const Wish& wish) {
+      return wish.furniture->name() == facts_.archetype->per_person() && wish.counted && wish.count >= kMany;
+    });
+    return one == facts_.wishes.end() ? 0 : one->count;
   }
 
   // Whether it occurs without a number that belongs to something else.
@@ -300,7 +313,7 @@ class BriefReader {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
       if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
-      if (AsksForFew(tokens_, i)) continue;  // "not too many plants" makes nobody a gardener
+      if (AsksForFew(BriefText(tokens_), i)) continue;  // "not too many plants" makes nobody a gardener
       number = found;
       return true;
     }

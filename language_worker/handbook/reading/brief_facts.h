@@ -29,6 +29,7 @@ struct Wish {
   PieceSize size = {};    // of each; within what the class can be
   // The word for several classes that it was named by, such as "chair"; null for a class's own name.
   const hb::Noun* noun = nullptr;
+  int in_each = 0;  // "in blocks of four": that many stand together; 0 when it is not said
 };
 
 // Where the brief wants a piece.
@@ -49,8 +50,11 @@ struct FurtherKind {
   double share = 1;  // of what such a room usually is
 };
 
-// More of one class in a room are not furnished by hand.
-inline constexpr int kMostOfAKind = 40;
+// More of one class in a room are not furnished by hand; nor more small things of one kind.
+inline constexpr int kMostOfAKind = 40, kMostSmallThings = 8;
+inline int MostOf(const hb::Furniture& furniture) {
+  return furniture.kind() == hb::FURNITURE_KIND_SURFACE ? kMostSmallThings : kMostOfAKind;
+}
 
 // What a brief says, as far as the handbook knows the words. Pointers go into the handbook and are never null.
 struct BriefFacts {

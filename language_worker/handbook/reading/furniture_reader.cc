@@ -22,6 +22,7 @@ class FurnitureReader {
                   BriefFacts& facts)
       : handbook_(handbook),
         tokens_(tokens),
+        text_(tokens),
         used_(used),
         facts_(facts),
         nouns_(handbook, facts),
@@ -29,11 +30,11 @@ class FurnitureReader {
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i] || IsMeasure(tokens_, i) || IsAVerb(i)) continue;
+      if (used_[i] || IsMeasure(text_, i) || IsAVerb(i)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
-      const bool seats = SeatsFollow(tokens_, i + 1);
-      const bool between = i + 1 < tokens_.size() && (tokens_[i + 1].text == "between" || tokens_[i + 1].text == "in");
+      const bool seats = SeatsFollow(text_, i + 1);
+      const bool between = text_.Says(i + 1, {"between", "in"});
       const auto rank = [&](const hb::Furniture& furniture) {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
         const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
@@ -45,6 +46,7 @@ class FurnitureReader {
       };
       auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
+      if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
       const bool own = named != nullptr && handbook_.IsOwn(*named);
       if (const std::size_t other = TakeOtherThing(i, name_length + (own ? 1 : 0)); other > 0) {
         i += other - 1;
@@ -55,27 +57,27 @@ class FurnitureReader {
         i += name_length - 1;
         continue;
       }
-      const bool refused = IsRefused(tokens_, i);
+      const bool refused = IsRefused(text_, i);
       for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && refused; ++k) {
-        if (IsIn("refusing", tokens_[k].text)) counts_.push_back(k);
+        if (text_.Is(k, "refusing")) counts_.push_back(k);
       }
       const hb::Furniture* furniture = own ? named : nouns_.Modified(tokens_, i, name_length, named);
       if (furniture != nullptr) furniture = handbook_.FindFurniture(furniture->name());
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
       if (length == 0) {
-        if (tokens_[i].kind == Token::Kind::kWord && refused) used_[i] = RefuseKind(handbook_, tokens_, i, facts_);
+        if (text_.IsWord(i) && refused) used_[i] = RefuseKind(handbook_, text_, i, facts_);
         continue;
       }
       if (refused) {
         AddOnce(facts_.refusals, furniture);
-        if (length == 1) RefuseKind(handbook_, tokens_, i, facts_);
+        if (length == 1) RefuseKind(handbook_, text_, i, facts_);
         last_.reset();
       } else if (const Wish* meant = MeantBefore(i, length)) {
         mentions_.push_back({meant->furniture, i, i + length, meant->count});
       } else if (!IsSaidTwice(*furniture, i, length)) {
         Wishing(*furniture, i, length);
       }
-      Use(i, length);
+      if (!text_.Is(i, "places_of_people")) Use(i, length);  // they count people, too
       i += length - 1;
       if (!mentions_.empty() && mentions_.back().end == i + 1) mentions_.back().end = BehindParts(i + 1);
     }
@@ -83,7 +85,7 @@ class FurnitureReader {
     std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
       return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
     });
-    facts_.nothing_else = !facts_.wishes.empty() && AsksForNothingElse(handbook_, tokens_);
+    facts_.nothing_else = !facts_.wishes.empty() && AsksForNothingElse(handbook_, text_);
     return {std::move(mentions_), std::move(counts_)};
   }
 
@@ -124,41 +126,53 @@ class FurnitureReader {
 
   // "The office showcases a desk".
   bool IsAVerb(std::size_t i) const {
-    const BriefText text(tokens_);
-    return text.Is(i, "verbs_of_having") && (text.Is(i + 1, "thing_articles") || NumberWord(text.At(i + 1)));
+    return text_.Is(i, "verbs_of_having") && (text_.Is(i + 1, "thing_articles") || NumberWord(text_.At(i + 1)));
+  }
+
+  // "Eighteen seats": what the room has for each; at a table that was spoken of its own. Null for other words.
+  const hb::Furniture* SeatsAt(std::size_t i) const {
+    const std::size_t begin = text_.PhraseBegin(i);
+    bool counted = false;
+    for (std::size_t k = begin; k < i; ++k) counted = counted || text_.IsNumber(k) || NumberWord(text_.At(k)).value_or(0) > 1;
+    if (!counted || !text_.Is(i, "places_of_people")) return nullptr;
+    if (last_ && !last_->seat && OnlyWordsBetween(last_->end, i, /*around=*/false)) {
+      return SeatOf(*facts_.wishes[last_->wish].furniture, handbook_);
+    }
+    const hb::Archetype& room = *facts_.archetype;
+    const hb::Furniture* seat = handbook_.FindFurniture(room.per_person());
+    for (const hb::Band& band : room.bands()) {
+      for (const hb::ObjectEntry& entry : band.objects()) {
+        const hb::Furniture* host = handbook_.FindFurniture(entry.furniture());
+        if (host != nullptr && SeatOf(*host, handbook_) == seat) return nullptr;  // it comes with its table
+      }
+    }
+    return seat != nullptr && (IsSeat(*seat) || seat->category() == "armchair") ? seat : nullptr;
   }
 
   // "with sliding doors", "without a headboard": words for a part of the piece before them.
   std::size_t BehindParts(std::size_t end) const {
     constexpr std::size_t kMostOfAPart = 4;
-    const BriefText text(tokens_);
-    if (!text.Says(end, {"with", "without"})) return end;
+    if (!text_.Says(end, {"with", "without"})) return end;
     for (std::size_t i = end + 1; i < tokens_.size() && i <= end + kMostOfAPart; ++i) {
-      if (IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
-      if (!text.IsWord(i) && !text.IsHyphen(i) && !text.IsNumber(i)) break;
+      if (IsFormIn("parts_of_furniture", text_.At(i))) return i + 1;
+      if (!text_.IsWord(i) && !text_.IsHyphen(i) && !text_.IsNumber(i)) break;
     }
     return end;
   }
 
   // "hooks for hats", "a desk for writing letters": small things by which another piece's use is told.
   bool IsOfAPurpose(std::size_t i) const {
-    constexpr std::size_t kMostBack = 4;
-    const BriefText text(tokens_);
-    for (std::size_t back = 1; back <= kMostBack && back <= i; ++back) {
-      const std::size_t at = i - back;
-      if (text.Says(at, {"for", "of", "to", "like"})) return true;
-      if (text.IsSign(at) || text.Is(at, "thing_articles") || NumberWord(text.At(at)) || text.Is(at, "thing_ends"))
-        break;
-    }
-    return false;
+    const std::size_t begin = text_.PhraseBegin(i);
+    const bool article = begin < i && (text_.Is(begin, "thing_articles") || NumberWord(text_.At(begin)));
+    return begin > 0 && !article && text_.Says(begin - 1, {"for", "of", "to", "like"});
   }
 
   // "a luggage rack": its last word is a class, but the thing is none.
   std::size_t TakeOtherThing(std::size_t i, std::size_t piece_length) {
     const std::size_t length = nouns_.OtherThingAt(tokens_, i);
     if (length == 0 || length < piece_length) return 0;
-    const std::string text = BriefText(tokens_).Quote(i, i + length);
-    if (!IsRefused(tokens_, i) && !Includes(facts_.not_known, text)) facts_.not_known.push_back(text);
+    const std::string text = text_.Quote(i, i + length);
+    if (!IsRefused(text_, i) && !Includes(facts_.not_known, text)) facts_.not_known.push_back(text);
     Use(i, length);
     return length;
   }
@@ -169,16 +183,14 @@ class FurnitureReader {
     constexpr std::size_t kMostWords = 8;
     bool together = false;
     for (std::size_t k = i + 1; k < tokens_.size() && k < i + kMostWords; ++k) {
-      const Token& token = tokens_[k];
-      if (token.kind == Token::Kind::kSign || token.text == "with" || (token.text == "and" && !together)) break;
-      if (token.text == "them") break;
-      together = together || IsIn("together", token.text);
+      if (text_.IsSign(k) || text_.Says(k, {"with", "them"}) || (text_.At(k) == "and" && !together)) break;
+      together = together || text_.Is(k, "together");
       if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
     }
     if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
     for (std::size_t k = mentions_.back().end; k < i; ++k) {
-      if (tokens_[k].kind == Token::Kind::kSign && tokens_[k].text != ",") return nullptr;
-      if (IsIn("joined", tokens_[k].text)) return mentions_.back().furniture;
+      if (text_.IsSign(k) && text_.At(k) != ",") return nullptr;
+      if (text_.Is(k, "joined")) return mentions_.back().furniture;
     }
     return nullptr;
   }
@@ -193,8 +205,8 @@ class FurnitureReader {
   // words ask for another one.
   const Wish* MeantBefore(std::size_t i, std::size_t length) const {
     // "The two beds" are those that were asked for.
-    const bool counted = i > 1 && NumberWord(tokens_[i - 1].text) && !IsArticle(tokens_[i - 1].text);
-    if (length != 1 || i == 0 || !IsIn("known_before", tokens_[i - (counted ? 2 : 1)].text)) return nullptr;
+    const bool counted = i > 1 && NumberWord(text_.At(i - 1)) && !text_.Says(i - 1, {"a", "an", "the"});
+    if (length != 1 || i == 0 || !text_.Is(i - (counted ? 2 : 1), "known_before")) return nullptr;
     const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
     const auto among = [&](const std::string& name) {
       return noun != nullptr && std::ranges::any_of(noun->options(), [&](const hb::NounOption& option) {
@@ -212,7 +224,7 @@ class FurnitureReader {
   void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const PieceCount& count) {
     Mention mention{&furniture, i, i + length, count.number};
     for (const Wish& there : facts_.wishes) {
-      if (there.furniture != &furniture || !IsFurther(tokens_, i) || count.number != 1) continue;
+      if (there.furniture != &furniture || !IsFurther(text_, i) || count.number != 1) continue;
       // "One desk by the door and another one ...": each has its own place from now on.
       mention.which = there.count;
       for (Mention& earlier : mentions_) {
@@ -223,35 +235,47 @@ class FurnitureReader {
   }
 
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-    PieceCount count = CountBefore(handbook_, tokens_, furniture, i, length);
-    for (std::size_t k = i - std::min<std::size_t>(i, 3); k < i; ++k) {
-      const bool number = tokens_[k].kind == Token::Kind::kNumber || NumberWord(tokens_[k].text);
+    PieceCount count = CountOf(handbook_, text_, furniture, i, length);
+    for (std::size_t k = text_.PhraseBegin(i); k < i; ++k) {
       const std::optional<english::Measure> measure = english::MeasureAt(tokens_, k);
-      if (number && measure && measure->unit == 0) counts_.push_back(k);
+      if ((text_.IsNumber(k) || NumberWord(text_.At(k))) && measure && measure->unit == 0) counts_.push_back(k);
     }
-    if (const Rows rows = RowsAround(tokens_, i, length); rows.number > 0) {
-      count = {rows.number};
-      Use(rows.begin, rows.end - rows.begin);
-    }
+    const Groups groups = GroupsAround(text_, i, length);
+    if (groups.count > 0 && groups.in_each > 0 && !(count.said && groups.begin > i)) count = {groups.count * groups.in_each};
+    Use(groups.begin, groups.end - groups.begin);
     if (SeatsTheLast(furniture, count, i, length)) return;
-    if (count.number == 1 && !facts_.wishes.empty() && IsOneForEach(tokens_, used_, i, length)) {
-      count.number = std::clamp(facts_.wishes.back().count, 1, kMostOfAKind);
+    // "Mismatched wooden chairs": those of the tables, which are counted already.
+    for (const Wish& wish : facts_.wishes) {
+      if (count.said || wish.seats == 0 || SeatOf(*wish.furniture, handbook_) != &furniture) continue;
+      mentions_.push_back({&furniture, i, i + length, wish.count * wish.seats});
+      return TakeLooks(i, furniture);
     }
-    Wish wish{&furniture, count.number, 0, count.said, IsOptional(tokens_, used_, i, i + length)};
+    constexpr int kMostForEach = 4;
+    if (count.number <= kMostForEach && !facts_.wishes.empty() && IsOneForEach(text_, used_, i, length)) {
+      count.number = std::clamp(count.number * facts_.wishes.back().count, 1, kMostOfAKind);
+    }
+    Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};
+    if (groups.end > 0) wish.in_each = InEach(groups, count.number);
     wish.noun = nouns_.NounAt(tokens_, i, length);
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
-    if (!furniture.companions().empty()) wish.seats = SeatsAfter(tokens_, i + length);
-    if (wish.seats > 0) Use(i + length, SeatsNumberAt(tokens_, i + length) + 1 - (i + length));  // not the room's
+    if (const SeatsSaid seats = SeatsAround(text_, i, length); !furniture.companions().empty() && seats.number > 0) {
+      wish.seats = std::min(seats.number, kMostSeats);
+      Use(seats.begin, seats.end - seats.begin);  // not the room's
+    }
     if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
-    const bool further = IsFurther(tokens_, i);
+    const bool further = IsFurther(text_, i);
     Mentioned(furniture, i, length, count);
     last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
-    TakeColourBefore(i, furniture);
-    TakeMaterialBefore(i, furniture);
-    if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", tokens_, i)) {
-      if (furniture.kind() == hb::FURNITURE_KIND_WALL)
-        Use(*at, *BriefText(tokens_).BehindPhrase(*at, "wall_mounted") - *at);
+    TakeLooks(i, furniture);
+    if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text_, i)) {
+      if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text_.BehindPhrase(*at, "wall_mounted") - *at);
     }
+  }
+
+  static int InEach(const Groups& groups, int number) {
+    constexpr int kUsual = 4;
+    if (groups.in_each > 0) return groups.in_each;
+    return groups.count > 0 ? (number + groups.count - 1) / groups.count : kUsual;
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
@@ -262,7 +286,7 @@ class FurnitureReader {
     if (usual == nullptr || host.seats > 0) return false;
     const bool any = length == 1 && seat.category() == usual->category();
     if (usual != &seat && !any) return false;
-    const bool each = i + length < tokens_.size() && tokens_[i + length].text == "each";
+    const bool each = text_.At(i + length) == "each";
     Mentioned(*host.furniture, i, length, {host.count});
     if (count.said) {
       const bool shared = !each && count.number >= host.count && count.number % host.count == 0;
@@ -283,12 +307,13 @@ class FurnitureReader {
   }
 
   std::size_t AddWish(const Wish& wish, bool further) {
-    const int count = std::min(wish.count, kMostOfAKind);
-    if (wish.count > kMostOfAKind) AddOnce(facts_.too_many, wish.furniture);
+    const int most = MostOf(*wish.furniture), count = std::min(wish.count, most);
+    if (wish.count > most) AddOnce(facts_.too_many, wish.furniture);
     for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
       Wish& there = facts_.wishes[i];
-      if (there.furniture != wish.furniture) continue;
-      there.count = further ? std::min(there.count + count, kMostOfAKind) : std::max(there.count, count);
+      const bool other_size = there.seats > 0 && wish.seats > 0 && there.seats != wish.seats;
+      if (there.furniture != wish.furniture || other_size) continue;  // "four tables for four, three for two"
+      there.count = further ? std::min(there.count + count, most) : std::max(there.count, count);
       there.optional = there.optional && wish.optional;
       there.seats = std::max(there.seats, wish.seats);
       return i;
@@ -304,38 +329,32 @@ class FurnitureReader {
     bool joined = false;
     if (to < from || to - from > kMostWords) return false;
     for (std::size_t i = from; i < to; ++i) {
-      if (used_[i] || tokens_[i].kind == Token::Kind::kSign) return false;
-      joined = joined || (around ? IsIn("around_a_table", tokens_[i].text) : IsIn("with_seats", tokens_[i].text));
+      if (used_[i] || (text_.IsSign(i) && !text_.Says(i + 1, {"each", "every"}))) return false;
+      joined = joined || text_.Is(i, around ? "around_a_table" : "with_seats");
     }
     return joined;
   }
 
-  // "a green armchair", "two sage green velvet armchairs": the colour is the piece's, not the room's.
-  void TakeColourBefore(std::size_t i, const hb::Furniture& furniture) {
-    for (std::size_t back = 3; back >= 1; --back) {
-      if (back > i || used_[i - back]) continue;
-      const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, i - back, /*plural=*/false);
-      if (length == 0 || length > back) continue;
-      for (std::size_t k = i - back + length; k < i; ++k) {
-        if (tokens_[k].kind != Token::Kind::kWord || tokens_[k].text == "and" || tokens_[k].text == "with") return;
+  // "A green armchair", "two sage green velvet armchairs", "an oak and steel desk": colour and material are the piece's,
+  // not the room's; of several the first.
+  void TakeLooks(std::size_t i, const hb::Furniture& furniture) {
+    bool coloured = false, made = false;
+    std::size_t begin = text_.PhraseBegin(i);
+    // "An oak and steel desk".
+    while (begin > 2 && text_.At(begin - 1) == "and" && begin < i && text_.Is(begin - 2, "materials")) begin = text_.PhraseBegin(begin - 2);
+    for (std::size_t k = begin; k < i; ++k) {
+      if (used_[k]) continue;
+      const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, k, /*plural=*/false);
+      if (length > 0 && k + length <= i && !coloured && !text_.Is(k, "materials")) {
+        coloured = true;
+        facts_.object_colours.emplace_back(&furniture, colour);
+        Use(k, length);
+        k += length - 1;
+      } else if (text_.Is(k, "materials") && !made) {
+        made = true;
+        facts_.object_materials.emplace_back(&furniture, text_.At(k) == "wooden" ? "wood" : text_.At(k));
+        Use(k, 1);
       }
-      facts_.object_colours.emplace_back(&furniture, colour);
-      Use(i - back, length);
-      return;
-    }
-  }
-
-  // "a glass coffee table", "an oak and steel desk": the first of them.
-  void TakeMaterialBefore(std::size_t i, const hb::Furniture& furniture) {
-    constexpr std::size_t kMostBack = 4;
-    for (std::size_t at = i; at > 0 && at + kMostBack > i; --at) {
-      const Token& token = tokens_[at - 1];
-      const bool material = token.kind == Token::Kind::kWord && IsIn("materials", token.text);
-      if (!material && (EndsNounPhrase(token) || NumberWord(token.text))) return;
-      if (!material || used_[at - 1]) continue;
-      facts_.object_materials.emplace_back(&furniture, token.text == "wooden" ? "wood" : token.text);
-      Use(at - 1, 1);
-      return;
     }
   }
 
@@ -345,6 +364,7 @@ class FurnitureReader {
 
   const Handbook& handbook_;
   const std::vector<Token>& tokens_;
+  const BriefText text_;
   std::vector<bool>& used_;
   BriefFacts& facts_;
   const NounBook nouns_;

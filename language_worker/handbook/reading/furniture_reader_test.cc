@@ -152,6 +152,9 @@ TEST(FurnitureReader, ChairsBelongToTheTableTheyAreNamedWith) {
                 {"A kitchen-diner, 6 x 4m, table for six by the window", "dining table", 6},
                 {"A dining room with a table for 8 in the middle.", "dining table", 8},
                 {"An office with a round meeting table for five under the window.", "round meeting table", 5},
+                {"A dining room that will sit ten round a long table.", "dining table", 10},
+                {"A dining room with an eight-seater table.", "dining table", 8},
+                {"A café with tables of four and a counter.", "dining table", 4},
                 {"A dining room with a table for 2 by 1 m of rug.", "dining table", 0}};
   for (const auto& expected : kCases) {
     const BriefFacts facts = FactsOf(expected.text);
@@ -182,6 +185,36 @@ TEST(FurnitureReader, APluralWithoutANumberMeansTwoAtLeast) {
   EXPECT_FALSE(WishFor(facts, "armchair")->counted);
   EXPECT_EQ(WishFor(facts, "sofa")->count, 1);
   EXPECT_EQ(WishFor(FactsOf("A hotel room with twin beds."), "single bed")->count, 2);
+}
+
+TEST(FurnitureReader, CountsStandBeforeBehindAndInGroups) {
+  const struct {
+    const char* text;
+    const char* piece;
+    int count;
+    int in_each;
+  } kCases[] = {{"A lounge with fourteen big high-backed armchairs.", "armchair", 14, 0},
+                {"A playroom with stools, five of them.", "stool", 5, 0},
+                {"A bar with 4 x high tables.", "high table", 4, 0},
+                {"An office with sixteen desks in four blocks of four.", "desk", 16, 4},
+                {"A lounge with armchairs in three clusters of two.", "armchair", 6, 2},
+                {"A home cinema with two rows of three recliners.", "recliner", 6, 3},
+                {"A bar with two high tables with three stools each.", "bar stool", 6, 0},
+                {"A waiting room with 18 seats, three of them wide.", "visitor chair", 18, 0},
+                {"A study with 200 books on shelves.", "bookshelf", 2, 0}};
+  for (const auto& expected : kCases) {
+    const BriefFacts facts = FactsOf(expected.text);
+    const Wish* wish = WishFor(facts, expected.piece);
+    ASSERT_NE(wish, nullptr) << expected.text;
+    EXPECT_EQ(wish->count, expected.count) << expected.text;
+    EXPECT_EQ(wish->in_each, expected.in_each) << expected.text;
+  }
+}
+
+TEST(FurnitureReader, TablesOfTwoSizesKeepTheirSeats) {
+  const BriefFacts facts = FactsOf("A café with four tables for four and three tables for two, mismatched chairs.");
+  ASSERT_EQ(facts.wishes.size(), 2u);
+  EXPECT_EQ(facts.wishes[0].count * facts.wishes[0].seats + facts.wishes[1].count * facts.wishes[1].seats, 22);
 }
 
 TEST(FurnitureReader, RefusalsAreOfAllOfAKindAndNotOfPlaces) {

@@ -8,9 +8,6 @@
 namespace flair::language {
 namespace {
 
-// Adjectives may stand between a modifier and its noun: "two-seat green velvet sofa".
-constexpr std::size_t kMostAdjectives = 3;
-
 enum Rank { kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
 
 double AreaOf(const BriefFacts& facts) {
@@ -21,7 +18,8 @@ double AreaOf(const BriefFacts& facts) {
 
 // Whether what stands before a noun leaves open which one it is.
 bool SaysLooks(const Token& token) {
-  return EndsNounPhrase(token) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
+  const bool sign = token.kind == Token::Kind::kSign && token.text != "-" && token.text != "'";
+  return sign || IsIn("noun_phrase_ends", token.text) || token.kind == Token::Kind::kNumber || NumberWord(token.text) ||
          IsIn("looks", token.text) || IsIn("materials", token.text) || IsIn("adjectives", token.text) ||
          IsIn("piece_measures", token.text);
 }
@@ -41,11 +39,6 @@ bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
 }
 
 }  // namespace
-
-bool EndsNounPhrase(const Token& token) {
-  if (token.kind == Token::Kind::kSign) return token.text != "-" && token.text != "'";
-  return IsIn("noun_phrase_ends", token.text);
-}
 
 NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
     : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
@@ -90,9 +83,7 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
                                         const hb::Furniture* named) const {
   const Vocabulary::Head* head = HeadAt(tokens, noun, length);
   if (head == nullptr) return named;
-  for (std::size_t at = noun; at > 0 && at + kMostAdjectives + 2 > noun;) {
-    --at;
-    if (EndsNounPhrase(tokens[at])) break;
+  for (std::size_t at = noun, begin = BriefText(tokens).PhraseBegin(noun); at-- > begin;) {
     for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
       const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
       if (said > 0 && at + said <= noun) return modifier.furniture;

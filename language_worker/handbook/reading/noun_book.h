@@ -13,9 +13,6 @@
 
 namespace flair::language {
 
-// Whether a token ends what may stand before a noun.
-bool EndsNounPhrase(const Token& token);
-
 // What words for several classes mean in one kind of room: the "chair" of an office is none of a dining room. The
 // handbook must outlive it.
 class NounBook {

@@ -72,7 +72,7 @@ class OwnFinder {
     for (std::size_t i = 0; i < tokens_.size() && found_.size() < kMostClasses; ++i) {
       if (const Mention* mention = mention_at_[i]; mention != nullptr && i == mention->begin) {
         if (mention->furniture->named_as_said()) NameAsSaid(*mention);
-        if (PhraseBefore("wall_mounted", tokens_, i)) HangUp(*mention->furniture);
+        if (PhraseBefore("wall_mounted", text_, i)) HangUp(*mention->furniture);
       }
       const std::optional<NounPhrase> phrase = PhraseAt(i);
       if (!phrase) continue;
@@ -207,7 +207,7 @@ class OwnFinder {
 
   void Add(const NounPhrase& phrase) {
     const std::string name = NameOf(phrase);
-    if (name.empty() || name.size() > kLongestName || IsRefused(tokens_, phrase.begin)) return;
+    if (name.empty() || name.size() > kLongestName || IsRefused(text_, phrase.begin)) return;
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
       if (length == 0 || i + length < phrase.end || IsOtherThing(phrase)) continue;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What the words around the name of a piece say of it: how many, for how many, in which groups, and whether at all.
 #pragma once
 
 #include <cstddef>
@@ -21,59 +22,60 @@ struct PieceCount {
   bool said = true;  // false: a plural without a number
 };
 
-// The number said before a noun of `length` tokens at `i`, looking back over adjectives: "two comfortable armchairs",
-// "2 x desk", "a pair of". A plural without one means two at least.
-PieceCount CountBefore(const Handbook& handbook, const std::vector<Token>& tokens, const hb::Furniture& furniture,
-                       std::size_t i, std::size_t length);
+// The number in the phrase of a noun of `length` tokens at `i`, "two comfortable armchairs", "2 x desk", "a pair of", or
+// behind it: "toadstools, five of them". A plural without one means two at least.
+PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t i,
+                   std::size_t length);
 
-// Of "two rows of five benches" and "mats in 3 rows of 4" the number in all and the words that say it.
-struct Rows {
-  int number = 0;  // 0 where no rows are counted
+// Groups that a brief asks for: "two rows of five benches", "sixteen desks in four blocks of four", "in rows of 4".
+struct Groups {
+  int count = 0;    // 0 where it is not said
+  int in_each = 0;  // 0 where it is not said
+  std::size_t begin = 0;
+  std::size_t end = 0;  // begin where there are none
+};
+Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length);
+
+// "another desk", "a second desk": one more than were asked for before.
+bool IsFurther(const BriefText& text, std::size_t i);
+
+// "not too many plants", "hardly any cushions", "few pictures": one at most. "A few" are some.
+bool AsksForFew(const BriefText& text, std::size_t i);
+
+// The "poster" of "four-poster" is no picture.
+bool IsMeasure(const BriefText& text, std::size_t i);
+
+// Those who sit at a piece: "a table for eight", "tables of four", "an eight-seater table", "ten round one table".
+struct SeatsSaid {
+  int number = 0;  // 0 where nothing of the kind is said
   std::size_t begin = 0;
   std::size_t end = 0;
 };
-Rows RowsAround(const std::vector<Token>& tokens, std::size_t i, std::size_t length);
-
-// "another desk", "a second desk": one more than were asked for before.
-bool IsFurther(const std::vector<Token>& tokens, std::size_t i);
-
-// "not too many plants", "hardly any cushions", "few pictures": one at most. "A few" are some.
-bool AsksForFew(const std::vector<Token>& tokens, std::size_t i);
-
-// The "poster" of "four-poster" is no picture.
-bool IsMeasure(const std::vector<Token>& tokens, std::size_t i);
+SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length);
 
 // "for eight", "with six chairs": behind a word for a table, those who sit at it.
-bool SeatsFollow(const std::vector<Token>& tokens, std::size_t i);
+bool SeatsFollow(const BriefText& text, std::size_t i);
 
 // "Five desks, one stool at each", "three guests, each with a microphone": as many as of what was counted before. Words in
 // `used` belong to something else.
-bool IsOneForEach(const std::vector<Token>& tokens, const std::vector<bool>& used, std::size_t i, std::size_t length);
-
-// The index of the number in "for eight", "seating twelve", "laid for one" that begins there; 0 for none.
-std::size_t SeatsNumberAt(const std::vector<Token>& tokens, std::size_t i);
-
-// Of "a table for eight", "a table for 8 people": eight. 0 when nothing of the kind stands there.
-int SeatsAfter(const std::vector<Token>& tokens, std::size_t i);
+bool IsOneForEach(const BriefText& text, const std::vector<bool>& used, std::size_t i, std::size_t length);
 
 // Where a phrase of a list begins among the words for the looks of the noun at `i`: "a wall-mounted flat screen".
-std::optional<std::size_t> PhraseBefore(std::string_view list, const std::vector<Token>& tokens, std::size_t i);
-
-bool IsArticle(std::string_view word);
+std::optional<std::size_t> PhraseBefore(std::string_view list, const BriefText& text, std::size_t i);
 
 // "no tv", "without a desk", "no tv or desk", "a shower instead of a bathtub"; not "not near the bed", "no more than
-// two chairs".
-bool IsRefused(const std::vector<Token>& tokens, std::size_t i);
+// two chairs", "no seats besides two chairs".
+bool IsRefused(const BriefText& text, std::size_t i);
 
 // A word alone refuses all of its kind: "no chairs" also the armchairs, "no lamps" those on tables and floor. Whether
 // there are any.
-bool RefuseKind(const Handbook& handbook, const std::vector<Token>& tokens, std::size_t i, BriefFacts& facts);
+bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, BriefFacts& facts);
 
 // "a bench if there is room", "perhaps a bench", "an optional bench". Words in `used` belong to something else.
-bool IsOptional(const std::vector<Token>& tokens, const std::vector<bool>& used, std::size_t begin, std::size_t end);
+bool IsOptional(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end);
 
 // "only a bed and a wardrobe", "just a desk", "nothing but a sofa", "and nothing else".
-bool AsksForNothingElse(const Handbook& handbook, const std::vector<Token>& tokens);
+bool AsksForNothingElse(const Handbook& handbook, const BriefText& text);
 
 // "chair" of "dining chair".
 std::string LastWord(const std::string& name);

@@ -246,7 +246,7 @@ class RoomKindReader {
       if (!words_.Is(at, "at_places")) continue;
       at = words_.BehindArticle(at + 1);
       if (!words_.Is(at, "ends_of_rooms") || !words_.Is(at + 1, "room_ends")) continue;
-      kind.places.push_back(words_.Quote(one.room.begin, at + 2));
+      kind.placed.push_back({one.room.archetype, one.room.begin, at + 2});
     }
   }
 

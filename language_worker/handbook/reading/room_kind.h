@@ -23,8 +23,7 @@ struct RoomKind {
   NamedRoom room;                // `archetype` is null where none is named
   std::vector<NamedRoom> also;   // the same room is these, too: "open plan kitchen/living/dining"
   std::vector<NamedRoom> named;  // others that it has: "a bedroom with a home office and ensuite"
-  // Words that say where in the room one of its uses lies: "kitchen at the east end".
-  std::vector<std::string> places;
+  std::vector<NamedRoom> placed;  // with the words for where in the room it lies: "kitchen at the east end"
 };
 
 // Reads it. What comes before "with" is the room, what comes after is in it; of several the longest name counts, then

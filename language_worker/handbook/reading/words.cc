@@ -177,6 +177,23 @@ std::optional<std::size_t> BriefText::BehindPhrase(std::size_t i, std::string_vi
   return longest > 0 ? std::optional(i + longest) : std::nullopt;
 }
 
+std::size_t BriefText::PhraseBegin(std::size_t noun) const {
+  constexpr std::size_t kMostWords = 9;
+  std::size_t begin = noun;
+  while (begin > 0 && noun - begin < kMostWords) {
+    const std::size_t at = begin - 1;
+    if (IsSign(at) && !IsHyphen(at) && !Says(at, {"'", "\""})) break;
+    const bool counting = at > 0 && (NumberWord(At(at - 1)) || Is(at - 1, "rows_of"));
+    const bool times = At(at) == "x" && at > 0 && IsNumber(at - 1) && !IsNumber(at + 1);
+    const bool part = times || (At(at) == "of" && counting) || NumberWord(At(at)) || (at > 0 && IsHyphen(at - 1));
+    const bool ends = Is(at, "thing_ends") || Is(at, "have") || Is(at, "thing_verbs") || IsFormIn("persons", At(at));
+    if (IsWord(at) && Is(at, "articles")) return at;
+    if (IsWord(at) && ends && !part) break;
+    begin = at;
+  }
+  return begin;
+}
+
 std::optional<double> BriefText::LengthAt(std::size_t i, std::size_t& end) const {
   if (!IsNumber(i)) return std::nullopt;
   const std::optional<english::Measure> measure = english::MeasureAt(tokens_, i);

@@ -90,6 +90,9 @@ class BriefText {
   // Behind the words "the", "a", "your" and the like, if any.
   std::size_t BehindArticle(std::size_t i) const { return Is(i, "articles") ? i + 1 : i; }
 
+  // Where the noun phrase begins whose noun stands at `noun`: over its looks, its number, "a pair of" and its article.
+  std::size_t PhraseBegin(std::size_t noun) const;
+
   // A length with its unit, metres, which begins at a number: "1.2 m", "90cm", "3 ft", "4'"; `end` is behind it.
   std::optional<double> LengthAt(std::size_t i, std::size_t& end) const;
 

@@ -92,7 +92,7 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
   for (const hb::Furniture* furniture : facts.too_many) {
     Remark(v1::SEVERITY_WARNING, "too_many_asked",
            fmt::format("More of \"{}\" are asked for than the handbook's limit of {} of a kind; {} are placed.",
-                       furniture->name(), kMostOfAKind, kMostOfAKind),
+                       furniture->name(), MostOf(*furniture), MostOf(*furniture)),
            room);
   }
   for (const std::string& said : facts.sizes_not_had) {
