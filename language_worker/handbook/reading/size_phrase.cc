@@ -167,6 +167,8 @@ std::optional<SidePair> PairAt(const BriefText& text, std::size_t i) {
   return sides;
 }
 
+constexpr double kLowestM = 1.7;  // ceiling, of a ship's cabin
+
 class SizeReader {
  public:
   SizeReader(const std::vector<Token>& tokens, const Handbook& handbook, std::vector<bool>& used)
@@ -233,7 +235,7 @@ class SizeReader {
     } else if (!ceiling && text_.At(end + 1) != "ceiling" &&
                (owner_.IsOfAThing(i, end + 1) || owner_.IsBehindAThing(i, measure->value))) {
       return size;
-    } else if (ceiling || text_.Says(end, {"high", "tall"})) {
+    } else if (ceiling || (text_.Says(end, {"high", "tall"}) && measure->value >= kLowestM)) {
       size.height_m = measure->value;
     } else if (text_.At(end) == "wide") {
       size.width_m = measure->value;
@@ -298,9 +300,9 @@ absl::Status Check(const SizeRequest& size) {
     return absl::InvalidArgumentError(fmt::format(
         "brief.text: a floor of {:g} m2 cannot be furnished; write an area between 1.5 and 2000 m2", *size.area_m2));
   }
-  if (size.height_m && (*size.height_m < 2 || *size.height_m > 12)) {
+  if (size.height_m && (*size.height_m < kLowestM || *size.height_m > 12)) {
     return absl::InvalidArgumentError(fmt::format(
-        "brief.text: a ceiling at {:g} m is not possible; write a height between 2 and 12 m", *size.height_m));
+        "brief.text: a ceiling at {:g} m is not possible; write a height between {:g} and 12 m", *size.height_m, kLowestM));
   }
   return absl::OkStatus();
 }

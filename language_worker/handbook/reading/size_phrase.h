@@ -41,7 +41,7 @@ PieceSize ReadPieceSize(const std::vector<Token>& tokens, std::size_t begin, std
 
 // Reads sizes as people write them: "4m x 5m", "12ft by 10ft", "12'6\" x 14'", "20 square metres", "5 m square",
 // "small", "2.7m ceiling". INVALID_ARGUMENT with the value and what would be right for sides outside [1, 100] m, areas
-// outside [1.5, 2000] m2 and ceilings outside [2, 12] m. Marks the tokens that it has used.
+// outside [1.5, 2000] m2 and ceilings outside [1.7, 12] m. Marks the tokens that it has used.
 absl::StatusOr<SizeRequest> ReadSize(const std::vector<Token>& tokens, const Handbook& handbook,
                                      std::vector<bool>& used);
 

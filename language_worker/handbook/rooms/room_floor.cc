@@ -14,6 +14,8 @@ namespace flair::language {
 
 namespace {
 
+constexpr double kLowestM = 2;  // ceiling
+
 // Of the floor of a further kind that a room is, what remains where ways are shared.
 constexpr double kShared = 0.8;
 
@@ -107,6 +109,11 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     }
     size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m {}.", size.width_m, size.depth_m,
                                   larger ? "has room for what it asks for" : "is usual for this " + archetype.name());
+  }
+  if (size.height_m < kLowestM) {
+    size.assumption += fmt::format("{}A ceiling at {:g} m is drawn at {:g} m, the lowest that a room may have.",
+                                   size.assumption.empty() ? "" : " ", size.height_m, kLowestM);
+    size.height_m = kLowestM;
   }
   return size;
 }
