@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "absl/strings/ascii.h"
 #include "absl/time/clock.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/results_file.h"

@@ -9,14 +9,11 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <thread>
 
-#include "absl/time/clock.h"
 #include "cli/batch/collector.h"
 #include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
-#include "cli/progress/progress.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/status/status_macros.h"

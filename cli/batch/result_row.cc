@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <map>
 
-#include "absl/strings/ascii.h"
 #include "absl/time/time.h"
 #include "cli/batch/results_file.h"
 #include "cli/output/artifact_text.h"

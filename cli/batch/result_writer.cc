@@ -17,7 +17,6 @@
 #include "cli/exit_code.h"
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "cli/bench/bench.h"
 #include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"

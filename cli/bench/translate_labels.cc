@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <sstream>
-#include <string>
 #include <utility>
 
 #include "cli/output/output_folder.h"
@@ -14,7 +12,6 @@
 #include "evaluation/readers/flairgpt_calls.h"
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
-#include "nlohmann/json.hpp"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <optional>
 
 #include "cli/batch/batch_input.h"
 #include "cli/batch/batch_run.h"

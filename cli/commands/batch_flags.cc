@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "orchestrator/batch/queue_config.h"
 #include "orchestrator/jetstream/open.h"

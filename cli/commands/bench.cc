@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "absl/time/clock.h"
 #include "cli/bench/complete_graph.h"

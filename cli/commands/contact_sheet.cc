@@ -8,7 +8,6 @@
 
 #include "absl/strings/ascii.h"
 #include "cli/commands/commands.h"
-#include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"

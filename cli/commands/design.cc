@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair design: a room from a sentence.
 #include <cstdio>
-#include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "cli/commands/commands.h"
-#include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/job_options.h"
 #include "cli/input/llm_flags.h"

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/exit_code.h"
 #include "cli/input/options.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/sentences/fill.h"

@@ -9,7 +9,6 @@
 #include "cli/contract/check.h"
 #include "cli/contract/target.h"
 #include "cli/exit_code.h"
-#include "cli/input/command_line.h"
 #include "cli/input/message_text.h"
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "cli/commands/commands.h"
-#include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/job_options.h"
 #include "cli/output/artifact_text.h"

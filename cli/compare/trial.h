@@ -2,7 +2,6 @@
 // Optimizers on the same problems, judged on one scale.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

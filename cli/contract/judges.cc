@@ -8,7 +8,6 @@
 
 #include "cli/contract/script.h"
 #include "evaluation/metrics/layout_metrics.h"
-#include "flair/v1/language_service.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/orchestrator_service.pb.h"
 #include "flair/v1/translator_service.pb.h"

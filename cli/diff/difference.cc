@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"

@@ -2,7 +2,6 @@
 #include "cli/embedded/embedded_services.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -10,7 +9,6 @@
 #include "absl/strings/str_split.h"
 #include "absl/time/clock.h"
 #include "cli/exit_code.h"
-#include "cli/input/service_flags.h"
 #include "flair/v1/language_service.grpc.pb.h"
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
@@ -18,7 +16,6 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
-#include "renderer_worker/service/make_renderer_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"

@@ -2,7 +2,6 @@
 // A layout graph as a diagram: nodes, links and rows, free of any drawing.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

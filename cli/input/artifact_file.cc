@@ -7,7 +7,6 @@
 #include <deque>
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "cli/input/field_path.h"

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <utility>
-#include <vector>
 
 #include "cli/input/artifact_file.h"
 #include "fmt/format.h"

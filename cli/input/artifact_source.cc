@@ -12,7 +12,6 @@
 #include "cli/session/session.h"
 #include "fmt/format.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/store/artifact_id.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "absl/strings/numbers.h"
 #include "cli/input/message_text.h"

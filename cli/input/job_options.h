@@ -4,7 +4,6 @@
 // (--restarts).
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/input/message_text.h"
 
-#include <google/protobuf/descriptor.h>
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
 #include <google/protobuf/util/json_util.h>
@@ -11,7 +10,6 @@
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <vector>
 
 #include "absl/status/statusor.h"
 #include "cli/exit_code.h"

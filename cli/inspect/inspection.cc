@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "cli/input/artifact_file.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
 #include "cli/output/report_text.h"

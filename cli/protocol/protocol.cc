@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
-#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/strings/ascii.h"

@@ -3,8 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <utility>
 
 #include "absl/time/clock.h"
@@ -12,7 +10,6 @@
 #include "cli/input/artifact_file.h"
 #include "cli/input/job_options.h"
 #include "cli/output/artifact_text.h"
-#include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
 #include "cli/output/text.h"
 #include "cli/progress/progress.h"

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <string_view>
 
 #include "absl/time/clock.h"
 #include "cli/output/output_folder.h"

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "evaluation/metrics/pathway.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/solids.h"
 #include "evaluation/metrics/uses.h"
-#include "flair/v1/report.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "room/conversion/conversion.h"
 #include "room/geometry/footprint.h"

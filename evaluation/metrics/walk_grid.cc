@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluation/metrics/walk_grid.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-
-#include "room/scene/room.h"
 
 namespace flair::evaluation {
 namespace {

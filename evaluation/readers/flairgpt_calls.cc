@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <sstream>
-#include <string>
 
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "language_worker/handbook/rooms/describe_room.h"
-#include "language_worker/model/object_size.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::language {

@@ -7,10 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <vector>
 
 #include "language_worker/model/model_handlers.h"
-#include "language_worker/recorded/recorded_answers.h"
 #include "llm/wrappers/folder_llm_clients.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -11,7 +11,6 @@
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/styling/choose_style.h"
-#include "language_worker/recorded/prompt_lines.h"
 
 namespace flair::language {
 namespace {

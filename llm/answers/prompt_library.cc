@@ -7,7 +7,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
 
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "llm/answers/field_facts.h"
 #include "llm/answers/utf8.h"
 #include "worker_runtime/text/counted.h"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/config/check_llm_config.h"
 
-#include <cmath>
-#include <string>
-
 #include "fmt/format.h"
 #include "llm/http/http_request.h"
 

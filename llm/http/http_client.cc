@@ -14,7 +14,6 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
-#include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {

@@ -9,10 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "absl/strings/match.h"
 #include "absl/strings/numbers.h"
 #include "absl/time/time.h"
-#include "llm/client/llm_client.h"
 #include "llm/openai/json_fields.h"
 
 namespace flair::llm {

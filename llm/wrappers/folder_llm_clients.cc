@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <utility>
 
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"

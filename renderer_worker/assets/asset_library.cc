@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/assets/asset_library.h"
 
-#include <cmath>
 #include <fstream>
 #include <set>
-#include <string>
 #include <system_error>
 #include <utility>
 

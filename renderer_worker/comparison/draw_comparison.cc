@@ -5,15 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
-#include <vector>
 
-#include "absl/status/statusor.h"
-#include "renderer_worker/drawing/canvas.h"
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/sheet.h"
 #include "renderer_worker/drawing/text.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -7,13 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <utility>
 
-#include "absl/status/status.h"
 #include "renderer_worker/drawing/canvas.h"
-#include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/text.h"
 #include "worker_runtime/status/status_macros.h"
 

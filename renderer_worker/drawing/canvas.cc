@@ -2,7 +2,6 @@
 #include "renderer_worker/drawing/canvas.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "renderer_worker/drawing/lettering.h"

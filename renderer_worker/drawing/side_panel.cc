@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"

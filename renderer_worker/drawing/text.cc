@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/drawing/text.h"
 
-#include <cmath>
 #include <memory>
 
 #include "renderer_worker/drawing/lettering.h"

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <deque>
-#include <span>
 #include <string>
 #include <utility>
 

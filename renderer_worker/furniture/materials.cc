@@ -6,8 +6,6 @@
 #include <cctype>
 #include <cmath>
 #include <map>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "renderer_worker/furniture/classes.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
-#include <utility>
 
 #include "renderer_worker/furniture/pieces_text.h"  // after script.h, whose types it takes
 

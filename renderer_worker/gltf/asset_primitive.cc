@@ -2,11 +2,9 @@
 #include "renderer_worker/gltf/asset_primitive.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 

@@ -3,13 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstring>
 #include <exception>
 #include <limits>
-#include <span>
 #include <sstream>
-#include <string_view>
 #include <utility>
 
 #include "fmt/format.h"

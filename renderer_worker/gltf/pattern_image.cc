@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <mutex>
-#include <vector>
 
 namespace flair::renderer::gltf {
 namespace {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/gltf/read_asset.h"
 
-#include <cmath>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include "fmt/format.h"
 #include "renderer_worker/gltf/asset_file.h"

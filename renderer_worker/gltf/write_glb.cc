@@ -3,21 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <map>
 #include <set>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "absl/status/status.h"
-#include "absl/status/statusor.h"
 #include "flair/v1/room.pb.h"
 #include "fmt/format.h"
 #include "renderer_worker/gltf/frame.h"
 #include "renderer_worker/gltf/mesh_book.h"
-#include "renderer_worker/scene/scene.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

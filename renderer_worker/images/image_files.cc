@@ -5,12 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
-#include <string>
-#include <vector>
 
 #include "renderer_worker/images/file_header.h"
 #include "worker_runtime/status/status_macros.h"

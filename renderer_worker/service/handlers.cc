@@ -5,18 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
-#include "absl/status/statusor.h"
-#include "flair/v1/renderer_service.pb.h"
 #include "renderer_worker/comparison/draw_comparison.h"
 #include "renderer_worker/drawing/draw_plan.h"
-#include "renderer_worker/images/image_files.h"
-#include "renderer_worker/scene/scene.h"
 #include "renderer_worker/tracing/trace_view.h"
 #include "room/validation/validate.h"
-#include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 

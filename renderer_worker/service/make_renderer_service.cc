@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <optional>
-#include <string>
 #include <thread>
 #include <utility>
 
@@ -14,16 +12,13 @@
 #include "absl/strings/strip.h"
 #include "absl/time/time.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
-#include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/worker_service.pb.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/images/image_files.h"
 #include "renderer_worker/service/handlers.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
-#include "worker_runtime/logging/log.h"
 #include "worker_runtime/metrics/metrics.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/tracing/lighting.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>

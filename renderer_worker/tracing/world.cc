@@ -5,7 +5,6 @@
 
 #include <unordered_map>
 
-#include "renderer_worker/tracing/sampling.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

@@ -2,13 +2,11 @@
 // What a traced view costs. CPU columns are of the whole process, threads included.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstdlib>
 
 #include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/scene/room_shape.h"
-#include "renderer_worker/tracing/radiosity.h"
 #include "renderer_worker/tracing/trace_view.h"
 
 namespace flair::renderer {

@@ -2,7 +2,6 @@
 // Calls of an orchestrator by their names, for tests that make all of them.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>

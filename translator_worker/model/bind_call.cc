@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "fmt/format.h"
 #include "llm/answers/fault.h"
-#include "llm/answers/field_facts.h"
 #include "translator_worker/catalog/catalog_index.h"
 #include "worker_runtime/status/status_macros.h"
 

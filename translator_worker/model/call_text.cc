@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "fmt/format.h"
 #include "llm/answers/fault.h"

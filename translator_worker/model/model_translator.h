@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/config/v1/translator_worker_config.pb.h"

@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "fmt/format.h"
 #include "llm/answers/field_facts.h"

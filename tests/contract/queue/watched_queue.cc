@@ -6,8 +6,6 @@
 #include <chrono>
 #include <utility>
 
-#include "orchestrator/store/artifact_id.h"
-
 namespace flair::testing {
 namespace {
 
