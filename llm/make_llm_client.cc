@@ -31,7 +31,7 @@ absl::Status Check(const LlmConfig& config) {
 absl::StatusOr<std::string> ReadVariable(const char* field, const std::string& name) {
   const char* value = std::getenv(name.c_str());
   if (value != nullptr && *value != '\0') return std::string(value);
-  return absl::FailedPreconditionError(fmt::format("llm.{}: the environment variable {} is not set", field, name));
+  return FailedPrecondition("llm.{}: the environment variable {} is not set", field, name);
 }
 
 absl::StatusOr<std::string> ReadKey(const LlmConfig& config) {
@@ -41,8 +41,7 @@ absl::StatusOr<std::string> ReadKey(const LlmConfig& config) {
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   absl::StripAsciiWhitespace(&text);
   if (!text.empty() && text.size() <= 10000) return text;
-  return absl::FailedPreconditionError(
-      fmt::format("llm.api_key_path: {}: holds no key, or cannot be read", config.api_key_path()));
+  return FailedPrecondition("llm.api_key_path: {}: holds no key, or cannot be read", config.api_key_path());
 }
 
 absl::StatusOr<OpenAiOptions> MakeOpenAiOptions(const LlmConfig& config) {

@@ -56,7 +56,7 @@ absl::Status CheckKind(const std::string& name, const std::string& beginning) {
   std::string kind = ForeignKind(beginning);
   if (kind.starts_with("compressed")) kind += ", which zcat, zstdcat or xzcat FILE | flair batch - --out DIR unpacks";
   if (kind.empty() || kind == "text") return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format("{}: is {}; expected text with one brief per line", name, kind));
+  return InvalidArgument("{}: is {}; expected text with one brief per line", name, kind);
 }
 
 // Reads the file to its end, and copies it to `copy` when there is one (>= 0).
@@ -72,7 +72,7 @@ absl::Status Digest(int file, const std::string& name, int copy, runtime::Cancel
     if (count == 0) {
       input.sha256 = digest.Hex();
       if (input.size_bytes > 0) return absl::OkStatus();
-      return absl::InvalidArgumentError(fmt::format("{}: is empty; expected one brief per line", name));
+      return InvalidArgument("{}: is empty; expected one brief per line", name);
     }
     bytes.resize(static_cast<size_t>(count));
     if (input.size_bytes == 0) {
@@ -93,7 +93,7 @@ absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::f
   const std::string name = standard ? "standard input" : given;
   const int file = standard ? STDIN_FILENO : ::open(given.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0 && errno == ENOENT) {
-    return absl::NotFoundError(fmt::format("{}: no such file; expected a file with one brief per line, or -", given));
+    return NotFound("{}: no such file; expected a file with one brief per line, or -", given);
   }
   struct stat status = {};
   if (file < 0 || ::fstat(file, &status) != 0) return Cannot("read", name);
@@ -141,7 +141,7 @@ absl::StatusOr<std::unique_ptr<LineReader>> LineReader::Open(const std::filesyst
                                                              int64_t number) {
   errno = 0;
   std::unique_ptr<LineReader> reader(new LineReader(path, offset, number));
-  if (errno == ENOENT) return absl::NotFoundError(fmt::format("{}: no such file", path.string()));
+  if (errno == ENOENT) return NotFound("{}: no such file", path.string());
   reader->file_.seekg(offset);
   if (reader->file_.fail()) return CannotRead(path);
   return reader;
@@ -209,9 +209,8 @@ absl::StatusOr<BatchPlace> BatchFolder::ReadPlace(const std::filesystem::path& p
   ASSIGN_OR_RETURN(const std::unique_ptr<ResultsFile> results, ResultsFile::OpenToRead(ResultsPath(path)));
   absl::StatusOr<BatchPlace> place = Read(*results);
   if (!place.ok() || !place->batch_id.empty()) return place;
-  return absl::NotFoundError(
-      fmt::format("{}: its batch was never created; give the file of briefs again: flair batch FILE --out {}",
-                  path.string(), path.string()));
+  return NotFound("{}: its batch was never created; give the file of briefs again: flair batch FILE --out {}",
+                  path.string(), path.string());
 }
 
 absl::StatusOr<std::unique_ptr<BatchFolder>> BatchFolder::Hold(const std::filesystem::path& path) {

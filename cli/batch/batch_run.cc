@@ -191,9 +191,9 @@ std::string NameOfBatch(const v1::Batch& batch) {
 
 absl::Status Confirm(const v1::Batch& batch) {
   if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
-    return absl::InvalidArgumentError(
-        fmt::format("--yes: missing; this deletes {} of batch {} for good, and there is no terminal to confirm it",
-                    Counted(batch.job_count(), "job"), batch.id()));
+    return InvalidArgument(
+        "--yes: missing; this deletes {} of batch {} for good, and there is no terminal to confirm it",
+        Counted(batch.job_count(), "job"), batch.id());
   }
   fmt::print(stderr, "Delete batch {} with {} and the artifacts that no other job has? This cannot be undone. [y/N] ",
              NameOfBatch(batch), Counted(batch.job_count(), "job"));

@@ -43,7 +43,7 @@ std::optional<json> Take(json& object, std::initializer_list<const char*> names)
 absl::Status Wrong(std::string_view field, const json& value, std::string_view right) {
   std::string shown = JsonText(value);
   if (shown.size() > 80) shown = shown.substr(0, 77) + "...";
-  return absl::InvalidArgumentError(fmt::format("{}: is {}; {}", field, shown, right));
+  return InvalidArgument("{}: is {}; {}", field, shown, right);
 }
 
 absl::Status ReadKey(const std::optional<json>& value, std::string& key) {
@@ -91,15 +91,14 @@ absl::Status ReadViews(const std::optional<json>& value, v1::JobSpec& spec) {
 absl::Status ReadBrief(json& object, v1::JobSpec& spec) {
   const std::optional<json> brief = Take(object, {"brief"});
   if (brief.has_value() && !object.empty()) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not beside \"brief\", which has the brief's own fields; a line may have brief, id, variants, "
-                    "views, solve, render, models, replay",
-                    object.begin().key()));
+    return InvalidArgument(
+        "{}: not beside \"brief\", which has the brief's own fields; a line may have brief, id, variants, "
+        "views, solve, render, models, replay",
+        object.begin().key());
   }
   absl::Status status = SetFromJson(brief.value_or(object), brief.has_value() ? "brief" : "", *spec.mutable_brief());
   if (status.ok() || brief.has_value() || !absl::StrContains(status.message(), "has no field")) return status;
-  return absl::InvalidArgumentError(
-      fmt::format("{}; and a line may have id, variants, views, solve, render, models", std::string(status.message())));
+  return InvalidArgument("{}; and a line may have id, variants, views, solve, render, models", status.message());
 }
 
 absl::Status ReadObject(json object, BriefLine& line) {
@@ -129,7 +128,7 @@ absl::Status ReadObject(json object, BriefLine& line) {
 
 absl::Status ReadJson(std::string_view text, BriefLine& line) {
   if (!NestsWithin(text, kDeepest)) {
-    return absl::InvalidArgumentError(fmt::format("nests deeper than {} levels", kDeepest));
+    return InvalidArgument("nests deeper than {} levels", kDeepest);
   }
   json value = json::parse(text, nullptr, false);
   if (value.is_discarded()) {
@@ -137,8 +136,7 @@ absl::Status ReadJson(std::string_view text, BriefLine& line) {
     const absl::Status status = ParseJsonMessage("", std::string(text), nothing);  // says where and why
     std::string_view words(status.message().data(), status.message().size());
     if (words.starts_with(":1: ")) words.remove_prefix(4);
-    return absl::InvalidArgumentError(
-        fmt::format("is not JSON: {}; a line that begins with {} is read as JSON", words, text.front()));
+    return InvalidArgument("is not JSON: {}; a line that begins with {} is read as JSON", words, text.front());
   }
   if (value.is_object()) return ReadObject(std::move(value), line);
   line.spec.mutable_brief()->set_text(value.get<std::string>());
@@ -263,8 +261,8 @@ bool NestsWithin(std::string_view json, int most) {
 
 absl::Status SetFromJson(const json& object, std::string_view path, Message& message) {
   if (!object.is_object()) {
-    return absl::InvalidArgumentError(fmt::format("{}: is {}; expected an object of {}", path,
-                                                  JsonText(object).substr(0, 80), message.GetDescriptor()->name()));
+    return InvalidArgument("{}: is {}; expected an object of {}", path, JsonText(object).substr(0, 80),
+                           message.GetDescriptor()->name());
   }
   json spelt = object;
   SpellOutWords(*message.GetDescriptor(), spelt);

@@ -299,8 +299,8 @@ absl::StatusOr<KeptFiles> KeptFiles::Parse(const std::string& text) {
       continue;
     }
     if (std::ranges::find(known, word) == known.end()) {
-      return absl::InvalidArgumentError(fmt::format("--keep: {}: no such file{}; one of {}, all, none", word,
-                                                    DidYouMean(word, known), absl::StrJoin(known, ", ")));
+      return InvalidArgument("--keep: {}: no such file{}; one of {}, all, none", word, DidYouMean(word, known),
+                             absl::StrJoin(known, ", "));
     }
     kept.words_.insert(word);
   }

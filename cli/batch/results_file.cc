@@ -90,8 +90,7 @@ absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::Open(const std::filesy
 absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::OpenToRead(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
-    return absl::NotFoundError(
-        fmt::format("{}: no such file; expected results.db of flair batch --out", path.string()));
+    return NotFound("{}: no such file; expected results.db of flair batch --out", path.string());
   }
   return Open(path);
 }

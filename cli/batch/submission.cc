@@ -60,13 +60,13 @@ void Submission::Take(const Line& line) {
   next_offset_ = line.end_offset;
   next_line_ = line.number + 1;
   if (absl::StripAsciiWhitespace(absl::string_view(line.text.data(), line.text.size())).empty()) return;
-  absl::StatusOr<BriefLine> read =
-      line.too_long ? absl::InvalidArgumentError(fmt::format("is longer than {} MiB", LineReader::kLongestLine >> 20))
-                    : ReadBriefLine(line.text, options_.defaults);
+  absl::StatusOr<BriefLine> read = line.too_long
+                                       ? InvalidArgument("is longer than {} MiB", LineReader::kLongestLine >> 20)
+                                       : ReadBriefLine(line.text, options_.defaults);
   const int64_t first_seed = read.ok() ? read->spec.brief().seed() : 0;
   if (read.ok() && first_seed + options_.seed_count > kSeedLimit) {
-    read = absl::InvalidArgumentError(fmt::format("seed: is {}; with {} seeds expected at most 2^53 - {}", first_seed,
-                                                  options_.seed_count, options_.seed_count));
+    read = InvalidArgument("seed: is {}; with {} seeds expected at most 2^53 - {}", first_seed, options_.seed_count,
+                           options_.seed_count);
   }
   if (!read.ok()) {
     rejected_.Add(line.number, std::string(read.status().message()), line.text);
@@ -178,9 +178,9 @@ absl::Status Submission::Run(const v1::Batch& batch) {
     RETURN_IF_ERROR(SendPage(false));
   }
   if (next_offset_ != input_.size_bytes) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: changed while it was being read: {} bytes, now {}; try again with a file that does not change",
-                    input_.path.string(), input_.size_bytes, next_offset_));
+    return InvalidArgument(
+        "{}: changed while it was being read: {} bytes, now {}; try again with a file that does not change",
+        input_.path.string(), input_.size_bytes, next_offset_);
   }
   return SendPage(true);
 }

@@ -33,8 +33,8 @@ absl::StatusOr<std::vector<ProblemFile>> ListProblemFiles(const fs::path& path) 
       files.push_back({file.filename().string(), graph});
     }
   }
-  if (error) return absl::NotFoundError(fmt::format("{}: {}", path.string(), error.message()));
-  if (files.empty()) return absl::NotFoundError(fmt::format("{}: no .json or .pb files in it", path.string()));
+  if (error) return NotFound("{}: {}", path.string(), error.message());
+  if (files.empty()) return NotFound("{}: no .json or .pb files in it", path.string());
   std::sort(files.begin(), files.end(), [](const ProblemFile& a, const ProblemFile& b) { return a.path < b.path; });
   return files;
 }
@@ -55,8 +55,7 @@ absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file) {
   if (artifact.ok()) return absl::InvalidArgumentError("an artifact, but neither a graph nor a layout");
   absl::StatusOr<v1::LayoutGraph> recorded = evaluation::ReadFlairGptRoom(text);
   if (!recorded.ok()) {
-    return absl::InvalidArgumentError(fmt::format("neither a graph, nor a layout, nor a recorded problem: {}",
-                                                  std::string(recorded.status().message())));
+    return InvalidArgument("neither a graph, nor a layout, nor a recorded problem: {}", recorded.status().message());
   }
   problem.graph = *std::move(recorded);
   absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(text, problem.graph);

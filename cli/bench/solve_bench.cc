@@ -8,6 +8,7 @@
 #include "fmt/format.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -209,8 +210,7 @@ absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1:
     wall_s.push_back(Wall_s() - wall);
     if (!result.ok()) return result.status();
     if (i > 0 && result->layout.SerializeAsString() != measure.layout.SerializeAsString()) {
-      return absl::InternalError(
-          fmt::format("solve {} of {} gave another layout than the ones before", i + 1, repeats));
+      return Internal("solve {} of {} gave another layout than the ones before", i + 1, repeats);
     }
     measure.layout = std::move(result->layout);
     tallies = runner.tallies();

@@ -37,7 +37,7 @@ absl::Status AddObjects(const json& objects, const FlairGptFunction& function, c
     const bool list = parameter.kind == FlairGptKind::kFloorObjects;
     const bool one = parameter.kind == FlairGptKind::kFloorObject || parameter.kind == FlairGptKind::kItem;
     if ((!list && !one) || (!parameter.required && next >= objects.size())) continue;
-    if (next >= objects.size()) return absl::InvalidArgumentError(fmt::format("objects: too few for {}", edge.type()));
+    if (next >= objects.size()) return InvalidArgument("objects: too few for {}", edge.type());
     v1::ArgumentValue& value = *AddArgument(parameter.name, edge).mutable_value();
     do {
       ASSIGN_OR_RETURN(const std::string id, ReadGoldObject(objects[next++], room));
@@ -46,14 +46,14 @@ absl::Status AddObjects(const json& objects, const FlairGptFunction& function, c
     } while (list && next < objects.size());
   }
   if (next == objects.size()) return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format("objects: too many for {}", edge.type()));
+  return InvalidArgument("objects: too many for {}", edge.type());
 }
 
 absl::Status AddParameter(const std::string& name, const json& given, const FlairGptFunction& function,
                           const v1::LayoutGraph& room, v1::ConstraintEdge& edge) {
   const std::string keyword = name == "type" ? "fixed_object_type" : name == "zone" ? "region_name" : name;
   const int position = evaluation::PositionOfKeyword(keyword, function);
-  if (position < 0) return absl::InvalidArgumentError(fmt::format("params: {} has no {}", edge.type(), name));
+  if (position < 0) return InvalidArgument("params: {} has no {}", edge.type(), name);
   const std::string object = edge.arguments_size() > 0 ? edge.arguments(0).value().text() : "";
   absl::StatusOr<std::optional<v1::Argument>> argument =
       evaluation::FlairGptArguments(room).Read(function.parameters[position], given, object);
@@ -73,8 +73,8 @@ absl::StatusOr<std::vector<fs::path>> LabelFiles(const fs::path& path) {
   for (const auto& entry : fs::directory_iterator(path, error)) {
     if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
   }
-  if (error) return absl::NotFoundError(fmt::format("{}: {}", path.string(), error.message()));
-  if (files.empty()) return absl::NotFoundError(fmt::format("{}: no .jsonl files in it", path.string()));
+  if (error) return NotFound("{}: {}", path.string(), error.message());
+  if (files.empty()) return NotFound("{}: no .jsonl files in it", path.string());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -95,13 +95,12 @@ struct Line {
 absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
   for (const char* key : {"list", "sentence"}) {
     if (!record.contains(key) || !record[key].is_string()) {
-      return absl::InvalidArgumentError(fmt::format("{}: missing; expected a text", key));
+      return InvalidArgument("{}: missing; expected a text", key);
     }
   }
   Line line{record.value("bullet", record["sentence"].get<std::string>()), record["list"], {}, {}};
   if (std::find(std::begin(kLists), std::end(kLists), line.list) == std::end(kLists)) {
-    return absl::InvalidArgumentError(
-        fmt::format("list: unknown list {}; known are {}", line.list, fmt::join(kLists, ", ")));
+    return InvalidArgument("list: unknown list {}; known are {}", line.list, fmt::join(kLists, ", "));
   }
   for (const json& index : record.value("subject_index", json::array())) {
     ASSIGN_OR_RETURN(std::string id, ReadGoldObject(index, room));
@@ -185,8 +184,7 @@ class Reader {
       index_[name] = labels_.rooms.size() - 1;
       return &(graphs_[name] = std::move(graph));
     }
-    return absl::NotFoundError(
-        fmt::format("room: no {}.json in {}; name its folder with --rooms", name, folders_[0].string()));
+    return NotFound("room: no {}.json in {}; name its folder with --rooms", name, folders_[0].string());
   }
 
   // Lines of one bullet are facts of one sentence.
@@ -221,18 +219,17 @@ absl::StatusOr<std::string> ReadGoldObject(const json& index, const v1::LayoutGr
   const auto& objects = room.object_list().objects();
   const bool known = std::any_of(objects.begin(), objects.end(), [&](const auto& object) { return object.id() == id; });
   if (known) return id;
-  return absl::NotFoundError(
-      fmt::format("the room has no object {}; expected an index such as 3 or \"t3\"", Text(index)));
+  return NotFound("the room has no object {}; expected an index such as 3 or \"t3\"", Text(index));
 }
 
 absl::StatusOr<v1::ConstraintEdge> ReadGoldCall(const json& call, const v1::LayoutGraph& room) {
   if (!call.is_object() || !call.contains("function") || !call["function"].is_string() || !call.contains("objects") ||
       !call["objects"].is_array()) {
-    return absl::InvalidArgumentError(fmt::format("gold: {} is not a call with function and objects", Text(call)));
+    return InvalidArgument("gold: {} is not a call with function and objects", Text(call));
   }
   const std::string name = call["function"];
   const FlairGptFunction* function = evaluation::FindFlairGptFunction(evaluation::CanonicalFlairGptName(name));
-  if (function == nullptr) return absl::NotFoundError(fmt::format("gold: unknown function {}", name));
+  if (function == nullptr) return NotFound("gold: unknown function {}", name);
   v1::ConstraintEdge edge;
   edge.set_type(function->type);
   RETURN_IF_ERROR(AddObjects(call["objects"], *function, room, edge));

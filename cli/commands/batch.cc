@@ -113,7 +113,7 @@ absl::Status Submit(const BatchArguments& arguments) {
   for (const auto& [name, value] :
        {std::pair("BRIEFS, or one of the subcommands", &arguments.briefs), std::pair("--out", &arguments.out)}) {
     if (!value->empty()) continue;
-    return absl::InvalidArgumentError(fmt::format("{}: missing; flair batch --help says more", name));
+    return InvalidArgument("{}: missing; flair batch --help says more", name);
   }
   ASSIGN_OR_RETURN(const v1::JobSpec defaults, MakeDefaults(arguments));
   ASSIGN_OR_RETURN(const KeptFiles kept, arguments.collect.Kept());

@@ -117,8 +117,8 @@ absl::Status RetryBatch(const RetryArguments& arguments, const NamedBatch& named
   for (const std::string& word : arguments.kinds) {
     const auto* const kind = FindWord(*v1::FailureKind_descriptor(), word);
     if (kind == nullptr) {
-      return absl::InvalidArgumentError(fmt::format("--kind: {}: no such kind of failure; expected one of {}", word,
-                                                    absl::StrJoin(ShortWords(*v1::FailureKind_descriptor()), ", ")));
+      return InvalidArgument("--kind: {}: no such kind of failure; expected one of {}", word,
+                             absl::StrJoin(ShortWords(*v1::FailureKind_descriptor()), ", "));
     }
     request.add_kinds(static_cast<v1::FailureKind>(kind->number()));
   }
@@ -142,7 +142,7 @@ absl::Status RetryBatch(const RetryArguments& arguments, const NamedBatch& named
 absl::StatusOr<std::unique_ptr<BatchFolder>> HoldFolder(const WatchArguments& arguments, const NamedBatch& named) {
   const std::string path = arguments.out.empty() ? named.folder.string() : arguments.out;
   if (path.empty()) {
-    return absl::InvalidArgumentError(fmt::format("{}: names no folder to collect into; give --out DIR", arguments.id));
+    return InvalidArgument("{}: names no folder to collect into; give --out DIR", arguments.id);
   }
   absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(path);
   if (!folder.ok()) return folder;

@@ -38,10 +38,10 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchPlaceFlags& flags, const BatchR
   RETURN_IF_ERROR(CheckEngineFlags(flags.engine, flags.orchestrator));
   const std::optional<int> parallel = runs == nullptr ? std::nullopt : runs->parallel;
   if (parallel.has_value() && !flags.orchestrator.empty()) {
-    return absl::InvalidArgumentError(
-        fmt::format("--parallel {}: not with --orchestrator {}, whose config says how many jobs it runs: "
-                    "running_job_limit",
-                    *parallel, flags.orchestrator));
+    return InvalidArgument(
+        "--parallel {}: not with --orchestrator {}, whose config says how many jobs it runs: "
+        "running_job_limit",
+        *parallel, flags.orchestrator);
   }
   config::v1::OrchestratorConfig config;
   SetEngine(flags.engine, config);
@@ -96,9 +96,8 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session) 
   if (exact.ok()) return found;
   if (!absl::IsNotFound(exact.status()) && !absl::IsInvalidArgument(exact.status())) return exact.status();
   if (!found.folder.empty()) {
-    return absl::NotFoundError(
-        fmt::format("{}: its batch {} is unknown to {}; say where it is with --orchestrator or --engine", name, id,
-                    session.address()));
+    return NotFound("{}: its batch {} is unknown to {}; say where it is with --orchestrator or --engine", name, id,
+                    session.address());
   }
   ASSIGN_OR_RETURN(const std::vector<v1::Batch> all, session.ListBatches(kSearchedBatches));
   std::vector<v1::Batch> fitting;
@@ -111,14 +110,13 @@ absl::StatusOr<NamedBatch> FindBatch(const std::string& name, Session& session) 
     return found;
   }
   if (fitting.empty()) {
-    return absl::NotFoundError(
-        fmt::format("{}: no batch has an id that begins like this, and no folder of that name has results.db; flair "
-                    "batch list shows all",
-                    name));
+    return NotFound(
+        "{}: no batch has an id that begins like this, and no folder of that name has results.db; flair "
+        "batch list shows all",
+        name);
   }
-  return absl::InvalidArgumentError(
-      fmt::format("{}: {} batches have ids that begin like this, such as {} and {}; give more characters", name,
-                  fitting.size(), fitting[0].id(), fitting[1].id()));
+  return InvalidArgument("{}: {} batches have ids that begin like this, such as {} and {}; give more characters", name,
+                         fitting.size(), fitting[0].id(), fitting[1].id());
 }
 
 }  // namespace flair::cli

@@ -107,8 +107,7 @@ absl::Status KeepOnly(const std::vector<std::string>& names, std::vector<Problem
     if (std::ranges::find(files, name, &ProblemFile::name) != files.end()) continue;
     std::vector<std::string> known;
     for (const ProblemFile& file : files) known.push_back(file.name);
-    return absl::NotFoundError(
-        fmt::format("--only: {}: no such problem in the folder; there are {}", name, ListNames(known, kShownNames)));
+    return NotFound("--only: {}: no such problem in the folder; there are {}", name, ListNames(known, kShownNames));
   }
   if (names.empty()) return absl::OkStatus();
   std::erase_if(files, [&](const ProblemFile& file) { return std::ranges::find(names, file.name) == names.end(); });
@@ -270,9 +269,8 @@ absl::StatusOr<OptionalLlm> ReadModel(const BenchTranslateArguments& arguments) 
   const std::string given = arguments.llm.Given();
   if (given.empty()) return OptionalLlm();
   if (arguments.address.empty()) return ReadLlmFlags(arguments.llm);
-  return absl::InvalidArgumentError(
-      fmt::format("{}: not with --translator {}, which has its own model or none; name the model in its config", given,
-                  arguments.address));
+  return InvalidArgument("{}: not with --translator {}, which has its own model or none; name the model in its config",
+                         given, arguments.address);
 }
 
 absl::StatusOr<TranslateScore> Measure(const std::vector<LabelledRoom>& rooms, const v1::ConstraintCatalog& catalog,
@@ -310,8 +308,8 @@ absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
   fmt::print("{}", TranslateScoreText(score, cpu_ms));
   std::fflush(stdout);
   if (labels.failures.empty()) return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format(
-      "{} could not be measured", Counted(std::ssize(labels.failures), "line of labels", "lines of labels")));
+  return InvalidArgument("{} could not be measured",
+                         Counted(std::ssize(labels.failures), "line of labels", "lines of labels"));
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ absl::StatusOr<Contest> Run(const CompareArguments& arguments, const std::string
 
 absl::Status CheckGraph(const std::string& name, const v1::Artifact& artifact) {
   if (artifact.has_layout_graph()) return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format(
-      "{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt, or a folder of designs", name));
+  return InvalidArgument(
+      "{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt, or a folder of designs", name);
 }
 
 absl::Status DrawPicture(const CompareArguments& arguments, const Contest& contest) {
@@ -143,10 +143,10 @@ absl::Status CompareFolder(const CompareArguments& arguments, const v1::SolveOpt
 
 absl::Status Compare(const CompareArguments& arguments) {
   if (arguments.optimizers.size() < 2 || arguments.optimizers.size() > kMostOptimizers) {
-    return absl::InvalidArgumentError(
-        fmt::format("--optimizer: {}; give it for each of two to {} optimizers, such as "
-                    "--optimizer own --optimizer 127.0.0.1:50053",
-                    arguments.optimizers.size(), kMostOptimizers));
+    return InvalidArgument(
+        "--optimizer: {}; give it for each of two to {} optimizers, such as "
+        "--optimizer own --optimizer 127.0.0.1:50053",
+        arguments.optimizers.size(), kMostOptimizers);
   }
   ASSIGN_OR_RETURN(const v1::SolveOptions options, ReadSolveFlags(arguments.solve));
   // All must be there before the first begins to work.
@@ -157,8 +157,7 @@ absl::Status Compare(const CompareArguments& arguments) {
   const bool is_folder = fs::is_directory(arguments.graph);
   if (!arguments.picture.empty()) {
     if (is_folder) {
-      return absl::InvalidArgumentError(
-          fmt::format("--picture: {} is a folder; a picture shows one graph", arguments.graph));
+      return InvalidArgument("--picture: {} is a folder; a picture shows one graph", arguments.graph);
     }
     RETURN_IF_ERROR(CheckPicture({arguments.picture, arguments.size_px, {}, {}}));
   }
@@ -225,8 +224,7 @@ absl::Status Diff(const DiffArguments& arguments) {
   if (!difference.ok()) return About(fmt::format("{} and {}", arguments.a, arguments.b), difference.status());
   if (!arguments.picture.empty()) {
     if (!a.has_solved_layout()) {
-      return absl::InvalidArgumentError(
-          fmt::format("--picture: {} is not a layout; only layouts can be drawn", arguments.a));
+      return InvalidArgument("--picture: {} is not a layout; only layouts can be drawn", arguments.a);
     }
     RETURN_IF_ERROR(DrawPicture(arguments, a, b, *difference));
   }
@@ -263,16 +261,15 @@ absl::StatusOr<std::string> FormatOf(const std::string& out) {
   for (const char* format : {"svg", "png", "pdf", "dot"}) {
     if (ending == std::string(".") + format) return format;
   }
-  return absl::InvalidArgumentError(
-      fmt::format("--out: {}: its extension chooses the format: svg, png, pdf, dot", out));
+  return InvalidArgument("--out: {}: its extension chooses the format: svg, png, pdf, dot", out);
 }
 
 absl::StatusOr<Diagram> ReadDiagram(const GraphArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact artifact, OpenArtifact(arguments.graph, arguments.source));
   if (artifact.has_solved_layout()) return DiagramOf(artifact.solved_layout());
   if (artifact.has_layout_graph()) return DiagramOf(artifact.layout_graph());
-  return absl::InvalidArgumentError(
-      fmt::format("{}: neither a layout nor a graph; give the layout.pb or graph.pb of a design", arguments.graph));
+  return InvalidArgument("{}: neither a layout nor a graph; give the layout.pb or graph.pb of a design",
+                         arguments.graph);
 }
 
 absl::Status Graph(const GraphArguments& arguments) {

@@ -126,8 +126,8 @@ class Sheet {
     std::error_code error;
     const uintmax_t size = fs::file_size(path, error);
     if (!error && size > kLargestPictureBytes) {
-      return absl::InvalidArgumentError(
-          fmt::format("{} has {} MiB; at most {}", path.filename().string(), size >> 20, kLargestPictureBytes >> 20));
+      return InvalidArgument("{} has {} MiB; at most {}", path.filename().string(), size >> 20,
+                             kLargestPictureBytes >> 20);
     }
     ASSIGN_OR_RETURN(std::string bytes, ReadFile(path));
     tile.set_image(std::move(bytes));
@@ -148,8 +148,7 @@ absl::StatusOr<v1::ContactSheetOptions> MakeOptions(const ContactSheetArguments&
   const absl::StatusOr<v1::PreviewFormat> format = FormatOfFile(arguments.out);
   if (!format.ok() || *format == v1::PREVIEW_FORMAT_EXR || *format == v1::PREVIEW_FORMAT_SVG ||
       *format == v1::PREVIEW_FORMAT_PDF) {
-    return absl::InvalidArgumentError(
-        fmt::format("--out: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff", arguments.out));
+    return InvalidArgument("--out: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff", arguments.out);
   }
   options.set_format(*format);
   return options;
@@ -270,15 +269,15 @@ absl::Status ExportSceneState(const ExportSceneStateArguments& arguments) {
 
 absl::Status ExportGlb(const ExportGlbArguments& arguments) {
   if (!arguments.format.empty() && arguments.format != "glb") {
-    return absl::InvalidArgumentError(fmt::format(
-        "--format: {}: is not a scene format; expected glb (for SceneEval: flair export sceneeval)", arguments.format));
+    return InvalidArgument("--format: {}: is not a scene format; expected glb (for SceneEval: flair export sceneeval)",
+                           arguments.format);
   }
   std::string ending = std::filesystem::path(arguments.out).extension().string();
   absl::AsciiStrToLower(&ending);
   if (!ending.empty() && ending != ".glb") {
-    return absl::InvalidArgumentError(
-        fmt::format("--out: {}: scenes are written as .glb (binary glTF 2.0); Blender turns that into USD, FBX or OBJ",
-                    arguments.out));
+    return InvalidArgument(
+        "--out: {}: scenes are written as .glb (binary glTF 2.0); Blender turns that into USD, FBX or OBJ",
+        arguments.out);
   }
   return ExportScene(arguments, v1::SCENE_FORMAT_GLB);
 }

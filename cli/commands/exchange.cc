@@ -45,12 +45,11 @@ absl::Status ImportFlairGpt(const ImportFlairGptArguments& arguments) {
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
   if (!graph.ok()) {
-    return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.in, std::string(graph.status().message())));
+    return InvalidArgument("{}: {}", arguments.in, graph.status().message());
   }
   if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(*graph));
   if (const absl::Status good = Validate(*graph); !good.ok()) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not a graph that can be solved: {}", arguments.in, std::string(good.message())));
+    return InvalidArgument("{}: not a graph that can be solved: {}", arguments.in, good.message());
   }
   RETURN_IF_ERROR(WriteOutputFile(arguments.out, GraphArtifactBytes(*graph, "import flairgpt", runtime::BuildName())));
   for (const v1::Diagnostic& diagnostic : graph->diagnostics())
@@ -71,7 +70,7 @@ struct ExportFlairGptArguments : Options {
 absl::Status ExportFlairGpt(const ExportFlairGptArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact artifact, ReadArtifact(arguments.in));
   if (!artifact.has_solved_layout()) {
-    return absl::InvalidArgumentError(fmt::format("{}: not a layout; give a layout.pb of flair solve", arguments.in));
+    return InvalidArgument("{}: not a layout; give a layout.pb of flair solve", arguments.in);
   }
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   const std::string name =
@@ -132,8 +131,8 @@ absl::Status CheckFolder(const ImportAnswersArguments& arguments, const language
   const absl::StatusOr<std::string> there = llm::AnswerFolder(arguments.out).Identity();
   const std::string identity = language::RecordedRoomClient(room, handbook).identity();
   if (there.ok() && *there != identity) {
-    return absl::FailedPreconditionError(fmt::format(
-        "{}: holds answers of \"{}\", not of \"{}\"; choose another folder", arguments.out, *there, identity));
+    return FailedPrecondition("{}: holds answers of \"{}\", not of \"{}\"; choose another folder", arguments.out,
+                              *there, identity);
   }
   // The same recording again replaces its own files.
   if (there.ok()) return CheckOutputFolder(arguments.out, {});
@@ -200,7 +199,7 @@ absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
   ASSIGN_OR_RETURN(const std::string text, ReadFile(arguments.room));
   const absl::StatusOr<language::RecordedRoom> room = language::ReadRecordedRoom(text);
   if (!room.ok()) {
-    return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.room, std::string(room.status().message())));
+    return InvalidArgument("{}: {}", arguments.room, room.status().message());
   }
   ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder()));
   ASSIGN_OR_RETURN(const auto prompts,

@@ -124,7 +124,7 @@ absl::Status Check(const CheckArguments& arguments) {
   for (const std::string& fault : faults) fmt::print(stdout, "{}\n", fault);
   for (const std::string& note : findings.notes) fmt::print(stdout, "note: {}\n", note);
   if (!faults.empty()) {
-    return absl::InvalidArgumentError(fmt::format("{}: {}", folders.back(), Counted(faults.size(), "fault")));
+    return InvalidArgument("{}: {}", folders.back(), Counted(faults.size(), "fault"));
   }
   const hb::Handbook& all = findings.handbook->contents();
   fmt::print(stdout, "{}: no faults; {} understood. With ours: {}, {}, {}. Version {}\n", folders.back(),

@@ -54,7 +54,7 @@ std::string FormatOf(const InspectArguments& arguments) {
 
 absl::Status CheckFormat(const std::string& format) {
   if (format.empty() || format == "text" || format == "json" || format == "textproto") return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format("--format: \"{}\"; one of text, json, textproto", format));
+  return InvalidArgument("--format: \"{}\"; one of text, json, textproto", format);
 }
 
 // What stays good of an artifact that is not whole or not good: nothing that others would take for good.
@@ -101,8 +101,7 @@ absl::Status Inspect(const InspectArguments& arguments) {
   ASSIGN_OR_RETURN(const FoundSource found, FindSource(arguments.source, *shelf));
   if (found.is_job) {
     if (!arguments.field.empty() || arguments.provenance || arguments.calls || format == "binary") {
-      return absl::InvalidArgumentError(
-          fmt::format("{0}: a job; say which of its artifacts, such as {0}/solve", arguments.source));
+      return InvalidArgument("{0}: a job; say which of its artifacts, such as {0}/solve", arguments.source);
     }
     return Give(arguments, format == "json"        ? ToJson(found.job)
                            : format == "textproto" ? ToText(found.job)
@@ -129,13 +128,13 @@ absl::Status Explain(const ExplainArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact artifact, OpenArtifact(arguments.file, arguments.source));
   if (!artifact.has_solved_layout()) {
     const char* const advice = artifact.has_layout_graph() ? "; first: flair solve" : "";
-    return absl::InvalidArgumentError(fmt::format("{}: a {}; expected a solved layout{}", arguments.file,
-                                                  KindName(orchestrator::KindOf(artifact)), advice));
+    return InvalidArgument("{}: a {}; expected a solved layout{}", arguments.file,
+                           KindName(orchestrator::KindOf(artifact)), advice);
   }
   ASSIGN_OR_RETURN(const v1::ConstraintCatalog catalog, CallListConstraintTypes(arguments.optimizer));
   const absl::StatusOr<Note> note = MakeLayoutNote(artifact.solved_layout(), catalog);
   if (!note.ok()) {
-    return absl::InvalidArgumentError(fmt::format("{}: {}", arguments.file, std::string(note.status().message())));
+    return InvalidArgument("{}: {}", arguments.file, note.status().message());
   }
   const NoteStyle style = {.all = arguments.all};
   if (arguments.object.empty()) {

@@ -148,10 +148,10 @@ absl::StatusOr<v1::JobSpec> MakeSpec(const ReplayArguments& arguments, const v1:
   ASSIGN_OR_RETURN(const std::string_view reached, SetOptions(arguments.options, spec));
   const std::string from = arguments.from.empty() ? std::string(reached) : arguments.from;
   if (!reached.empty() && orchestrator::StageIndex(from) > orchestrator::StageIndex(reached)) {
-    return absl::InvalidArgumentError(fmt::format(
+    return InvalidArgument(
         "--from {}: the options of --set affect \"{}\", which would be taken from the earlier job; --from {} "
         "or an earlier stage",
-        from, reached, reached));
+        from, reached, reached);
   }
   spec.mutable_replay()->set_job_id(earlier.id());
   spec.mutable_replay()->set_from_stage(from);
@@ -242,8 +242,7 @@ absl::Status Run(Session& session, const ReplayArguments& arguments, const v1::J
 absl::Status Replay(const ReplayArguments& arguments) {
   RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
   if (!arguments.from.empty() && orchestrator::StageIndex(arguments.from) < 0) {
-    return absl::InvalidArgumentError(
-        fmt::format("--from {}: no such stage; expected one of {}", arguments.from, orchestrator::StageNames()));
+    return InvalidArgument("--from {}: no such stage; expected one of {}", arguments.from, orchestrator::StageNames());
   }
   v1::JobSpec limits;
   RETURN_IF_ERROR(arguments.model.Set(limits));
@@ -255,8 +254,7 @@ absl::Status Replay(const ReplayArguments& arguments) {
   ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(arguments.orchestrator, llm, arguments.stages));
   ASSIGN_OR_RETURN(const v1::Job first, session->GetJob(arguments.job_id));
   if (!HasEnded(first)) {
-    return absl::InvalidArgumentError(
-        fmt::format("JOB: {} has not ended yet; see: flair jobs show {}", first.id(), first.id()));
+    return InvalidArgument("JOB: {} has not ended yet; see: flair jobs show {}", first.id(), first.id());
   }
   ASSIGN_OR_RETURN(const v1::JobSpec spec, MakeSpec(arguments, first));
   return Run(*session, arguments, first, spec, llm.has_value());

@@ -268,11 +268,10 @@ absl::Status Health(const HealthArguments& arguments) {
       arguments.service.empty() ? arguments.address : fmt::format("{} at {}", arguments.service, arguments.address);
   const auto health = contract::HealthOf(channel, arguments.service, absl::Seconds(arguments.patience_s));
   if (absl::IsNotFound(health.status())) {
-    return absl::NotFoundError(
-        fmt::format("{}: the server there has no such service; is this another stage's port?", what));
+    return NotFound("{}: the server there has no such service; is this another stage's port?", what);
   }
   if (!health.ok()) return About(what, health.status());
-  if (*health != "SERVING") return absl::UnavailableError(fmt::format("{}: {}", what, *health));
+  if (*health != "SERVING") return Unavailable("{}: {}", what, *health);
   fmt::print("{}: {}\n", what, *health);
   return absl::OkStatus();
 }
@@ -303,8 +302,7 @@ absl::StatusOr<std::string> NewToken() {
 // Only its owner may read it, from the first byte on.
 absl::Status WriteToken(const std::string& path, const std::string& token) {
   if (std::filesystem::exists(path)) {
-    return absl::InvalidArgumentError(
-        fmt::format("--token-out {}: already exists; a token is never overwritten", path));
+    return InvalidArgument("--token-out {}: already exists; a token is never overwritten", path);
   }
   const mode_t mask = ::umask(077);
   const absl::Status status = runtime::WriteFileAtomically(path, token + "\n");

@@ -41,8 +41,8 @@ absl::Status Catalog(const CatalogArguments& arguments) {
     if (facts == nullptr) {
       std::vector<std::string> names;
       for (const v1::ConstraintType& type : catalog.types()) names.push_back(type.name());
-      return absl::NotFoundError(fmt::format("\"{}\" is not a constraint{}; flair catalog lists them", arguments.type,
-                                             DidYouMean(arguments.type, names)));
+      return NotFound("\"{}\" is not a constraint{}; flair catalog lists them", arguments.type,
+                      DidYouMean(arguments.type, names));
     }
     for (const v1::ConstraintType& type : catalog.types()) {
       if (type.name() == facts->name()) fmt::print("{}", arguments.json ? ToJson(type) : TypeText(type));
@@ -90,7 +90,7 @@ absl::Status AddFolder(const fs::path& folder, std::vector<OutputFile>& files) {
     if (same == files.end()) {
       files.push_back({name, std::move(text)});
     } else if (same->content != text) {
-      return absl::InternalError(fmt::format("{}: two workers' prompts of this name differ", entry.path().string()));
+      return Internal("{}: two workers' prompts of this name differ", entry.path().string());
     }
   }
   if (error) return FileError(fmt::format("{}: {}; build again: ./flair build", folder.string(), error.message()));
@@ -162,9 +162,9 @@ absl::StatusOr<std::vector<contract::Check>> ChosenChecks(const contract::Stage&
   std::vector<contract::Check> checks = contract::ChecksOf(stage);
   const auto is_meant = [&only](const contract::Check& check) { return check.name.find(only) != std::string::npos; };
   if (std::ranges::none_of(checks, is_meant)) {
-    return absl::InvalidArgumentError(
-        fmt::format("--only \"{}\": no check of the {} has this in its name; flair contract {} --list names them", only,
-                    stage.name, stage.name));
+    return InvalidArgument(
+        "--only \"{}\": no check of the {} has this in its name; flair contract {} --list names them", only, stage.name,
+        stage.name);
   }
   std::erase_if(checks, [&](const contract::Check& check) { return !check.decisive && !is_meant(check); });
   return checks;

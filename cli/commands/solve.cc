@@ -51,8 +51,8 @@ v1::Artifact MadeFrom(const v1::Artifact& source, const google::protobuf::Messag
 absl::Status Solve(const SolveArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact graph, OpenArtifact(arguments.graph, arguments.source));
   if (!graph.has_layout_graph()) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt", arguments.graph));
+    return InvalidArgument("{}: not a graph; give the graph.pb of a design or of flair-dev import flairgpt",
+                           arguments.graph);
   }
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   ASSIGN_OR_RETURN(v1::SolveOptions options, ReadSolveFlags(arguments.flags));
@@ -144,8 +144,7 @@ std::string Moved(const v1::ResolveResponse& response) {
 absl::Status Resolve(const ResolveArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Artifact before, OpenArtifact(arguments.layout, arguments.source));
   if (!before.has_solved_layout()) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not a layout; give a layout.pb of flair solve or flair design", arguments.layout));
+    return InvalidArgument("{}: not a layout; give a layout.pb of flair solve or flair design", arguments.layout);
   }
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   ASSIGN_OR_RETURN(const v1::ResolveRequest request, MakeRequest(arguments, before));

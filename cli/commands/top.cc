@@ -54,8 +54,7 @@ class Top {
  private:
   absl::Status Explain(const absl::Status& status) const {
     if (absl::IsUnimplemented(status)) {
-      return absl::UnimplementedError(
-          fmt::format("{}: this orchestrator is too old to report on its cluster", address_));
+      return Unimplemented("{}: this orchestrator is too old to report on its cluster", address_);
     }
     return status;
   }

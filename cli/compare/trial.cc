@@ -15,6 +15,7 @@
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "room/validation/validate.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -66,7 +67,7 @@ void FillVerdicts(const v1::LayoutGraph& graph, const v1::SolvedLayout& answer, 
 
 absl::StatusOr<Trial> Judge(const v1::SolveRequest& request, const v1::SolveResponse& response) {
   if (absl::Status status = Validate(response.solved_layout()); !status.ok()) {
-    return absl::InternalError(fmt::format("its layout is not valid: {}", std::string(status.message())));
+    return Internal("its layout is not valid: {}", status.message());
   }
   v1::EvaluateRequest evaluate;
   *evaluate.mutable_layout_graph() = request.layout_graph();
@@ -75,7 +76,7 @@ absl::StatusOr<Trial> Judge(const v1::SolveRequest& request, const v1::SolveResp
   const optimizer::NloptSolver solver;
   const absl::StatusOr<v1::EvaluateResponse> judged = optimizer::EvaluateLayout(evaluate, solver);
   if (!judged.ok()) {
-    return absl::InternalError(fmt::format("its layout cannot be judged: {}", std::string(judged.status().message())));
+    return Internal("its layout cannot be judged: {}", judged.status().message());
   }
   Trial trial{.layout = response.solved_layout(), .producer = response.producer()};
   *trial.layout.mutable_graph() = request.layout_graph();

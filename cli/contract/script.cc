@@ -13,6 +13,7 @@
 #include "cli/contract/checks_bytes.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::contract {
 namespace {
@@ -272,7 +273,7 @@ Finding Run::Call(const data::Step& step) {
     for (const std::string& bytes : *received) {
       std::unique_ptr<Message> answer = NewMessage(*method.output_type());
       if (!answer->ParseFromString(bytes)) {
-        return absl::DataLossError(fmt::format("the answer's {} bytes are no {}", bytes.size(), answer->GetTypeName()));
+        return DataLoss("the answer's {} bytes are no {}", bytes.size(), answer->GetTypeName());
       }
       answers_.push_back(std::move(answer));
     }

@@ -180,9 +180,8 @@ absl::StatusOr<std::unique_ptr<Target>> Target::Connect(const TargetOptions& opt
   ASSIGN_OR_RETURN(target->channel_, runtime::MakeChannel(options.address, options.service, connection));
   const absl::StatusOr<std::string> worker = Call(target->channel_, kGetWorker, "", target->ConnectWithin()).Wait();
   if (absl::IsUnavailable(worker.status()) || absl::IsDeadlineExceeded(worker.status())) {
-    return absl::UnavailableError(
-        fmt::format("{}: no gRPC server answers there: {}; is it running, and is this its port?", options.address,
-                    std::string(worker.status().message())));
+    return Unavailable("{}: no gRPC server answers there: {}; is it running, and is this its port?", options.address,
+                       worker.status().message());
   }
   // Servers of others need not have a WorkerService; what they answer instead is their business.
   if (!worker.ok() || !target->worker_.ParseFromString(*worker)) target->worker_.Clear();
@@ -208,9 +207,8 @@ absl::StatusOr<std::string> Target::AskOnce(const std::string& path, const std::
   {
     std::lock_guard lock(mutex_);
     if (silent_.contains(path)) {
-      return absl::DeadlineExceededError(fmt::format("{} was silent for {} before; it is not asked again",
-                                                     path.substr(path.rfind('/') + 1),
-                                                     absl::FormatDuration(options_.patience)));
+      return DeadlineExceeded("{} was silent for {} before; it is not asked again", path.substr(path.rfind('/') + 1),
+                              absl::FormatDuration(options_.patience));
     }
   }
   absl::StatusOr<std::string> bytes = Call(channel_, path, request, options_.patience).Wait();

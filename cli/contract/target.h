@@ -16,8 +16,8 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/worker_service.pb.h"
-#include "fmt/format.h"
 #include "worker_runtime/grpc/channel.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::contract {
 
@@ -79,8 +79,7 @@ class Target {
     if (!bytes.ok()) return bytes.status();
     Response answer;
     if (answer.ParseFromString(*bytes)) return answer;
-    return absl::DataLossError(
-        fmt::format("the answer's {} bytes are no {}", bytes->size(), Response::descriptor()->full_name()));
+    return DataLoss("the answer's {} bytes are no {}", bytes->size(), Response::descriptor()->full_name());
   }
   absl::StatusOr<std::string> AskForBytes(const google::protobuf::Message& request);
 

@@ -11,6 +11,7 @@
 #include "fmt/ranges.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -81,9 +82,8 @@ bool Difference::IsEmpty() const {
 
 absl::StatusOr<Difference> CompareArtifacts(const v1::Artifact& a, const v1::Artifact& b) {
   if (a.content_case() != b.content_case() && !(IsListOfConstraints(a) && IsListOfConstraints(b))) {
-    return absl::InvalidArgumentError(fmt::format("the first is a {}, the second a {}; give two of the same kind",
-                                                  KindName(orchestrator::KindOf(a)),
-                                                  KindName(orchestrator::KindOf(b))));
+    return InvalidArgument("the first is a {}, the second a {}; give two of the same kind",
+                           KindName(orchestrator::KindOf(a)), KindName(orchestrator::KindOf(b)));
   }
   Difference difference{.kind = orchestrator::KindOf(b)};
   difference.content_is_same = ContentBytes(a) == ContentBytes(b);

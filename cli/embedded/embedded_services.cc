@@ -192,8 +192,7 @@ absl::Status CheckProtocols(const StageName& stage, const std::string& address,
   if (absl::Status silence = Silence(worker.status()); !silence.ok()) return InWords(stage, address, silence);
   const std::string fault = worker.ok() ? runtime::ProtocolFault(*worker) : "";
   if (fault.empty()) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("{} {}: {}; use a version of it that does", stage.flag, address, fault));
+  return InvalidArgument("{} {}: {}; use a version of it that does", stage.flag, address, fault);
 }
 
 }  // namespace
@@ -213,9 +212,8 @@ const StageName kRendererStage = {
 
 absl::Status InWords(const StageName& stage, const std::string& address, const absl::Status& status) {
   if (!absl::IsUnavailable(status)) return status;
-  return absl::UnavailableError(
-      fmt::format("{} {}: no {} answers there: {}; is the program running, and is this its port?", stage.flag, address,
-                  stage.service, std::string(status.message())));
+  return Unavailable("{} {}: no {} answers there: {}; is the program running, and is this its port?", stage.flag,
+                     address, stage.service, status.message());
 }
 
 absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& stage, const std::string& address,
@@ -224,13 +222,13 @@ absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& s
   options.max_message_mib = max_message_mib;
   absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(address, stage.service, options);
   if (!channel.ok()) {
-    return absl::InvalidArgumentError(fmt::format("{}: {}", stage.flag, std::string(channel.status().message())));
+    return InvalidArgument("{}: {}", stage.flag, channel.status().message());
   }
   RETURN_IF_ERROR(CheckProtocols(stage, address, *channel));
   const absl::Status answer = stage.ask_nothing(*channel);
   if (absl::IsUnimplemented(answer)) {
-    return absl::InvalidArgumentError(fmt::format(
-        "{} {}: the server there is not a {}; is this the port of another stage?", stage.flag, address, stage.service));
+    return InvalidArgument("{} {}: the server there is not a {}; is this the port of another stage?", stage.flag,
+                           address, stage.service);
   }
   if (absl::Status silence = Silence(answer); !silence.ok()) return InWords(stage, address, silence);
   return channel;

@@ -307,8 +307,7 @@ absl::StatusOr<Note> FindObject(const Note& note, const std::string& key) {
     }
   }
   if (by_name != nullptr) return *by_name;
-  return absl::NotFoundError(
-      fmt::format("--object: \"{}\" is not in the layout; it has {}", key, fmt::join(ids, ", ")));
+  return NotFound("--object: \"{}\" is not in the layout; it has {}", key, fmt::join(ids, ", "));
 }
 
 // Texts may hold what is no UTF-8 when the layout is a stranger's.

@@ -17,6 +17,7 @@
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "renderer_worker/drawing/colour.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -271,11 +272,10 @@ absl::StatusOr<std::string> RunDot(const std::string& text, const std::string& f
     return FileError("dot: not found: Graphviz draws graphs; apt-get install graphviz, or write --out FILE.dot");
   }
   if (code == 124) {
-    return absl::DeadlineExceededError(
-        fmt::format("dot: not finished within {} s; --out FILE.dot writes its input", kWithin_s));
+    return DeadlineExceeded("dot: not finished within {} s; --out FILE.dot writes its input", kWithin_s);
   }
   if (code != 0 || bytes.empty()) {
-    return absl::InternalError(fmt::format("dot: failed: {}", ReadAll(said).substr(0, kMostWords)));
+    return Internal("dot: failed: {}", ReadAll(said).substr(0, kMostWords));
   }
   return format == "pdf" ? WithoutTime(std::move(bytes)) : bytes;
 }

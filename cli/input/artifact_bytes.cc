@@ -14,6 +14,7 @@
 #include "orchestrator/store/artifact_id.h"
 #include "room/validation/field.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -150,24 +151,22 @@ std::string FindUnknown(const Message& message) {
 }
 
 absl::Status NoArtifact(const std::string& name, const std::string& why) {
-  return absl::DataLossError(fmt::format(
-      "{}: not a Flair artifact ({}); expected a .pb, .json or .textproto file that Flair wrote", name, why));
+  return DataLoss("{}: not a Flair artifact ({}); expected a .pb, .json or .textproto file that Flair wrote", name,
+                  why);
 }
 
 absl::Status Corrupt(const std::string& name, const std::string& bytes) {
   if (const std::optional<size_t> missing = MissingBytes(bytes)) {
-    return absl::DataLossError(
-        fmt::format("{}: corrupt: cut off after {} bytes; at least {} are missing", name, bytes.size(), *missing));
+    return DataLoss("{}: corrupt: cut off after {} bytes; at least {} are missing", name, bytes.size(), *missing);
   }
-  return absl::DataLossError(
-      fmt::format("{}: corrupt: its {} bytes begin like an artifact but cannot be parsed", name, bytes.size()));
+  return DataLoss("{}: corrupt: its {} bytes begin like an artifact but cannot be parsed", name, bytes.size());
 }
 
 absl::Status Newer(const std::string& name, const v1::Artifact& artifact, const std::string& unknown) {
   const std::string& build = artifact.producer().build();
-  return absl::InvalidArgumentError(
-      fmt::format("{}: made by a newer Flair{}: it has parts that this version does not know ({}); use the newer one",
-                  name, build.empty() ? "" : ", build " + build, unknown));
+  return InvalidArgument(
+      "{}: made by a newer Flair{}: it has parts that this version does not know ({}); use the newer one", name,
+      build.empty() ? "" : ", build " + build, unknown);
 }
 
 }  // namespace

@@ -38,24 +38,23 @@ absl::StatusOr<v1::Artifact> ParseText(const std::string& name, ArtifactForm for
   v1::Artifact artifact;
   if (absl::Status status = ParseMessageText(TextFormOf(form), name, text, artifact); !status.ok()) {
     if (form == ArtifactForm::kJson && LooksRecorded(text)) {
-      return absl::InvalidArgumentError(fmt::format(
+      return InvalidArgument(
           "{0}: a recorded FlairGPT problem, not an artifact; first: flair-dev import flairgpt {0} --out graph.pb",
-          name));
+          name);
     }
     return status;
   }
   if (artifact.content_case() != v1::Artifact::CONTENT_NOT_SET) return artifact;
-  return absl::InvalidArgumentError(
-      fmt::format("{}: an artifact without content; expected one of brief, room, zone_plan, object_list, style_sheet, "
-                  "raw_constraint_list, constraint_list, completed_constraint_list, layout_graph, solved_layout, "
-                  "preview, report",
-                  name));
+  return InvalidArgument(
+      "{}: an artifact without content; expected one of brief, room, zone_plan, object_list, style_sheet, "
+      "raw_constraint_list, constraint_list, completed_constraint_list, layout_graph, solved_layout, "
+      "preview, report",
+      name);
 }
 
 absl::Status BadId(const std::string& name, const v1::Artifact& artifact) {
-  return absl::DataLossError(
-      fmt::format("{}: corrupt: its bytes have the id {}, but it says {}. If you changed it on purpose, clear its id",
-                  name, orchestrator::ComputeArtifactId(artifact), artifact.id().empty() ? "none" : artifact.id()));
+  return DataLoss("{}: corrupt: its bytes have the id {}, but it says {}. If you changed it on purpose, clear its id",
+                  name, orchestrator::ComputeArtifactId(artifact), artifact.id().empty() ? "none" : artifact.id());
 }
 
 std::string MakerOf(const v1::Producer& producer) {
@@ -199,8 +198,8 @@ absl::StatusOr<v1::Brief> ReadBrief(const std::string& flag, const std::string& 
   }
   if (!*is_artifact) return brief;
   if (artifact.has_brief()) return artifact.brief();
-  return absl::InvalidArgumentError(fmt::format(
-      "{}: {}: an artifact without a brief; expected brief.pb or brief.json of a design, or a Brief", flag, path));
+  return InvalidArgument("{}: {}: an artifact without a brief; expected brief.pb or brief.json of a design, or a Brief",
+                         flag, path);
 }
 
 namespace {
@@ -239,7 +238,7 @@ std::optional<v1::Brief> BriefOf(const v1::Artifact& layout, const std::filesyst
 absl::StatusOr<LayoutFile> ReadLayoutFile(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(v1::Artifact artifact, ReadArtifact(path));
   if (!artifact.has_solved_layout()) {
-    return absl::InvalidArgumentError(fmt::format("{}: not a layout; give the layout.pb of a design", path.string()));
+    return InvalidArgument("{}: not a layout; give the layout.pb of a design", path.string());
   }
   LayoutFile file{.artifact = std::move(artifact), .brief = {}};
   file.brief = BriefOf(file.artifact, path.parent_path());

@@ -38,7 +38,7 @@ class StoreShelf final : public ArtifactShelf {
   absl::StatusOr<v1::Job> GetJob(const std::string& id) override {
     std::error_code error;
     const std::string path = folder_ + "/jobs.db";
-    if (!fs::is_regular_file(path, error)) return absl::NotFoundError(fmt::format("{} has no jobs", name()));
+    if (!fs::is_regular_file(path, error)) return NotFound("{} has no jobs", name());
     if (database_ == nullptr) {
       ASSIGN_OR_RETURN(database_, orchestrator::Database::Open(path));
     }
@@ -52,7 +52,7 @@ class StoreShelf final : public ArtifactShelf {
   absl::StatusOr<orchestrator::LocalArtifacts*> Artifacts() {
     std::error_code error;
     const std::string path = folder_ + "/artifacts";
-    if (!fs::is_directory(path, error)) return absl::NotFoundError(fmt::format("{} has no artifacts", name()));
+    if (!fs::is_directory(path, error)) return NotFound("{} has no artifacts", name());
     if (artifacts_ == nullptr) {
       ASSIGN_OR_RETURN(artifacts_, orchestrator::LocalArtifacts::Open(path));
     }

@@ -10,7 +10,6 @@
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/session/session.h"
-#include "fmt/format.h"
 #include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
@@ -52,11 +51,10 @@ absl::StatusOr<FoundSource> FindByDigits(const std::string& digits, ArtifactShel
   ASSIGN_OR_RETURN(const std::vector<std::string> ids, shelf.FindIds(prefix));
   if (ids.size() == 1) return FromShelf(digits, ids.front(), shelf);
   if (ids.empty()) {
-    return absl::NotFoundError(
-        fmt::format("{}: no such file, and no artifact in {} has an id that begins like this", digits, shelf.name()));
+    return NotFound("{}: no such file, and no artifact in {} has an id that begins like this", digits, shelf.name());
   }
-  return absl::InvalidArgumentError(fmt::format("{}: {} artifacts have ids that begin like this: {}; give more digits",
-                                                digits, ids.size(), ListNames(ids, 5)));
+  return InvalidArgument("{}: {} artifacts have ids that begin like this: {}; give more digits", digits, ids.size(),
+                         ListNames(ids, 5));
 }
 
 // The kind that a stage makes, by the stage's name or by that of the file that holds it.
@@ -71,7 +69,7 @@ absl::StatusOr<FoundSource> FindInJob(const std::string& source, ArtifactShelf& 
   const size_t slash = source.find('/');
   absl::StatusOr<v1::Job> job = shelf.GetJob(source.substr(0, slash));
   if (absl::IsNotFound(job.status())) {
-    return absl::NotFoundError(fmt::format("{}: no such job in {}; flair jobs lists them", source, shelf.name()));
+    return NotFound("{}: no such job in {}; flair jobs lists them", source, shelf.name());
   }
   if (!job.ok()) return job.status();
   if (slash == std::string::npos) {
@@ -88,11 +86,10 @@ absl::StatusOr<FoundSource> FindInJob(const std::string& source, ArtifactShelf& 
   }
   const std::string has = stages.empty() ? "it has no artifacts yet" : "it has " + ListNames(stages);
   if (kind != v1::ARTIFACT_KIND_UNSPECIFIED) {
-    return absl::NotFoundError(fmt::format("{}: the job has no artifact of that stage; {}", source, has));
+    return NotFound("{}: the job has no artifact of that stage; {}", source, has);
   }
   const std::string stage = source.substr(slash + 1);
-  return absl::InvalidArgumentError(
-      fmt::format("{}: \"{}\" is not a stage{}; {}", source, stage, DidYouMean(stage, stages), has));
+  return InvalidArgument("{}: \"{}\" is not a stage{}; {}", source, stage, DidYouMean(stage, stages), has);
 }
 
 }  // namespace
@@ -111,9 +108,9 @@ absl::StatusOr<FoundSource> FindSource(const std::string& source, ArtifactShelf&
   if (!is_there && LooksLikeJob(source)) return FindInJob(source, shelf);
   absl::StatusOr<ArtifactFile> file = ReadArtifactFile(source);
   if (absl::IsNotFound(file.status()) && !is_there && source.find_first_of("/.") == std::string::npos) {
-    return absl::NotFoundError(fmt::format(
+    return NotFound(
         "{}: no such file; nor is it {} or more digits of an artifact's id, or a job as flair jobs lists them", source,
-        kFewestDigits));
+        kFewestDigits);
   }
   if (!file.ok()) return file.status();
   FoundSource found;
@@ -128,8 +125,8 @@ absl::StatusOr<v1::Artifact> OpenArtifact(const std::string& source, const Sourc
   if (found.is_job) {
     std::vector<std::string> stages;
     for (const v1::ArtifactRef& ref : found.job.artifacts()) stages.push_back(StageOf(ref.kind()));
-    return absl::InvalidArgumentError(
-        fmt::format("{0}: a job; which of its artifacts, such as {0}/solve? It has {1}", source, ListNames(stages)));
+    return InvalidArgument("{0}: a job; which of its artifacts, such as {0}/solve? It has {1}", source,
+                           ListNames(stages));
   }
   if (!found.file.whole.ok()) return found.file.whole;
   if (!found.file.good.ok()) return found.file.good;

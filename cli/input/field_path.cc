@@ -15,16 +15,17 @@
 #include "absl/strings/str_split.h"
 #include "cli/input/message_text.h"
 #include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
 namespace {
 
 absl::Status NoPath(std::string_view path, size_t at, std::string_view why) {
-  return absl::InvalidArgumentError(
-      fmt::format("\"{}\": {} at character {}; a path is such as solved_layout.placements[3].theta_rad or "
-                  "object_list.objects[desk].width_m",
-                  path.substr(0, 200), why, at + 1));
+  return InvalidArgument(
+      "\"{}\": {} at character {}; a path is such as solved_layout.placements[3].theta_rad or "
+      "object_list.objects[desk].width_m",
+      path.substr(0, 200), why, at + 1);
 }
 
 bool IsNameCharacter(char c) {

@@ -38,8 +38,8 @@ absl::Status NotThere(const std::filesystem::path& path) {
   if (errno != ENOENT && errno != ENOTDIR) return CannotRead(path);
   std::error_code error;
   const std::filesystem::path target = std::filesystem::read_symlink(path, error);
-  if (error) return absl::NotFoundError(fmt::format("{}: no such file", path.string()));
-  return absl::NotFoundError(fmt::format("{}: a link to {}, which does not exist", path.string(), target.string()));
+  if (error) return NotFound("{}: no such file", path.string());
+  return NotFound("{}: a link to {}, which does not exist", path.string(), target.string());
 }
 
 // What is no regular file is not read: it may have no end, or wait for one.
@@ -53,8 +53,7 @@ absl::Status CheckKind(const std::filesystem::path& path, const struct stat& sta
     return FileError(fmt::format("{}: is {}; save its output to a file and give that", path.string(), kind));
   }
   if (status.st_size >= 0 && static_cast<size_t>(status.st_size) <= kLargestFile) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("{}: has {} MiB; at most {}", path.string(), status.st_size >> 20, kLargestFile >> 20));
+  return InvalidArgument("{}: has {} MiB; at most {}", path.string(), status.st_size >> 20, kLargestFile >> 20);
 }
 
 }  // namespace
@@ -82,7 +81,7 @@ absl::StatusOr<std::string> ReadFile(const std::filesystem::path& path) {
     }
     if (used < content.size()) continue;
     if (used > kLargestFile) {
-      return absl::InvalidArgumentError(fmt::format("{}: grows beyond {} MiB", path.string(), kLargestFile >> 20));
+      return InvalidArgument("{}: grows beyond {} MiB", path.string(), kLargestFile >> 20);
     }
     content.resize(std::min(2 * used + 4096, kLargestFile + 1));
   }
@@ -93,7 +92,7 @@ namespace fs = std::filesystem;
 absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, const std::string& name, size_t most) {
   std::error_code error;
   if (!fs::exists(root, error) && !error) {
-    return absl::NotFoundError(fmt::format("{}: no such folder; give a folder of designs", root.string()));
+    return NotFound("{}: no such folder; give a folder of designs", root.string());
   }
   if (!fs::is_directory(root, error)) {
     return FileError(fmt::format("{}: is not a folder; give a folder of designs", root.string()));
@@ -109,10 +108,9 @@ absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, cons
     if (found.size() > most) break;
   }
   if (error) return FileError(fmt::format("{}: cannot be listed: {}", root.string(), error.message()));
-  if (found.empty()) return absl::NotFoundError(fmt::format("{}: no folder in it holds a {}", root.string(), name));
+  if (found.empty()) return NotFound("{}: no folder in it holds a {}", root.string(), name);
   if (found.size() > most) {
-    return absl::InvalidArgumentError(
-        fmt::format("{}: holds more than {} designs; give a part of them", root.string(), most));
+    return InvalidArgument("{}: holds more than {} designs; give a part of them", root.string(), most);
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -230,8 +228,8 @@ absl::StatusOr<v1::Room> ReadRoom(const std::filesystem::path& path) {
     case v1::Artifact::kSolvedLayout:
       return artifact.solved_layout().graph().room();
     default:
-      return absl::InvalidArgumentError(
-          fmt::format("{}: an artifact without a room; expected room.pb or room.json of a design", path.string()));
+      return InvalidArgument("{}: an artifact without a room; expected room.pb or room.json of a design",
+                             path.string());
   }
 }
 

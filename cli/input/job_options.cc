@@ -152,9 +152,8 @@ Place FindOption(std::string_view name, v1::JobSpec& spec) {
 absl::Status NoSuchOption(const std::string& name) {
   const OptionGroup* const group = GroupOf(name);
   const auto text = [](std::string* out, const OptionName& option) { *out += option.name; };
-  return absl::InvalidArgumentError(
-      fmt::format("--set {}: no such option; expected one of {}", name,
-                  absl::StrJoin(group == nullptr ? OptionNames() : NamesOf(*group), ", ", text)));
+  return InvalidArgument("--set {}: no such option; expected one of {}", name,
+                         absl::StrJoin(group == nullptr ? OptionNames() : NamesOf(*group), ", ", text));
 }
 
 // "NAME=VALUE" of --lambda and --tolerance, which are options below `group`.
@@ -164,8 +163,7 @@ absl::Status SetMember(const char* flag, const std::string& group, const std::st
   for (const OptionName& option : OptionNames()) {
     if (option.name.starts_with(group)) names.push_back(option.name.substr(group.size()));
   }
-  return absl::InvalidArgumentError(
-      fmt::format("{}: {}: expected NAME=VALUE, a number for one of {}", flag, text, fmt::join(names, ", ")));
+  return InvalidArgument("{}: {}: expected NAME=VALUE, a number for one of {}", flag, text, fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -182,8 +180,7 @@ absl::StatusOr<std::string_view> SetOption(const std::string& assignment, v1::Jo
   const size_t equals = assignment.find('=');
   const std::string name(absl::StripAsciiWhitespace(assignment.substr(0, equals)));
   if (equals == std::string::npos) {
-    return absl::InvalidArgumentError(
-        fmt::format("--set {}: expected NAME=VALUE, such as optimizer.restarts=500", assignment));
+    return InvalidArgument("--set {}: expected NAME=VALUE, such as optimizer.restarts=500", assignment);
   }
   // On a copy: what fails must not leave a message that was made on the way.
   v1::JobSpec changed = spec;
@@ -191,8 +188,7 @@ absl::StatusOr<std::string_view> SetOption(const std::string& assignment, v1::Jo
   if (place.message == nullptr) return NoSuchOption(name);
   const std::string value(absl::StripAsciiWhitespace(assignment.substr(equals + 1)));
   if (!SetValue(value, *place.field, *place.message)) {
-    return absl::InvalidArgumentError(
-        fmt::format("--set {}: {}: expected {}", name, value, ValuesInWords(*place.field)));
+    return InvalidArgument("--set {}: {}: expected {}", name, value, ValuesInWords(*place.field));
   }
   spec = std::move(changed);
   return GroupOf(name)->stage;
@@ -227,8 +223,7 @@ absl::Status JobFlags::Set(v1::JobSpec& spec) const {
     const Place place = FindOption(given.option, spec);
     const bool is_ratio = given.option == "renderer.scale" && given.text.starts_with("1:");
     if (SetValue(is_ratio ? given.text.substr(2) : given.text, *place.field, *place.message)) continue;
-    return absl::InvalidArgumentError(
-        fmt::format("{}: {}: expected {}", given.flag->get_name(), given.text, ValuesInWords(*place.field)));
+    return InvalidArgument("{}: {}: expected {}", given.flag->get_name(), given.text, ValuesInWords(*place.field));
   }
   return absl::OkStatus();
 }
@@ -287,7 +282,7 @@ absl::StatusOr<v1::PreviewView> ViewOfName(const std::string& name) {
   const auto* const view = FindWord(*v1::PreviewView_descriptor(), name);
   if (view != nullptr) return static_cast<v1::PreviewView>(view->number());
   const auto& field = *v1::RenderOptions::descriptor()->FindFieldByName("view");
-  return absl::InvalidArgumentError(fmt::format("--view: {}: expected {}", name, ValuesInWords(field)));
+  return InvalidArgument("--view: {}: expected {}", name, ValuesInWords(field));
 }
 
 absl::StatusOr<v1::PreviewFormat> FormatOfFile(const std::string& path) {
@@ -299,9 +294,9 @@ absl::StatusOr<v1::PreviewFormat> FormatOfFile(const std::string& path) {
   for (const auto& [known, format] : kEndings) {
     if (ending == known) return format;
   }
-  return absl::InvalidArgumentError(
-      fmt::format("--out: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf{}", path,
-                  ending == ".glb" ? "; for a 3D scene: flair export scene LAYOUT --format glb --out FILE" : ""));
+  return InvalidArgument("--out: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff, exr, svg, pdf{}",
+                         path,
+                         ending == ".glb" ? "; for a 3D scene: flair export scene LAYOUT --format glb --out FILE" : "");
 }
 
 absl::StatusOr<v1::RenderOptions> ReadRenderFlags(const RenderFlags& flags, const std::string& out) {

@@ -139,10 +139,10 @@ absl::Status CheckLimits(const v1::ModelOptions& limits, const LlmConfig& config
   usage.input_token_count = usage.output_token_count = 1000;
   const std::vector<config::v1::LlmPrice> prices(config.prices().begin(), config.prices().end());
   if (llm::CostUsd(prices, config.model(), usage) > 0) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("--max-usd: {}: there is no price for the model \"{}\"; add to the --llm file: prices {{ model: "
-                  "\"{}\" input_usd: ... output_usd: ... }}, US dollars for a million tokens",
-                  limits.budget().cost_usd(), config.model(), config.model()));
+  return InvalidArgument(
+      "--max-usd: {}: there is no price for the model \"{}\"; add to the --llm file: prices {{ model: "
+      "\"{}\" input_usd: ... output_usd: ... }}, US dollars for a million tokens",
+      limits.budget().cost_usd(), config.model(), config.model());
 }
 
 absl::StatusOr<OptionalLlm> ReadDesignModel(const LlmFlags& flags, const v1::ModelOptions& limits,
@@ -150,10 +150,10 @@ absl::StatusOr<OptionalLlm> ReadDesignModel(const LlmFlags& flags, const v1::Mod
   if (!orchestrator.empty()) {
     const std::string given = flags.Given();
     if (given.empty()) return OptionalLlm();
-    return absl::InvalidArgumentError(
-        fmt::format("{}: not with --orchestrator {}: its workers have their own models, in the field llm of their "
-                    "configs; limits such as --max-tokens can be given",
-                    given, orchestrator));
+    return InvalidArgument(
+        "{}: not with --orchestrator {}: its workers have their own models, in the field llm of their "
+        "configs; limits such as --max-tokens can be given",
+        given, orchestrator);
   }
   ASSIGN_OR_RETURN(OptionalLlm llm, ReadLlmFlags(flags));
   if (llm.has_value()) RETURN_IF_ERROR(CheckLimits(limits, *llm));

@@ -17,6 +17,7 @@
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -44,7 +45,7 @@ absl::Status ParseProtobufText(const std::string& name, const std::string& text,
   parser.RecordErrorsTo(&error);
   parser.SetRecursionLimit(kDeepest);
   if (parser.ParseFromString(text, &message)) return absl::OkStatus();
-  return absl::InvalidArgumentError(fmt::format("{}:{}", name, error.text));
+  return InvalidArgument("{}:{}", name, error.text);
 }
 
 // The line, from 1 on, on which the innermost known part of the path begins; 0 when none is known.
@@ -215,8 +216,8 @@ absl::Status Explain(const std::string& name, const std::string& json, const Des
   } else if (!complaint.value.empty() && field != nullptr && !complaint.value.starts_with("Field ")) {
     words = fmt::format("is {}; expected {}", complaint.value, Expected(*field));
   }
-  return absl::InvalidArgumentError(fmt::format("{}:{}: {}{}{}", name, LineAt(json, FindJsonField(json, path)), where,
-                                                where.empty() ? "" : ": ", words));
+  return InvalidArgument("{}:{}: {}{}{}", name, LineAt(json, FindJsonField(json, path)), where,
+                         where.empty() ? "" : ": ", words);
 }
 
 }  // namespace
@@ -227,14 +228,13 @@ absl::Status ParseJsonMessage(const std::string& name, const std::string& json, 
   if (const std::optional<Fault> fault = FindSyntaxFault(json)) {
     const int line = LineAt(json, fault->offset > 0 ? fault->offset - 1 : 0);
     const bool cut = fault->offset >= json.size();
-    return absl::InvalidArgumentError(
-        fmt::format("{}:{}: {}{}", name, line, cut ? "ends too early: " : "", fault->problem));
+    return InvalidArgument("{}:{}: {}{}", name, line, cut ? "ends too early: " : "", fault->problem);
   }
   const std::string text(status.message());
   if (const std::optional<Complaint> complaint = ReadComplaint(text)) {
     return Explain(name, json, message.GetDescriptor(), *complaint);
   }
-  return absl::InvalidArgumentError(fmt::format("{}: {}", name, text.substr(0, text.find('\n'))));
+  return InvalidArgument("{}: {}", name, text.substr(0, text.find('\n')));
 }
 
 absl::Status ReadTextMessage(const std::string& flag, const std::string& path, const std::string& example,
@@ -243,7 +243,7 @@ absl::Status ReadTextMessage(const std::string& flag, const std::string& path, c
   if (!text.ok()) return About(flag, text.status());
   const absl::Status read = ParseMessageText(TextForm::kProtobufText, path, *text, message);
   if (read.ok()) return read;
-  return absl::InvalidArgumentError(fmt::format("{}: {}; should hold {}", flag, std::string(read.message()), example));
+  return InvalidArgument("{}: {}; should hold {}", flag, read.message(), example);
 }
 
 namespace {

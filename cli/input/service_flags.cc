@@ -46,11 +46,11 @@ std::string Variable(const char* name) {
 // `where` it is from; the token itself is in no message.
 absl::StatusOr<std::string> CheckedToken(std::string token, const std::string& where) {
   absl::StripAsciiWhitespace(&token);
-  if (token.empty()) return absl::InvalidArgumentError(fmt::format("{}: holds no token", where));
+  if (token.empty()) return InvalidArgument("{}: holds no token", where);
   const bool printable = std::ranges::all_of(token, [](char c) { return c > ' ' && c <= '~'; });
   if (printable && token.size() <= kTokenLength) return token;
-  return absl::InvalidArgumentError(fmt::format(
-      "{}: not a token; expected at most {} letters, digits and signs without spaces", where, kTokenLength));
+  return InvalidArgument("{}: not a token; expected at most {} letters, digits and signs without spaces", where,
+                         kTokenLength);
 }
 
 absl::StatusOr<std::string> TokenOf(const std::string& file, const std::string& flag) {
@@ -59,7 +59,7 @@ absl::StatusOr<std::string> TokenOf(const std::string& file, const std::string& 
   // No more of it than shows that it is too long.
   std::string content(kTokenLength + 100, '\0');
   if (stream) stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-  if (!stream.is_open() || stream.bad()) return absl::InvalidArgumentError(fmt::format("{}: cannot be read", where));
+  if (!stream.is_open() || stream.bad()) return InvalidArgument("{}: cannot be read", where);
   content.resize(static_cast<size_t>(stream.gcount()));
   return CheckedToken(std::move(content), where);
 }
@@ -142,9 +142,9 @@ EngineFlags::EngineFlags(CLI::App& command) : Options(command, "Queue on other m
 
 absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orchestrator) {
   if (!flags.address.empty() && !orchestrator.empty()) {
-    return absl::InvalidArgumentError(fmt::format(
+    return InvalidArgument(
         "--engine: not with --orchestrator {}, which uses the queue of its own config; set queue.address there",
-        orchestrator));
+        orchestrator);
   }
   if (!flags.address.empty()) return absl::OkStatus();
   const char* const flag = flags.replica_count > 0    ? "--replicas"
@@ -152,8 +152,7 @@ absl::Status CheckEngineFlags(const EngineFlags& flags, const std::string& orche
                            : !flags.queue.empty()     ? "--queue"
                                                       : nullptr;
   if (flag == nullptr) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("{}: belongs to a queue of --engine nats://HOST:PORT; give both", flag));
+  return InvalidArgument("{}: belongs to a queue of --engine nats://HOST:PORT; give both", flag);
 }
 
 void SetEngine(const EngineFlags& flags, config::v1::OrchestratorConfig& config) {
@@ -196,33 +195,33 @@ absl::Status CheckStageFlags(const StageChoice& flags, const std::string& orches
                 {"renderer", flags.addresses.renderer()}};
   for (const auto& [stage, address] : stages) {
     if (address.empty() || orchestrator.empty()) continue;
-    return absl::InvalidArgumentError(fmt::format(
+    return InvalidArgument(
         "--{0} {1}: not with --orchestrator {2}, which uses the stages of its own config; set there: stages "
         "{{ {0}: \"{1}\" }}",
-        stage, address, orchestrator));
+        stage, address, orchestrator);
   }
   const std::string& language = orchestrator.empty() ? flags.addresses.language() : orchestrator;
   if (!flags.handbooks.empty() && !language.empty()) {
-    return absl::InvalidArgumentError(fmt::format(
+    return InvalidArgument(
         "--handbook {}: not with {} {}, whose language worker reads its own handbook; set in its config: "
         "handbook_overlay_paths: \"{}\"",
-        flags.handbooks[0], orchestrator.empty() ? "--language" : "--orchestrator", language, flags.handbooks[0]));
+        flags.handbooks[0], orchestrator.empty() ? "--language" : "--orchestrator", language, flags.handbooks[0]);
   }
   if (flags.addresses.language().empty() || flags.addresses.translator().empty() || llm.Given().empty())
     return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("{}: not with both --language {} and --translator {}: they have their own models, and no other stage "
-                  "asks one",
-                  llm.Given(), flags.addresses.language(), flags.addresses.translator()));
+  return InvalidArgument(
+      "{}: not with both --language {} and --translator {}: they have their own models, and no other stage "
+      "asks one",
+      llm.Given(), flags.addresses.language(), flags.addresses.translator());
 }
 
 absl::Status NoOrchestrator(const absl::Status& status, const std::string& address) {
   if (!absl::IsUnavailable(status) && !absl::IsDeadlineExceeded(status)) return status;
   const std::string_view why(status.message().data(), status.message().size());
-  return absl::UnavailableError(fmt::format(
+  return Unavailable(
       "no orchestrator answers at {}: {}{} Is flair-orchestrator running there? Without --orchestrator, flair "
       "uses this machine alone",
-      address, why, why.ends_with('?') ? "" : "."));
+      address, why, why.ends_with('?') ? "" : ".");
 }
 
 }  // namespace flair::cli

@@ -25,7 +25,7 @@ using google::protobuf::Reflection;
 bool IsMessage(const FieldDescriptor& field) { return field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE; }
 
 absl::Status Wrong(const std::string& path, const std::string& why) {
-  return absl::InvalidArgumentError(fmt::format("--field {}: {}", path, why));
+  return InvalidArgument("--field {}: {}", path, why);
 }
 
 // Puts a field of the message into `view`.
@@ -126,7 +126,7 @@ std::string JsonText(const FieldView& view) {
 
 absl::StatusOr<FieldView> FindField(const Message& message, const std::string& path) {
   absl::StatusOr<std::vector<PathStep>> steps = ParseFieldPath(path);
-  if (!steps.ok()) return absl::InvalidArgumentError(fmt::format("--field: {}", std::string(steps.status().message())));
+  if (!steps.ok()) return InvalidArgument("--field: {}", steps.status().message());
   CompletePath(message, *steps);
   FieldView view;
   for (size_t i = 0; i < steps->size(); ++i) {

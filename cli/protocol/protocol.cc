@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "absl/status/status.h"
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
@@ -14,6 +13,7 @@
 #include "cli/protocol/protocol_bytes.h"
 #include "fmt/format.h"
 #include "google/protobuf/descriptor.pb.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 
@@ -236,8 +236,7 @@ absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
   if (entry.message != nullptr) return MessageText(*entry.message);
   if (entry.enumeration != nullptr) return EnumText(*entry.enumeration);
   if (entry.method == nullptr) {
-    return absl::NotFoundError(
-        fmt::format("\"{}\" is not a service, call, message or enum of flair.v1; flair protocol lists them", name));
+    return NotFound("\"{}\" is not a service, call, message or enum of flair.v1; flair protocol lists them", name);
   }
   return absl::StrCat("call of ", entry.method->service()->name(), "\n  ", MethodText(*entry.method), "\n",
                       MessageText(*entry.method->input_type()), "\n", MessageText(*entry.method->output_type()));

@@ -76,9 +76,9 @@ struct Session::Calls {
   absl::Status Explain(const absl::Status& status) const {
     if (limits.stop->cancelled()) return absl::CancelledError("interrupted");
     if (absl::IsUnimplemented(status)) {
-      return absl::UnimplementedError(
-          fmt::format("the orchestrator at {} does not know this call: {}; use a flair-orchestrator of this version",
-                      address, std::string(status.message())));
+      return Unimplemented(
+          "the orchestrator at {} does not know this call: {}; use a flair-orchestrator of this version", address,
+          status.message());
     }
     return services != nullptr ? status : NoOrchestrator(status, address);
   }
@@ -126,9 +126,8 @@ struct Session::Calls {
     request.set_job_id(id);
     absl::StatusOr<Response> response = Ask(method, request);
     if (!absl::IsNotFound(response.status())) return response;
-    return absl::NotFoundError(
-        fmt::format("{}: no such job {}; flair jobs lists them", id,
-                    services != nullptr ? "in the store " + DefaultStorePath() : "at " + address));
+    return NotFound("{}: no such job {}; flair jobs lists them", id,
+                    services != nullptr ? "in the store " + DefaultStorePath() : "at " + address);
   }
 
   template <typename Request, typename Response>
@@ -369,7 +368,7 @@ absl::Status WaitForJob(Session& session, const std::string& id, Progress& progr
     case v1::JOB_STATE_FAILED:
       return ErrorOf(job);
     default:
-      return absl::InternalError(fmt::format("job {} has not ended; see: flair jobs show {}", id, id));
+      return Internal("job {} has not ended; see: flair jobs show {}", id, id);
   }
 }
 
@@ -388,7 +387,7 @@ absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job
   ASSIGN_OR_RETURN(ArtifactsByKind artifacts, StoredArtifacts(session, job));
   for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
     if (!artifacts.contains(kind)) {
-      return absl::InternalError(fmt::format("job {} succeeded without a {}", job.id(), KindName(kind)));
+      return Internal("job {} succeeded without a {}", job.id(), KindName(kind));
     }
   }
   return artifacts;

@@ -187,12 +187,11 @@ std::string EndOf(const std::string& text) {
 absl::Status CheckPicture(const PlansBeside& plans) {
   const absl::StatusOr<v1::PreviewFormat> format = FormatOfFile(plans.picture);
   if (!format.ok() || *format == v1::PREVIEW_FORMAT_EXR) {
-    return absl::InvalidArgumentError(fmt::format(
-        "--picture: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff, svg, pdf", plans.picture));
+    return InvalidArgument("--picture: {}: its extension chooses the format: png, jpg, jpeg, tif, tiff, svg, pdf",
+                           plans.picture);
   }
   if (IsDocument(*format) && plans.size_px.has_value()) {
-    return absl::InvalidArgumentError(
-        fmt::format("--size: {}: not with --picture {}, which has no pixels", *plans.size_px, plans.picture));
+    return InvalidArgument("--size: {}: not with --picture {}, which has no pixels", *plans.size_px, plans.picture);
   }
   return CheckOutputFile(plans.picture);
 }

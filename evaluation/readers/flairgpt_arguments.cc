@@ -45,14 +45,14 @@ absl::StatusOr<Words> SidesNamed(const std::string& word, bool wide) {
   if (word.rfind("long", 0) == 0 || word == "length") return wide ? ends : flanks;
   if (word.rfind("short", 0) == 0 || word == "width") return wide ? flanks : ends;
   if (const std::string side = SideNamed(word); !side.empty()) return Words{side};
-  return absl::InvalidArgumentError(fmt::format("unknown side \"{}\"", word));
+  return InvalidArgument("unknown side \"{}\"", word);
 }
 
 absl::StatusOr<std::string> Corner(const json& value) {
   static const std::map<std::string, std::string> corners = {
       {"tl", "back_left"}, {"tr", "back_right"}, {"br", "front_right"}, {"bl", "front_left"}};
   const auto it = value.is_string() ? corners.find(value.get<std::string>()) : corners.end();
-  if (it == corners.end()) return absl::InvalidArgumentError(fmt::format("unknown corner {}", Quoted(value)));
+  if (it == corners.end()) return InvalidArgument("unknown corner {}", Quoted(value));
   return it->second;
 }
 
@@ -88,7 +88,7 @@ absl::StatusOr<std::string> FlairGptArguments::ObjectId(const json& recorded, bo
     if (value.is_string() && FlairGptWords(object.name()) == FlairGptWords(value) && ++matches > 0) id = object.id();
   }
   if (value.is_string() && matches == 1) return id;
-  return absl::NotFoundError(fmt::format("no object {}", Quoted(recorded)));
+  return NotFound("no object {}", Quoted(recorded));
 }
 
 absl::StatusOr<std::string> FlairGptArguments::Feature(const json& value) const {
@@ -106,12 +106,12 @@ absl::StatusOr<std::string> FlairGptArguments::Feature(const json& value) const 
                                                            {"power socket", "socket"},
                                                            {"electrical outlet", "socket"}};
   const auto it = value.is_string() ? words.find(FlairGptWords(value)) : words.end();
-  if (it == words.end()) return absl::NotFoundError(fmt::format("no feature {}", Quoted(value)));
+  if (it == words.end()) return NotFound("no feature {}", Quoted(value));
   for (const v1::Opening& opening : graph_.room().openings()) {
     if (it->second == (opening.kind() == v1::OPENING_KIND_DOOR ? "door" : "window")) return it->second;
   }
   if (it->second == "socket" && graph_.room().sockets_size() > 0) return it->second;
-  return absl::NotFoundError(fmt::format("the room has no {}", it->second));
+  return NotFound("the room has no {}", it->second);
 }
 
 absl::StatusOr<std::string> FlairGptArguments::ZoneId(const json& value) const {
@@ -123,7 +123,7 @@ absl::StatusOr<std::string> FlairGptArguments::ZoneId(const json& value) const {
     if (!left.empty() && ZoneWords(zone.name()) == left) matches.push_back(zone.id());
   }
   if (matches.size() == 1) return matches.front();
-  return absl::NotFoundError(fmt::format("no zone {}", Quoted(value)));
+  return NotFound("no zone {}", Quoted(value));
 }
 
 absl::StatusOr<Words> FlairGptArguments::Sides(const json& value, const std::string& object_id) const {
@@ -147,7 +147,7 @@ absl::StatusOr<Words> FlairGptArguments::Sides(const json& value, const std::str
 }
 
 absl::StatusOr<Words> FlairGptArguments::Objects(const json& value) const {
-  if (!value.is_array()) return absl::InvalidArgumentError(fmt::format("{} is not a list of objects", Quoted(value)));
+  if (!value.is_array()) return InvalidArgument("{} is not a list of objects", Quoted(value));
   Words ids;
   for (const json& item : value) {
     ASSIGN_OR_RETURN(std::string id, ObjectId(item, false));
@@ -161,7 +161,7 @@ absl::StatusOr<std::optional<v1::Argument>> FlairGptArguments::Read(const FlairG
                                                                     const std::string& object_id) const {
   if (parameter.kind == FlairGptKind::kIgnored) return std::nullopt;
   if (value.is_null()) {
-    if (parameter.required) return absl::InvalidArgumentError(fmt::format("{} is not given", parameter.name));
+    if (parameter.required) return InvalidArgument("{} is not given", parameter.name);
     return std::nullopt;
   }
   v1::Argument argument;
@@ -171,7 +171,7 @@ absl::StatusOr<std::optional<v1::Argument>> FlairGptArguments::Read(const FlairG
   switch (parameter.kind) {
     case FlairGptKind::kNumber:
       if (!value.is_number()) {
-        return absl::InvalidArgumentError(fmt::format("{} is {}, not a number", parameter.name, Quoted(value)));
+        return InvalidArgument("{} is {}, not a number", parameter.name, Quoted(value));
       }
       read.set_number(value.get<double>());
       return argument;

@@ -5,7 +5,6 @@
 #include <map>
 #include <sstream>
 
-#include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
@@ -28,7 +27,7 @@ absl::StatusOr<Call> Assign(const json& record) {
   }
   Call call{CanonicalFlairGptName(record["function"].get<std::string>()), nullptr, {}};
   call.function = FindFlairGptFunction(call.name);
-  if (call.function == nullptr) return absl::NotFoundError(fmt::format("unknown function {}", call.name));
+  if (call.function == nullptr) return NotFound("unknown function {}", call.name);
   const std::vector<FlairGptParameter>& parameters = call.function->parameters;
   call.values.resize(parameters.size());
   json arguments = record.value("args", json::array());
@@ -39,8 +38,7 @@ absl::StatusOr<Call> Assign(const json& record) {
   }
   if (arguments.size() > parameters.size()) {
     if (!call.function->ignores_others) {
-      return absl::InvalidArgumentError(
-          fmt::format("{} arguments, at most {} are known", arguments.size(), parameters.size()));
+      return InvalidArgument("{} arguments, at most {} are known", arguments.size(), parameters.size());
     }
     arguments.erase(arguments.begin() + static_cast<int>(parameters.size()), arguments.end());
   }
@@ -51,7 +49,7 @@ absl::StatusOr<Call> Assign(const json& record) {
     if (p >= 0) {
       call.values[p] = value;
     } else if (!call.function->ignores_others) {
-      return absl::InvalidArgumentError(fmt::format("unknown keyword {}", keyword));
+      return InvalidArgument("unknown keyword {}", keyword);
     }
   }
   return call;
@@ -184,7 +182,7 @@ absl::StatusOr<std::vector<v1::ConstraintEdge>> ReadFlairGptCall(const json& cal
   try {
     return Read(call, graph);
   } catch (const json::exception& error) {
-    return absl::InvalidArgumentError(fmt::format("not a call: {}", error.what()));
+    return InvalidArgument("not a call: {}", error.what());
   }
 }
 

@@ -10,6 +10,7 @@
 #include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
 namespace {
@@ -93,7 +94,7 @@ class Checker {
                   {{"primary", list}, {"secondary", list}, {"secondary_all", list}, {"tertiary", list}});
     }
     if (faults_.empty()) return absl::OkStatus();
-    return absl::InvalidArgumentError(fmt::format("{}", fmt::join(faults_, "; ")));
+    return InvalidArgument("{}", fmt::join(faults_, "; "));
   }
 
  private:

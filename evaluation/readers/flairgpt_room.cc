@@ -11,6 +11,7 @@
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "room/geometry/pose.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
 namespace {
@@ -218,9 +219,7 @@ void AddCalls(const json& calls, v1::LayoutGraph& graph) {
   }
 }
 
-absl::Status Refusal(std::string_view why) {
-  return absl::InvalidArgumentError(fmt::format("not a recorded FlairGPT problem: {}", why));
-}
+absl::Status Refusal(std::string_view why) { return InvalidArgument("not a recorded FlairGPT problem: {}", why); }
 
 v1::LayoutGraph ReadProblem(const json& problem) {
   v1::LayoutGraph graph;
@@ -251,8 +250,7 @@ absl::StatusOr<v1::SolvedLayout> ReadSolution(const json& problem, const v1::Lay
     const json solution = problem.value("solution", json::object());
     const json poses = solution.value(stage, json::array());
     if (poses.size() != objects.size()) {
-      return absl::NotFoundError(
-          fmt::format("the recorded layout has {} {} poses for {} objects", poses.size(), stage, objects.size()));
+      return NotFound("the recorded layout has {} {} poses for {} objects", poses.size(), stage, objects.size());
     }
     for (size_t i = 0; i < poses.size(); ++i) {
       v1::Placement* placement = layout.add_placements();
@@ -300,7 +298,7 @@ absl::StatusOr<v1::SolvedLayout> ReadFlairGptSolution(const std::string& text, c
   try {
     return ReadSolution(json::parse(text), graph);
   } catch (const json::exception& error) {
-    return absl::NotFoundError(fmt::format("no recorded layout: {}", error.what()));
+    return NotFound("no recorded layout: {}", error.what());
   }
 }
 

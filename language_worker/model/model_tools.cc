@@ -7,6 +7,7 @@
 
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {
@@ -55,8 +56,7 @@ absl::Status BothFailed(const absl::Status& first, const absl::Status& second) {
 
 absl::Status CheckResult(std::string_view step, const absl::Status& status) {
   if (status.ok()) return status;
-  return absl::DataLossError(fmt::format("step \"{}\": what the model answered makes no good artifact: {}", step,
-                                         std::string(status.message())));
+  return DataLoss("step \"{}\": what the model answered makes no good artifact: {}", step, status.message());
 }
 
 std::string IdMaker::Make(std::string_view name, std::string_view fallback) { return MakeLike(BaseOf(name, fallback)); }

@@ -146,7 +146,7 @@ absl::StatusOr<std::string> RecordedRoomClient::Answer(const std::string& step, 
   const json schema = json::parse(request.schema, nullptr, /*allow_exceptions=*/false);
   if (step == "style") return keep(answers_.Style(FindChoices(schema, "of")));
   if (step.starts_with("translation.")) return keep(FindCalls(room_, step, question, conversion));
-  return absl::NotFoundError(fmt::format("step \"{}\": a recorded room has no answer to it", step));
+  return NotFound("step \"{}\": a recorded room has no answer to it", step);
 }
 
 absl::StatusOr<llm::ChatAnswer> RecordedRoomClient::Ask(const llm::ChatRequest& request, runtime::CallContext&) {

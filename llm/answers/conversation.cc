@@ -8,6 +8,7 @@
 
 #include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::llm {
@@ -123,8 +124,8 @@ absl::Status Conversation::Finish(Turn& turn) {
   if (turn.repairing && IsWorse(turn.reply.faults, turn.first_reply.faults)) std::swap(turn.reply, turn.first_reply);
   const std::vector<Fault> useless = DropFaulty(turn.reply.faults, *turn.reply.answer);
   if (useless.empty()) return absl::OkStatus();
-  return absl::DataLossError(fmt::format("the model's answer is of no use, also after a repair: {}",
-                                         fmt::join(SentencesOf(useless, /*worth_asking_only=*/true), "; ")));
+  return DataLoss("the model's answer is of no use, also after a repair: {}",
+                  fmt::join(SentencesOf(useless, /*worth_asking_only=*/true), "; "));
 }
 
 void Conversation::Round(std::span<Turn* const> turns) {
@@ -160,15 +161,13 @@ absl::Status Conversation::CheckBudget(std::span<Turn* const> turns) const {
   const int64_t needed = static_cast<int64_t>(turns.size());
   const int64_t calls_left = budget.call_count() - static_cast<int64_t>(calls_.size());
   if (budget.has_call_count() && needed > calls_left) {
-    return absl::FailedPreconditionError(fmt::format("the budget of calls is spent: {} more {} needed, {} {} left",
-                                                     needed, Form(needed, "is", "are"), calls_left,
-                                                     Form(calls_left, "is", "are")));
+    return FailedPrecondition("the budget of calls is spent: {} more {} needed, {} {} left", needed,
+                              Form(needed, "is", "are"), calls_left, Form(calls_left, "is", "are"));
   }
   const int64_t tokens_left = std::max<int64_t>(0, budget.token_count() - tokens);
   if (budget.has_token_count() && estimate > tokens_left) {
-    return absl::FailedPreconditionError(
-        fmt::format("the budget of tokens is spent: about {} more are needed, {} {} left", estimate, tokens_left,
-                    Form(tokens_left, "is", "are")));
+    return FailedPrecondition("the budget of tokens is spent: about {} more are needed, {} {} left", estimate,
+                              tokens_left, Form(tokens_left, "is", "are"));
   }
   if (budget.has_cost_usd() && cost_usd >= budget.cost_usd()) {
     return absl::FailedPreconditionError("the budget of US dollars is spent: nothing is left");

@@ -20,7 +20,7 @@ absl::StatusOr<std::string> ReadFile(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
-  if (!stream) return absl::UnavailableError(fmt::format("cannot read prompt file {}", path.string()));
+  if (!stream) return Unavailable("cannot read prompt file {}", path.string());
   return text.str();
 }
 
@@ -68,11 +68,11 @@ std::string Listed(const std::vector<std::string>& names) {
 }
 
 absl::Status Check(const fs::path& path, const std::string& text, const PromptSpec& spec) {
-  if (Trimmed(text).empty()) return absl::InvalidArgumentError(fmt::format("{}: the prompt is empty", path.string()));
+  if (Trimmed(text).empty()) return InvalidArgument("{}: the prompt is empty", path.string());
   try {
     (void)nlohmann::json(text).dump();
   } catch (const nlohmann::json::exception&) {
-    return absl::InvalidArgumentError(fmt::format("{}: the prompt is no UTF-8 text", path.string()));
+    return InvalidArgument("{}: the prompt is no UTF-8 text", path.string());
   }
   std::vector<std::string> used;
   for (Placeholder next = NextPlaceholder(text, 0); next.start != std::string::npos;
@@ -80,14 +80,14 @@ absl::Status Check(const fs::path& path, const std::string& text, const PromptSp
     const auto& known = spec.placeholders;
     if (std::find(known.begin(), known.end(), next.name) == known.end()) {
       const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(next.start), '\n');
-      return absl::InvalidArgumentError(fmt::format("{}:{}: {{{{{}}}}} is not a placeholder of this prompt; it has {}",
-                                                    path.string(), line, next.name, Listed(known)));
+      return InvalidArgument("{}:{}: {{{{{}}}}} is not a placeholder of this prompt; it has {}", path.string(), line,
+                             next.name, Listed(known));
     }
     used.push_back(next.name);
   }
   for (const std::string& name : spec.required) {
     if (std::find(used.begin(), used.end(), name) != used.end()) continue;
-    return absl::InvalidArgumentError(fmt::format("{}: {{{{{}}}}} is not in the text", path.string(), name));
+    return InvalidArgument("{}: {{{{{}}}}} is not in the text", path.string(), name);
   }
   return absl::OkStatus();
 }
@@ -99,7 +99,7 @@ absl::StatusOr<PromptLibrary> PromptLibrary::Load(const fs::path& installed, con
   for (const fs::path& folder : {installed, overrides}) {
     std::error_code error;
     if (folder.empty() || fs::is_directory(folder, error)) continue;
-    return absl::NotFoundError(fmt::format("prompts folder {} is not a folder", folder.string()));
+    return NotFound("prompts folder {} is not a folder", folder.string());
   }
   PromptLibrary library;
   std::string all;
@@ -107,7 +107,7 @@ absl::StatusOr<PromptLibrary> PromptLibrary::Load(const fs::path& installed, con
     std::error_code error;
     fs::path path = overrides / (spec.name + ".txt");
     if (overrides.empty() || !fs::exists(path, error)) path = installed / (spec.name + ".txt");
-    if (!fs::exists(path, error)) return absl::NotFoundError(fmt::format("prompt {} is missing", path.string()));
+    if (!fs::exists(path, error)) return NotFound("prompt {} is missing", path.string());
     ASSIGN_OR_RETURN(const std::string text, ReadFile(path));
     const std::string kept = WithoutRemarks(text);
     RETURN_IF_ERROR(Check(path, kept, spec));

@@ -100,12 +100,10 @@ class Transfer {
     if (now >= deadline_) return absl::DeadlineExceededError("the call's deadline has passed");
     const std::string address = PublicAddress(request_.url);
     if (now >= total_end_) {
-      return absl::UnavailableError(
-          fmt::format("{}: no complete answer within {}", address, absl::FormatDuration(timeouts_.total)));
+      return Unavailable("{}: no complete answer within {}", address, absl::FormatDuration(timeouts_.total));
     }
     if (now >= silent_since_ + timeouts_.first_byte) {
-      return absl::UnavailableError(
-          fmt::format("{}: silent for {}", address, absl::FormatDuration(timeouts_.first_byte)));
+      return Unavailable("{}: silent for {}", address, absl::FormatDuration(timeouts_.first_byte));
     }
     return absl::OkStatus();
   }
@@ -188,8 +186,7 @@ class Transfer {
     silent_since_ = Now();
     header_byte_count_ += static_cast<int64_t>(line.size());
     if (header_byte_count_ > kHeaderByteLimit) {
-      failure_ = absl::DataLossError(
-          fmt::format("{}: headers of more than {} KiB", PublicAddress(request_.url), kHeaderByteLimit >> 10));
+      failure_ = DataLoss("{}: headers of more than {} KiB", PublicAddress(request_.url), kHeaderByteLimit >> 10);
       return 0;
     }
     const size_t colon = line.find(':');
@@ -208,8 +205,7 @@ class Transfer {
     const bool success = HttpStatus() / 100 == 2;
     body_byte_count_ += static_cast<int64_t>(piece.size());
     if (success && body_byte_count_ > body_byte_limit_) {
-      failure_ = absl::DataLossError(
-          fmt::format("{}: an answer of more than {} bytes", PublicAddress(request_.url), body_byte_limit_));
+      failure_ = DataLoss("{}: an answer of more than {} bytes", PublicAddress(request_.url), body_byte_limit_);
       return 0;
     }
     response_.body += piece;
@@ -235,13 +231,11 @@ class Transfer {
     switch (code) {
       case CURLE_OPERATION_TIMEDOUT:
         // Of connecting, the only time that libcurl watches.
-        return absl::UnavailableError(
-            fmt::format("{}: no connection within {}", address, absl::FormatDuration(timeouts_.connect)));
+        return Unavailable("{}: no connection within {}", address, absl::FormatDuration(timeouts_.connect));
       case CURLE_URL_MALFORMAT:
         return absl::InvalidArgumentError(message);
       case CURLE_PEER_FAILED_VERIFICATION:
-        return absl::FailedPreconditionError(
-            fmt::format("{}: its certificate is not trusted ({})", address, error_text_));
+        return FailedPrecondition("{}: its certificate is not trusted ({})", address, error_text_);
       case CURLE_SSL_CACERT_BADFILE:
       case CURLE_SSL_ENGINE_NOTFOUND:
       case CURLE_SSL_CERTPROBLEM:
@@ -249,10 +243,10 @@ class Transfer {
       case CURLE_UNSUPPORTED_PROTOCOL:
       case CURLE_WEIRD_SERVER_REPLY:
       case CURLE_FILESIZE_EXCEEDED:
-        return absl::DataLossError(fmt::format("{}: not an HTTP answer ({})", address, curl_easy_strerror(code)));
+        return DataLoss("{}: not an HTTP answer ({})", address, curl_easy_strerror(code));
       case CURLE_BAD_CONTENT_ENCODING:
       case CURLE_WRITE_ERROR:
-        return absl::DataLossError(fmt::format("{}: its answer cannot be decompressed", address));
+        return DataLoss("{}: its answer cannot be decompressed", address);
       default:
         return absl::UnavailableError(message);
     }

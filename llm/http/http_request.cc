@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "llm/http/http_request.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cctype>
 
@@ -57,19 +55,18 @@ std::string PublicAddress(std::string_view url) {
 
 absl::Status CheckHeader(const HttpHeader& header) {
   if (header.name.empty() || !std::ranges::all_of(header.name, IsTokenByte)) {
-    return absl::InvalidArgumentError(fmt::format("header '{}': not a name of a header", header.name));
+    return InvalidArgument("header '{}': not a name of a header", header.name);
   }
   if (std::ranges::any_of(header.value, IsControlByte)) {
-    return absl::InvalidArgumentError(
-        fmt::format("header '{}': its value holds a line break or another control character", header.name));
+    return InvalidArgument("header '{}': its value holds a line break or another control character", header.name);
   }
   return absl::OkStatus();
 }
 
 absl::Status CheckRequest(const HttpRequest& request) {
   if (!absl::StartsWithIgnoreCase(request.url, "http://") && !absl::StartsWithIgnoreCase(request.url, "https://")) {
-    return absl::InvalidArgumentError(
-        fmt::format("'{}' is not an address; it must begin with http:// or https://", PublicAddress(request.url)));
+    return InvalidArgument("'{}' is not an address; it must begin with http:// or https://",
+                           PublicAddress(request.url));
   }
   if (SplitsPassword(request.url)) {
     return absl::InvalidArgumentError(

@@ -219,7 +219,7 @@ absl::StatusOr<ordered_json> EncodeFormat(const Dialect& dialect, const ChatRequ
   if (dialect.form == config::v1::ANSWER_FORM_JSON_OBJECT) return ordered_json{{"type", "json_object"}};
   ordered_json schema = ordered_json::parse(request.schema, nullptr, false);
   if (!schema.is_object()) {
-    return absl::InvalidArgumentError(fmt::format("the schema of step '{}' is no JSON object", request.step));
+    return InvalidArgument("the schema of step '{}' is no JSON object", request.step);
   }
   if (!dialect.schema_limits) DropLimits(schema);
   ordered_json format = {{"type", "json_schema"}};

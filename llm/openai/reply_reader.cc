@@ -165,7 +165,7 @@ class Completion {
 };
 
 absl::Status NotOfTheProtocol(std::string_view what, const ReplyContext& context) {
-  return absl::DataLossError(fmt::format("{}: {}", context.address, what));
+  return DataLoss("{}: {}", context.address, what);
 }
 
 // Adds an object of the protocol.
@@ -190,7 +190,7 @@ absl::Status AddEvents(std::string_view stream, const ReplyContext& context, Com
     if (data.find_first_not_of(kSpace) != std::string::npos) RETURN_IF_ERROR(Add(data, context, completion));
   }
   if (done || completion.finished()) return absl::OkStatus();
-  return absl::UnavailableError(fmt::format("{}: the stream of the answer ended early", context.address));
+  return Unavailable("{}: the stream of the answer ended early", context.address);
 }
 
 }  // namespace

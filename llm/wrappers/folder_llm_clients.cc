@@ -60,9 +60,7 @@ Json ToJson(const ChatAnswer& answer) {
 
 std::string Dump(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
-absl::Status Bad(const std::string& path, const char* expected) {
-  return absl::DataLossError(fmt::format("{}: expected {}", path, expected));
-}
+absl::Status Bad(const std::string& path, const char* expected) { return DataLoss("{}: expected {}", path, expected); }
 
 // Reads fields one after the other; remembers the first that is wrong.
 class Reader {
@@ -123,8 +121,7 @@ absl::Status MakeFolder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (!error) return absl::OkStatus();
-  return absl::FailedPreconditionError(
-      fmt::format("{}: the folder for answers cannot be made: {}", path, error.message()));
+  return FailedPrecondition("{}: the folder for answers cannot be made: {}", path, error.message());
 }
 
 // Steps are words, dots and slashes; whatever else is in one does not get into a file's name.
@@ -182,8 +179,8 @@ absl::Status AnswerFolder::ClaimFor(const std::string& identity) const {
   const absl::StatusOr<std::string> found = Identity();
   if (found.ok() && *found == identity) return absl::OkStatus();
   if (found.ok()) {
-    return absl::FailedPreconditionError(
-        fmt::format("{}: holds answers of \"{}\", not of \"{}\"; choose another folder", path_, *found, identity));
+    return FailedPrecondition("{}: holds answers of \"{}\", not of \"{}\"; choose another folder", path_, *found,
+                              identity);
   }
   return runtime::WriteFileAtomically(path_ + "/" + kIdentityFile, identity + "\n");
 }
@@ -191,8 +188,7 @@ absl::Status AnswerFolder::ClaimFor(const std::string& identity) const {
 absl::StatusOr<std::string> AnswerFolder::Identity() const {
   std::optional<std::string> text = ReadFile(path_ + "/" + kIdentityFile);
   if (!text.has_value()) {
-    return absl::NotFoundError(
-        fmt::format("{}: no recorded answers: its file \"{}\" is missing", path_, kIdentityFile));
+    return NotFound("{}: no recorded answers: its file \"{}\" is missing", path_, kIdentityFile);
   }
   while (!text->empty() && text->back() == '\n') text->pop_back();
   return *text;
@@ -204,8 +200,7 @@ absl::StatusOr<std::optional<ChatAnswer>> AnswerFolder::Find(const ChatRequest& 
   if (!text.has_value()) return std::optional<ChatAnswer>();
   absl::StatusOr<ChatAnswer> answer = ReadRecordJson(*text);
   if (answer.ok()) return std::optional<ChatAnswer>(*std::move(answer));
-  return absl::DataLossError(
-      fmt::format("{}: not a recorded answer: {}", path, std::string(answer.status().message())));
+  return DataLoss("{}: not a recorded answer: {}", path, answer.status().message());
 }
 
 absl::StatusOr<ChatAnswer> AnswerFolder::Put(const ChatRequest& request, const ChatAnswer& answer) const {
@@ -232,9 +227,9 @@ class FolderLlmClient final : public LlmClient {
     if (!known.ok() && use_ != Use::kCache) return known.status();
     if (known.ok() && known->has_value()) return **std::move(known);
     if (use_ == Use::kReplay) {
-      return absl::NotFoundError(fmt::format(
-          "{}: no recorded answer for step \"{}\"{}: expected the file {}", folder_.path(), request.step,
-          request.seed == 0 ? "" : fmt::format(" with seed {}", request.seed), AnswerFolder::FileName(request)));
+      return NotFound("{}: no recorded answer for step \"{}\"{}: expected the file {}", folder_.path(), request.step,
+                      request.seed == 0 ? "" : fmt::format(" with seed {}", request.seed),
+                      AnswerFolder::FileName(request));
     }
     ASSIGN_OR_RETURN(ChatAnswer answer, inner_->Ask(request, call));
     // When two callers asked the same at once, both get what is kept.

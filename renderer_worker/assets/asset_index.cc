@@ -72,7 +72,7 @@ using Database = std::unique_ptr<sqlite3, Close>;
 using Statement = std::unique_ptr<sqlite3_stmt, Close>;
 
 absl::Status Failed(sqlite3* database, std::string_view doing) {
-  return absl::InternalError(fmt::format("SQLite could not {}: {}", doing, sqlite3_errmsg(database)));
+  return Internal("SQLite could not {}: {}", doing, sqlite3_errmsg(database));
 }
 
 absl::StatusOr<Statement> Prepare(sqlite3* database, std::string_view sql) {

@@ -151,8 +151,7 @@ bool StaysInFolder(std::string_view file) {
 
 absl::StatusOr<Manifest> ReadManifest(std::string_view text) {
   if (text.size() > kMaxManifestBytes) {
-    return absl::ResourceExhaustedError(
-        fmt::format("the manifest has {} bytes, {} at most are read", text.size(), kMaxManifestBytes));
+    return ResourceExhausted("the manifest has {} bytes, {} at most are read", text.size(), kMaxManifestBytes);
   }
   ASSIGN_OR_RETURN(Json json, ParseLimitedJson(text));
   Reader reader;
@@ -180,18 +179,17 @@ constexpr size_t kMaxKeptEntries = 10000;
 absl::StatusOr<std::string> ReadFile(const fs::path& path, size_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return absl::NotFoundError(fmt::format("there is no file {}", path.string()));
-  if (!fs::is_regular_file(status)) return absl::NotFoundError(fmt::format("{} is not a regular file", path.string()));
+  if (!fs::exists(status)) return NotFound("there is no file {}", path.string());
+  if (!fs::is_regular_file(status)) return NotFound("{} is not a regular file", path.string());
   const uintmax_t size = fs::file_size(path, error);
-  if (error) return absl::NotFoundError(fmt::format("{}: {}", path.string(), error.message()));
+  if (error) return NotFound("{}: {}", path.string(), error.message());
   if (size > max_bytes) {
-    return absl::ResourceExhaustedError(
-        fmt::format("{} has {} bytes, {} at most are read", path.string(), size, max_bytes));
+    return ResourceExhausted("{} has {} bytes, {} at most are read", path.string(), size, max_bytes);
   }
   std::string bytes(static_cast<size_t>(size), '\0');
   std::ifstream file(path, std::ios::binary);
   if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    return absl::NotFoundError(fmt::format("{} cannot be read", path.string()));
+    return NotFound("{} cannot be read", path.string());
   }
   return bytes;
 }
@@ -220,14 +218,13 @@ size_t VerticesOf(const absl::StatusOr<std::shared_ptr<const AssetMesh>>& loaded
 absl::StatusOr<std::unique_ptr<AssetLibrary>> AssetLibrary::Open(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    return absl::NotFoundError(fmt::format("the asset folder {} is not a folder", folder.string()));
+    return NotFound("the asset folder {} is not a folder", folder.string());
   }
   fs::path file = folder / "manifest.json";
   if (!fs::exists(file, error)) file = folder / "annotations.json";
   absl::StatusOr<std::string> text = ReadFile(file, kMaxManifestBytes);
   if (absl::IsNotFound(text.status())) {
-    return absl::NotFoundError(
-        fmt::format("the asset folder {} must hold manifest.json or annotations.json", folder.string()));
+    return NotFound("the asset folder {} must hold manifest.json or annotations.json", folder.string());
   }
   if (!text.ok()) return text.status();
   absl::StatusOr<Manifest> manifest = ReadManifest(*text);

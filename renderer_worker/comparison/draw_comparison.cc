@@ -126,14 +126,13 @@ absl::StatusOr<ComparisonSheet> ArrangeComparison(const Comparison& comparison, 
   if (options.has_scale_denominator()) {
     auto sheet = BestAt(comparison, options.paper(), options.scale_denominator());
     if (sheet.has_value()) return *std::move(sheet);
-    return absl::InvalidArgumentError(fmt::format("options.scale_denominator: {} plans do not fit {} at 1:{}",
-                                                  comparison.panels.size(), paper, options.scale_denominator()));
+    return InvalidArgument("options.scale_denominator: {} plans do not fit {} at 1:{}", comparison.panels.size(), paper,
+                           options.scale_denominator());
   }
   for (const int scale : CommonScales()) {
     if (auto sheet = BestAt(comparison, options.paper(), scale); sheet.has_value()) return *std::move(sheet);
   }
-  return absl::InvalidArgumentError(
-      fmt::format("beside: {} plans do not fit {} at any scale", comparison.panels.size(), paper));
+  return InvalidArgument("beside: {} plans do not fit {} at any scale", comparison.panels.size(), paper);
 }
 
 namespace {
@@ -286,7 +285,7 @@ absl::StatusOr<PlanChange> ReadChange(const v1::ObjectChange& change, const std:
   const v1::Object* is = ObjectOf(after, change.after_object_id());
   const auto missing = [&](const char* field, const std::string& id, const v1::Object* object) {
     if (id.empty() || object != nullptr) return absl::OkStatus();
-    return absl::InvalidArgumentError(fmt::format("{}.{}: \"{}\" is not an object of its layout", path, field, id));
+    return InvalidArgument("{}.{}: \"{}\" is not an object of its layout", path, field, id);
   };
   RETURN_IF_ERROR(missing("before_object_id", change.before_object_id(), was));
   RETURN_IF_ERROR(missing("after_object_id", change.after_object_id(), is));

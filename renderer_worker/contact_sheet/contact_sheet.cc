@@ -84,12 +84,11 @@ absl::StatusOr<SheetGrid> ArrangeSheet(int tile_count, std::optional<int> tile_p
     const SheetGrid grid = GridOf(tile_count, largest, has_heading);
     if (!Fits(grid)) continue;
     if (!tile_px) return grid;
-    return absl::InvalidArgumentError(
-        fmt::format("options.tile_px: {} tiles of {} px make a sheet larger than {} px; at most {}", tile_count,
-                    *tile_px, kLargestSheetPx, largest));
+    return InvalidArgument("options.tile_px: {} tiles of {} px make a sheet larger than {} px; at most {}", tile_count,
+                           *tile_px, kLargestSheetPx, largest);
   }
-  return absl::InvalidArgumentError(fmt::format("options.tile_count: {} tiles do not fit a sheet of {} x {} px",
-                                                tile_count, kLargestSheetPx, kLargestSheetPx));
+  return InvalidArgument("options.tile_count: {} tiles do not fit a sheet of {} x {} px", tile_count, kLargestSheetPx,
+                         kLargestSheetPx);
 }
 
 SheetBand::SheetBand(int width_px, int height_px)
@@ -215,8 +214,8 @@ absl::Status ContactSheet::Next(const TileText& text) {
 
 absl::Status ContactSheet::Add(const Pixels& picture, const TileText& text) {
   if (picture.width_px > grid_.tile_px || picture.height_px > grid_.tile_px)
-    return absl::InternalError(fmt::format("a tile of {} px for a place of {} px",
-                                           std::max(picture.width_px, picture.height_px), grid_.tile_px));
+    return Internal("a tile of {} px for a place of {} px", std::max(picture.width_px, picture.height_px),
+                    grid_.tile_px);
   const int column = added_count_ % grid_.column_count;
   RETURN_IF_ERROR(Next(text));
   band_->Put(picture, grid_.gap_px + column * grid_.cell_width_px() + (grid_.tile_px - picture.width_px) / 2,

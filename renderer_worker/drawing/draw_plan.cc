@@ -86,7 +86,7 @@ Pixels ReadPixels(cairo_surface_t* surface) {
 absl::StatusOr<SurfacePtr> MakeImage(int width, int height) {
   SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
-    return absl::ResourceExhaustedError(fmt::format("no memory for a picture of {} x {} pixels", width, height));
+    return ResourceExhausted("no memory for a picture of {} x {} pixels", width, height);
   }
   return surface;
 }
@@ -125,18 +125,18 @@ absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& 
   if (!options.has_dpi()) {
     const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
     if (size_px < 256 || size_px > 8192) {
-      return absl::InvalidArgumentError(fmt::format("options.size_px: {}; must be in [256, 8192]", size_px));
+      return InvalidArgument("options.size_px: {}; must be in [256, 8192]", size_px);
     }
     return size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
   }
   if (options.has_size_px()) return absl::InvalidArgumentError("options.dpi: not together with size_px");
   if (options.dpi() < 36 || options.dpi() > 1200) {
-    return absl::InvalidArgumentError(fmt::format("options.dpi: {}; must be in [36, 1200]", options.dpi()));
+    return InvalidArgument("options.dpi: {}; must be in [36, 1200]", options.dpi());
   }
   const double most = std::floor(kMmPerInch * std::sqrt(kMostPixels / (sheet.size_mm.width * sheet.size_mm.height)));
   if (options.dpi() > most) {
-    return absl::InvalidArgumentError(fmt::format(
-        "options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(), sheet.paper, most));
+    return InvalidArgument("options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(),
+                           sheet.paper, most);
   }
   return options.dpi() / kMmPerInch;
 }
@@ -173,8 +173,7 @@ absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::Ren
 
 absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px, int height_px) {
   if (std::min(width_px, height_px) < 16 || std::max(width_px, height_px) > 4096) {
-    return absl::InvalidArgumentError(
-        fmt::format("tile: {} x {} px; sides must be in [16, 4096]", width_px, height_px));
+    return InvalidArgument("tile: {} x {} px; sides must be in [16, 4096]", width_px, height_px);
   }
   ASSIGN_OR_RETURN(const Plan plan, ReadPlan(layout, {.dimensions = false}));
   // As if printed 110 mm wide: line weights are millimetres.

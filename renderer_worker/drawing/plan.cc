@@ -23,8 +23,7 @@ absl::StatusOr<PlanLayers> LayersOf(const v1::RenderOptions& options) {
   for (int i = 0; i < options.layers_size(); ++i) {
     const int layer = options.layers(i) - v1::PLAN_LAYER_FLOOR_PIECES;
     if (layer < 0 || layer >= static_cast<int>(std::size(kLayers))) {
-      return absl::InvalidArgumentError(
-          fmt::format("options.layers[{}]: {} is not a layer", i, static_cast<int>(options.layers(i))));
+      return InvalidArgument("options.layers[{}]: {} is not a layer", i, static_cast<int>(options.layers(i)));
     }
     layers.*kLayers[layer] = true;
   }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/drawing/sheet.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "renderer_worker/drawing/dimensions.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -90,13 +89,12 @@ double OutwardReachMm(const Plan& plan, const Sheet& sheet, int wall) {
 absl::StatusOr<Sheet> ChooseSheet(const Plan& plan, const v1::RenderOptions& options) {
   const std::string_view paper = EmptySheet(options.paper(), false, kSmallestScale).paper;
   if (!v1::PaperSize_IsValid(options.paper()))
-    return absl::InvalidArgumentError(
-        fmt::format("options.paper: {} is not a paper size", static_cast<int>(options.paper())));
+    return InvalidArgument("options.paper: {} is not a paper size", static_cast<int>(options.paper()));
   if (options.has_scale_denominator()) {
     const int given = options.scale_denominator();
     if (given < kLargestScale || given > kSmallestScale) {
-      return absl::InvalidArgumentError(
-          fmt::format("options.scale_denominator: {}; must be in [{}, {}]", given, kLargestScale, kSmallestScale));
+      return InvalidArgument("options.scale_denominator: {}; must be in [{}, {}]", given, kLargestScale,
+                             kSmallestScale);
     }
     if (std::optional<Sheet> sheet = SheetAt(plan, options.paper(), given); sheet.has_value()) return *sheet;
   }
@@ -105,12 +103,11 @@ absl::StatusOr<Sheet> ChooseSheet(const Plan& plan, const v1::RenderOptions& opt
     const std::optional<Sheet> sheet = SheetAt(plan, options.paper(), scale);
     if (!sheet.has_value()) continue;
     if (!options.has_scale_denominator()) return *sheet;
-    return absl::InvalidArgumentError(
-        fmt::format("options.scale_denominator: the room does not fit {} at 1:{}; it does at 1:{}", paper,
-                    options.scale_denominator(), scale));
+    return InvalidArgument("options.scale_denominator: the room does not fit {} at 1:{}; it does at 1:{}", paper,
+                           options.scale_denominator(), scale);
   }
-  return absl::InvalidArgumentError(fmt::format("room.floor: {:.0f} m x {:.0f} m do not fit {} even at 1:{}",
-                                                plan.bounds_m.width(), plan.bounds_m.height(), paper, kSmallestScale));
+  return InvalidArgument("room.floor: {:.0f} m x {:.0f} m do not fit {} even at 1:{}", plan.bounds_m.width(),
+                         plan.bounds_m.height(), paper, kSmallestScale);
 }
 
 }  // namespace flair::renderer

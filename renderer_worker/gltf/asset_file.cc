@@ -81,7 +81,7 @@ absl::Status CheckRequired(const nlohmann::json& json) {
     const std::string& extension = name.get_ref<const std::string&>();
     if (extension.starts_with("KHR_materials_")) continue;
     if (std::find(kReadable.begin(), kReadable.end(), extension) == kReadable.end()) {
-      return absl::UnimplementedError(fmt::format("it requires {}, which is not read", extension.substr(0, 80)));
+      return Unimplemented("it requires {}, which is not read", extension.substr(0, 80));
     }
   }
   return absl::OkStatus();
@@ -100,8 +100,7 @@ absl::StatusOr<AssetFile> AssetFile::Open(std::string_view bytes) {
     return Wrong(fmt::format("its JSON of {} bytes is not in the file", json_size));
   }
   if (json_size > kMaxJsonBytes) {
-    return absl::ResourceExhaustedError(
-        fmt::format("its JSON has {} bytes, {} at most are read", json_size, kMaxJsonBytes));
+    return ResourceExhausted("its JSON has {} bytes, {} at most are read", json_size, kMaxJsonBytes);
   }
   AssetFile file;
   ASSIGN_OR_RETURN(file.json_, ParseLimitedJson(bytes.substr(20, json_size)));
@@ -149,8 +148,7 @@ absl::StatusOr<AssetFile::Elements> AssetFile::ElementsOf(size_t accessor, std::
   const std::optional<size_t> count = CountOf(*json, "count");
   if (!count.has_value() || *count == 0) return Wrong(fmt::format("accessor {} has no count", accessor));
   if (*count > max_count) {
-    return absl::ResourceExhaustedError(
-        fmt::format("accessor {} has {} elements, {} at most are read here", accessor, *count, max_count));
+    return ResourceExhausted("accessor {} has {} elements, {} at most are read here", accessor, *count, max_count);
   }
   elements.count = *count;
   const std::optional<size_t> view_index = CountOf(*json, "bufferView");

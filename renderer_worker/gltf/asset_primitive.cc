@@ -99,7 +99,7 @@ std::optional<Vec3> MeanColour(const AssetFile& file, size_t accessor, size_t ve
 
 absl::Status PrimitiveReader::AddMesh(size_t index, const Affine& transform) {
   const Json* mesh = file_.Item("meshes", index);
-  if (mesh == nullptr) return absl::InvalidArgumentError(fmt::format("there is no mesh {}", index));
+  if (mesh == nullptr) return InvalidArgument("there is no mesh {}", index);
   for (const Json& primitive : ArrayOf(*mesh, "primitives")) {
     RETURN_IF_ERROR(AddPrimitive(primitive, transform));
   }
@@ -179,12 +179,12 @@ absl::Status PrimitiveReader::AddPrimitive(const Json& json, const Affine& trans
   // A mesh of few triangles may have many vertices and be in many nodes.
   read_vertex_count_ += read.positions.size();
   if (read_vertex_count_ > 4 * kMaxAssetVertices) {
-    return absl::ResourceExhaustedError(fmt::format("its meshes repeat more than {} vertices", 4 * kMaxAssetVertices));
+    return ResourceExhausted("its meshes repeat more than {} vertices", 4 * kMaxAssetVertices);
   }
   if (read.indices.empty()) return absl::OkStatus();
   triangle_count_ += read.indices.size() / 3;
   if (triangle_count_ > kMaxAssetTriangles) {
-    return absl::ResourceExhaustedError(fmt::format("it has more than {} triangles", kMaxAssetTriangles));
+    return ResourceExhausted("it has more than {} triangles", kMaxAssetTriangles);
   }
   for (Vec3& p : read.positions) {
     p = transform.Point(p);
@@ -223,7 +223,7 @@ absl::Status PrimitiveReader::AddPrimitive(const Json& json, const Affine& trans
   }
   vertex_count_ += flat ? read.indices.size() : read.positions.size();
   if (vertex_count_ > kMaxAssetVertices) {
-    return absl::ResourceExhaustedError(fmt::format("it has more than {} vertices", kMaxAssetVertices));
+    return ResourceExhausted("it has more than {} vertices", kMaxAssetVertices);
   }
   return absl::OkStatus();
 }

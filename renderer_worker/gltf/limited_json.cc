@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "fmt/format.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -36,7 +36,7 @@ bool TooDeep(std::string_view text) {
 }  // namespace
 
 absl::StatusOr<Json> ParseLimitedJson(std::string_view text) {
-  if (TooDeep(text)) return absl::InvalidArgumentError(fmt::format("JSON is more than {} levels deep", kMaxDepth));
+  if (TooDeep(text)) return InvalidArgument("JSON is more than {} levels deep", kMaxDepth);
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const std::exception& failure) {

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <utility>
 
-#include "fmt/format.h"
 #include "renderer_worker/gltf/frame.h"
 #include "renderer_worker/gltf/pattern_image.h"
 #include "worker_runtime/status/status_macros.h"
@@ -24,7 +23,7 @@ constexpr size_t kMaxBinaryBytes = (size_t{1} << 32) - (size_t{256} << 20);
 absl::StatusOr<std::string> GlbText(const tinygltf::Model& model) {
   const size_t size = model.buffers.front().data.size();
   if (size > kMaxBinaryBytes) {
-    return absl::ResourceExhaustedError(fmt::format("the room's meshes take {} bytes, GLB holds 4 GiB", size));
+    return ResourceExhausted("the room's meshes take {} bytes, GLB holds 4 GiB", size);
   }
   // tinygltf's JSON throws, at what is no UTF-8 for one.
   try {
@@ -35,7 +34,7 @@ absl::StatusOr<std::string> GlbText(const tinygltf::Model& model) {
     }
     return std::move(stream).str();
   } catch (const std::exception& failure) {
-    return absl::InternalError(fmt::format("the GLB could not be written: {}", failure.what()));
+    return Internal("the GLB could not be written: {}", failure.what());
   }
 }
 
@@ -245,17 +244,17 @@ namespace {
 absl::Status Check(const MeshPart& part, const std::string& name) {
   const size_t count = part.positions.size();
   if (part.normals.size() != count || (!part.uvs.empty() && part.uvs.size() != count) || part.indices.size() % 3 != 0) {
-    return absl::InternalError(fmt::format("the mesh of {} has {} positions, {} normals, {} uvs and {} indices", name,
-                                           count, part.normals.size(), part.uvs.size(), part.indices.size()));
+    return Internal("the mesh of {} has {} positions, {} normals, {} uvs and {} indices", name, count,
+                    part.normals.size(), part.uvs.size(), part.indices.size());
   }
   for (size_t i = 0; i < count; ++i) {
     if (!IsFinite(part.positions[i]) || !IsFinite(part.normals[i])) {
-      return absl::InternalError(fmt::format("vertex {} of the mesh of {} is not finite", i, name));
+      return Internal("vertex {} of the mesh of {} is not finite", i, name);
     }
   }
   for (const uint32_t index : part.indices) {
     if (index >= count) {
-      return absl::InternalError(fmt::format("the mesh of {} names vertex {} of {}", name, index, count));
+      return Internal("the mesh of {} names vertex {} of {}", name, index, count);
     }
   }
   return absl::OkStatus();

@@ -4,7 +4,6 @@
 #include <optional>
 #include <set>
 
-#include "fmt/format.h"
 #include "renderer_worker/gltf/asset_file.h"
 #include "renderer_worker/gltf/asset_primitive.h"
 #include "renderer_worker/gltf/limited_json.h"
@@ -46,18 +45,16 @@ class Walk {
 
   absl::Status Visit(size_t index, const Affine& outer, int depth) {
     const Json* node = file_.Item("nodes", index);
-    if (node == nullptr) return absl::InvalidArgumentError(fmt::format("there is no node {}", index));
+    if (node == nullptr) return InvalidArgument("there is no node {}", index);
     if (depth > kMaxNodeDepth || ++visited_ > kMaxNodes) {
-      return absl::ResourceExhaustedError(
-          fmt::format("its nodes go round or are more than {} or {} deep", kMaxNodes, kMaxNodeDepth));
+      return ResourceExhausted("its nodes go round or are more than {} or {} deep", kMaxNodes, kMaxNodeDepth);
     }
     const Affine transform = outer * gltf::TransformOf(*node);
     if (const std::optional<size_t> mesh = CountOf(*node, "mesh")) {
       RETURN_IF_ERROR(primitives_.AddMesh(*mesh, transform));
     }
     for (const Json& child : ArrayOf(*node, "children")) {
-      if (!child.is_number_unsigned())
-        return absl::InvalidArgumentError(fmt::format("node {} has a child of no number", index));
+      if (!child.is_number_unsigned()) return InvalidArgument("node {} has a child of no number", index);
       RETURN_IF_ERROR(Visit(child.get<size_t>(), transform, depth + 1));
     }
     return absl::OkStatus();
@@ -106,9 +103,8 @@ absl::Status CheckAxes(const AssetAxes& axes) {
   const std::optional<Vec3> front = AxisOf(axes.front);
   const std::optional<Vec3> up = AxisOf(axes.up);
   if (!front.has_value() || !up.has_value() || Dot(*front, *up) != 0) {
-    return absl::InvalidArgumentError(
-        fmt::format("front '{}' and up '{}' must be two different axes of +x, -x, +y, -y, +z, -z",
-                    axes.front.substr(0, 20), axes.up.substr(0, 20)));
+    return InvalidArgument("front '{}' and up '{}' must be two different axes of +x, -x, +y, -y, +z, -z",
+                           axes.front.substr(0, 20), axes.up.substr(0, 20));
   }
   return absl::OkStatus();
 }
@@ -116,8 +112,7 @@ absl::Status CheckAxes(const AssetAxes& axes) {
 absl::StatusOr<AssetMesh> ReadAsset(std::string_view bytes, const AssetAxes& axes) {
   RETURN_IF_ERROR(CheckAxes(axes));
   if (bytes.size() > kMaxAssetBytes) {
-    return absl::ResourceExhaustedError(
-        fmt::format("it has {} bytes, {} at most are read", bytes.size(), kMaxAssetBytes));
+    return ResourceExhausted("it has {} bytes, {} at most are read", bytes.size(), kMaxAssetBytes);
   }
   ASSIGN_OR_RETURN(gltf::AssetFile file, gltf::AssetFile::Open(bytes));
   AssetMesh asset;

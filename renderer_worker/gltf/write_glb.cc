@@ -208,8 +208,8 @@ absl::Status SceneWriter::AddObject(const SceneObject& shown, Group& group) {
   const v1::Placement& p = shown.placement;
   for (const double value : {p.x_m(), p.y_m(), p.z_m(), p.theta_rad()}) {
     if (!std::isfinite(value)) {
-      return absl::InvalidArgumentError(fmt::format("placement of '{}' must be finite, is x {} y {} z {} theta {}",
-                                                    p.object_id(), p.x_m(), p.y_m(), p.z_m(), p.theta_rad()));
+      return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", p.object_id(), p.x_m(),
+                             p.y_m(), p.z_m(), p.theta_rad());
     }
   }
   tinygltf::Node node;
@@ -285,8 +285,7 @@ void SceneWriter::AddDaylight(Group& group) {
 absl::Status SceneWriter::AddCamera(const SceneCamera& camera, Group& group) {
   const Vec3 direction = camera.target - camera.eye;
   if (!IsFinite(camera.eye) || !IsFinite(direction) || !(Length(direction) > 0) || !(camera.field_of_view_rad > 0)) {
-    return absl::InvalidArgumentError(
-        fmt::format("camera '{}' must look somewhere, with a field of view", camera.name));
+    return InvalidArgument("camera '{}' must look somewhere, with a field of view", camera.name);
   }
   tinygltf::Camera written;
   written.type = "perspective";
@@ -351,7 +350,7 @@ absl::StatusOr<std::string> WriteMeshGlb(const Mesh& mesh, const std::string& na
   gltf::MaterialBook materials(model, buffer);
   gltf::MeshBook meshes(model, buffer, materials);
   ASSIGN_OR_RETURN(int number, meshes.NumberOf(mesh, gltf::MeshFrame::kObject, name));
-  if (number < 0) return absl::InternalError(fmt::format("the mesh of {} has no triangles", name));
+  if (number < 0) return Internal("the mesh of {} has no triangles", name);
   buffer.Finish();
   tinygltf::Node node;
   node.name = name;

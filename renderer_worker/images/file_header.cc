@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/images/file_header.h"
 
-#include <fmt/format.h>
-
 #include <cstdint>
+
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -21,7 +21,7 @@ int64_t BigEndian(std::string_view bytes, size_t at, size_t count) {
 
 absl::StatusOr<FileHeader> Sized(const char* name, const char* mime_type, int64_t width, int64_t height) {
   if (width < 1 || height < 1 || width > INT32_MAX || height > INT32_MAX)
-    return absl::InvalidArgumentError(fmt::format("is said to be {} x {} px", width, height));
+    return InvalidArgument("is said to be {} x {} px", width, height);
   return FileHeader{name, mime_type, static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -35,8 +35,7 @@ absl::StatusOr<FileHeader> ReadJpeg(std::string_view bytes) {
   int scans = 0;
   for (size_t at = bytes.find("\xFF\xDA"sv); at != std::string_view::npos; at = bytes.find("\xFF\xDA"sv, at + 2))
     ++scans;
-  if (scans > kMostJpegScans)
-    return absl::InvalidArgumentError(fmt::format("is a JPEG of {} scans; at most {}", scans, kMostJpegScans));
+  if (scans > kMostJpegScans) return InvalidArgument("is a JPEG of {} scans; at most {}", scans, kMostJpegScans);
   // Segments from the start: marker, length, content; the frame header (SOF) says the size.
   for (size_t at = 2; at + 9 < bytes.size();) {
     if (bytes[at] != '\xFF') break;

@@ -42,15 +42,14 @@ absl::StatusOr<const ImageModule*> LoadModule() {
       continue;
     }
     void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (module == nullptr) return absl::UnavailableError(fmt::format("cannot load the image writer: {}", dlerror()));
+    if (module == nullptr) return Unavailable("cannot load the image writer: {}", dlerror());
     const auto* encoder = static_cast<const ImageModule*>(dlsym(module, kImageModuleSymbol));
     if (encoder == nullptr || encoder->version != kImageModuleVersion) {
-      return absl::UnavailableError(fmt::format("{} belongs to another version of this program", file.string()));
+      return Unavailable("{} belongs to another version of this program", file.string());
     }
     return encoder;
   }
-  return absl::UnavailableError(
-      fmt::format("cannot find {}; looked in {}; FLAIR_MODULE_DIR may name its folder", kFileName, tried));
+  return Unavailable("cannot find {}; looked in {}; FLAIR_MODULE_DIR may name its folder", kFileName, tried);
 }
 
 }  // namespace
@@ -125,8 +124,8 @@ class ModuleImageWriter final : public ImageWriter {
       const bool is_number = plane.storage == ChannelStorage::kUint32;
       const size_t stride = plane.channels.size();
       if ((is_number ? plane.numbers.size() : plane.floats.size()) != pixel_count * stride) {
-        return absl::InvalidArgumentError(fmt::format("channels {}: not of {} x {} px",
-                                                      stride == 0 ? "" : plane.channels.front(), width_px, height_px));
+        return InvalidArgument("channels {}: not of {} x {} px", stride == 0 ? "" : plane.channels.front(), width_px,
+                               height_px);
       }
       const void* values = is_number ? static_cast<const void*>(plane.numbers.data()) : plane.floats.data();
       for (size_t c = 0; c < stride; ++c)
@@ -200,8 +199,8 @@ class Shrinker final : public RowSink {
 absl::StatusOr<Pixels> ReadImage(std::string_view bytes, int box_width_px, int box_height_px) {
   ASSIGN_OR_RETURN(const FileHeader header, ReadFileHeader(bytes));
   if (std::max(header.width_px, header.height_px) > kLargestReadSidePx) {
-    return absl::InvalidArgumentError(fmt::format("is said to be {} x {} px; at most {} px a side", header.width_px,
-                                                  header.height_px, kLargestReadSidePx));
+    return InvalidArgument("is said to be {} x {} px; at most {} px a side", header.width_px, header.height_px,
+                           kLargestReadSidePx);
   }
   ASSIGN_OR_RETURN(const ImageModule* module, LoadImageModule());
   Shrinker shrinker(box_width_px, box_height_px);

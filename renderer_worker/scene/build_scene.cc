@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 
 #include <cmath>
 #include <unordered_map>
@@ -16,15 +15,15 @@ namespace {
 absl::Status CheckObject(const v1::Object& object, const v1::Placement& pose, int index) {
   for (double value : {pose.x_m(), pose.y_m(), pose.z_m(), pose.theta_rad()}) {
     if (!std::isfinite(value) || std::abs(value) > 1e4) {
-      return absl::InvalidArgumentError(
-          fmt::format("placements of \"{}\": {} is not a coordinate in a room; must be finite", object.id(), value));
+      return InvalidArgument("placements of \"{}\": {} is not a coordinate in a room; must be finite", object.id(),
+                             value);
     }
   }
   for (double value : {object.width_m(), object.depth_m(), object.height_m()}) {
     if (!std::isfinite(value) || value <= 0 || value > 1e3) {
-      return absl::InvalidArgumentError(
-          fmt::format("graph.object_list.objects[{}] \"{}\": a size of {} m cannot be shown; must be in (0, 1000]",
-                      index, object.id(), value));
+      return InvalidArgument(
+          "graph.object_list.objects[{}] \"{}\": a size of {} m cannot be shown; must be in (0, 1000]", index,
+          object.id(), value);
     }
   }
   return absl::OkStatus();
@@ -47,7 +46,7 @@ absl::Status PlaceObjects(const v1::SolvedLayout& layout, const FurnishingSource
     placed.placement = *at->second;
     placed.furnishing = source.FurnishingOf(objects[i], placed.style, scene.diagnostics);
     if (placed.furnishing.mesh == nullptr) {
-      return absl::InternalError(fmt::format("object \"{}\": its furnishing has no mesh", objects[i].id()));
+      return Internal("object \"{}\": its furnishing has no mesh", objects[i].id());
     }
     scene.objects.push_back(std::move(placed));
   }

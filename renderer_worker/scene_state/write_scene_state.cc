@@ -110,8 +110,8 @@ absl::StatusOr<Json> ObjectsOf(const Scene& scene) {
     const v1::Placement& p = shown.placement;
     for (const double value : {p.x_m(), p.y_m(), p.z_m(), p.theta_rad()}) {
       if (!std::isfinite(value)) {
-        return absl::InvalidArgumentError(fmt::format("placement of '{}' must be finite, is x {} y {} z {} theta {}",
-                                                      p.object_id(), p.x_m(), p.y_m(), p.z_m(), p.theta_rad()));
+        return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", p.object_id(), p.x_m(),
+                               p.y_m(), p.z_m(), p.theta_rad());
       }
     }
     const auto host = index_of.find(shown.object->host_id());
@@ -149,7 +149,7 @@ absl::StatusOr<std::string> Text(const Json& json) {
   try {
     return json.dump(1) + "\n";
   } catch (const std::exception& failure) {
-    return absl::InternalError(fmt::format("the SceneState could not be written: {}", failure.what()));
+    return Internal("the SceneState could not be written: {}", failure.what());
   }
 }
 

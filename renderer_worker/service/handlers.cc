@@ -151,13 +151,12 @@ absl::Status CheckSize(const v1::RenderOptions& options, int64_t answer_bytes) {
   if (size * size <= most_pixels) return absl::OkStatus();
   const int64_t largest = static_cast<int64_t>(std::sqrt(static_cast<double>(std::max<int64_t>(0, most_pixels))));
   if (most_pixels == kMaxTracedPixels) {
-    return absl::InvalidArgumentError(
-        fmt::format("options.size_px: {} is too large for a ray-traced view; at most {}", size, largest));
+    return InvalidArgument("options.size_px: {} is too large for a ray-traced view; at most {}", size, largest);
   }
-  return absl::InvalidArgumentError(fmt::format(
+  return InvalidArgument(
       "options.size_px: {0} is too large{1}: {0} x {0} px of {2} bytes may take {3} MiB, and this renderer sends "
       "messages of {4} MiB (runtime.max_message_mib); at most {5}",
-      size, is_exr ? " for an EXR" : "", pixel_bytes, (size * size * pixel_bytes) >> 20, answer_bytes >> 20, largest));
+      size, is_exr ? " for an EXR" : "", pixel_bytes, (size * size * pixel_bytes) >> 20, answer_bytes >> 20, largest);
 }
 
 SceneCamera CameraOf(const v1::RenderOptions& options, const Scene& scene) {
@@ -228,10 +227,10 @@ namespace {
 absl::Status CheckAnswer(const v1::RenderResponse& response, int64_t answer_bytes) {
   const size_t size = response.ByteSizeLong();
   if (size <= static_cast<uint64_t>(answer_bytes)) return absl::OkStatus();
-  return absl::ResourceExhaustedError(
-      fmt::format("options: the picture's file takes {} MiB, and this renderer sends messages of {} MiB "
-                  "(runtime.max_message_mib); ask for a smaller size_px or dpi, or PNG or JPEG",
-                  size >> 20, answer_bytes >> 20));
+  return ResourceExhausted(
+      "options: the picture's file takes {} MiB, and this renderer sends messages of {} MiB "
+      "(runtime.max_message_mib); ask for a smaller size_px or dpi, or PNG or JPEG",
+      size >> 20, answer_bytes >> 20);
 }
 
 }  // namespace

@@ -161,8 +161,7 @@ ContactSheetTaker::~ContactSheetTaker() { --open_sheets_; }
 
 absl::Status ContactSheetTaker::Take(const v1::ComposeContactSheetRequest& request, runtime::CallContext& call) {
   if (open_count_ > kMostOpenSheets) {
-    return absl::ResourceExhaustedError(
-        fmt::format("{} contact sheets are being drawn; try again later", kMostOpenSheets));
+    return ResourceExhausted("{} contact sheets are being drawn; try again later", kMostOpenSheets);
   }
   RETURN_IF_ERROR(Validate(request, message_count_));
   return message_count_++ == 0 ? Begin(request.options()) : Add(request.tile());
@@ -180,8 +179,7 @@ absl::Status ContactSheetTaker::Begin(const v1::ContactSheetOptions& options) {
 
 absl::Status ContactSheetTaker::Add(const v1::ContactSheetTile& tile) {
   if (sheet_->added_count() == grid_.tile_count) {
-    return absl::InvalidArgumentError(
-        fmt::format("tile: one more than the {} of options.tile_count", grid_.tile_count));
+    return InvalidArgument("tile: one more than the {} of options.tile_count", grid_.tile_count);
   }
   const TileText text{tile.caption(), tile.remark()};
   const absl::StatusOr<Pixels> pixels = DrawTile(tile, grid_.tile_px);
@@ -198,8 +196,8 @@ absl::Status ContactSheetTaker::Add(const v1::ContactSheetTile& tile) {
 absl::StatusOr<v1::ComposeContactSheetResponse> ContactSheetTaker::Finish(runtime::CallContext& call) {
   if (sheet_ == nullptr) return absl::InvalidArgumentError("options: is not set; the first message holds it");
   if (sheet_->added_count() != grid_.tile_count) {
-    return absl::InvalidArgumentError(
-        fmt::format("options.tile_count: {} tiles were announced, {} came", grid_.tile_count, sheet_->added_count()));
+    return InvalidArgument("options.tile_count: {} tiles were announced, {} came", grid_.tile_count,
+                           sheet_->added_count());
   }
   ASSIGN_OR_RETURN(const Pixels pixels, sheet_->Finish());
   ImageMetadata metadata;

@@ -89,10 +89,10 @@ absl::StatusOr<v1::ExportSceneResponse> ExportSceneHandler::Handle(const v1::Exp
   const bool is_glb = request.format() == v1::SCENE_FORMAT_GLB;
   ASSIGN_OR_RETURN(std::string file, is_glb ? WriteGlb(scene, MetadataOf(request, build_)) : WriteSceneState(scene));
   if (file.size() > static_cast<uint64_t>(answer_bytes_)) {
-    return absl::ResourceExhaustedError(
-        fmt::format("the scene's file takes {} MiB, and this renderer sends messages of {} MiB "
-                    "(runtime.max_message_mib)",
-                    file.size() >> 20, answer_bytes_ >> 20));
+    return ResourceExhausted(
+        "the scene's file takes {} MiB, and this renderer sends messages of {} MiB "
+        "(runtime.max_message_mib)",
+        file.size() >> 20, answer_bytes_ >> 20);
   }
   v1::ExportSceneResponse response;
   response.set_scene(std::move(file));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <embree3/rtcore.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include "renderer_worker/furniture/classes.h"
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/world.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
 namespace {
@@ -216,7 +216,7 @@ absl::StatusOr<std::unique_ptr<RayTrees>> RayTrees::Make(std::span<const WorldIn
   rtcCommitScene(trees.shading);
   if (const RTCError error = rtcGetDeviceError(trees.device); error != RTC_ERROR_NONE) {
     if (error == RTC_ERROR_OUT_OF_MEMORY) return absl::ResourceExhaustedError("embree: out of memory");
-    return absl::InternalError(fmt::format("embree: error {}", static_cast<int>(error)));
+    return Internal("embree: error {}", static_cast<int>(error));
   }
   return made;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/tracing/trace_view.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -230,18 +228,17 @@ constexpr int kDirectRounds = 4, kIndirectRounds = 4;
 
 absl::Status CheckOptions(const TraceOptions& options) {
   for (const int size : {options.width_px, options.height_px}) {
-    if (size < 16 || size > 8192)
-      return absl::InvalidArgumentError(fmt::format("a picture {} px wide or high; [16, 8192]", size));
+    if (size < 16 || size > 8192) return InvalidArgument("a picture {} px wide or high; [16, 8192]", size);
   }
   if (int64_t{options.width_px} * options.height_px > kMaxTracedPixels) {
-    return absl::ResourceExhaustedError(fmt::format("a traced picture of {} x {} px; at most {} pixels",
-                                                    options.width_px, options.height_px, kMaxTracedPixels));
+    return ResourceExhausted("a traced picture of {} x {} px; at most {} pixels", options.width_px, options.height_px,
+                             kMaxTracedPixels);
   }
   if (options.sample_count < 1 || options.sample_count > 4096) {
-    return absl::InvalidArgumentError(fmt::format("sample_count: {}; must be in [1, 4096]", options.sample_count));
+    return InvalidArgument("sample_count: {}; must be in [1, 4096]", options.sample_count);
   }
   if (options.thread_count < 1 || options.thread_count > 256) {
-    return absl::InvalidArgumentError(fmt::format("thread_count: {}; must be in [1, 256]", options.thread_count));
+    return InvalidArgument("thread_count: {}; must be in [1, 256]", options.thread_count);
   }
   return absl::OkStatus();
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/tracing/world.h"
 
-#include <fmt/format.h>
-
 #include <unordered_map>
 
 #include "worker_runtime/status/status_macros.h"
@@ -14,13 +12,12 @@ absl::Status CheckMesh(const Mesh& mesh, int64_t& triangles) {
   for (const MeshPart& part : mesh.parts) {
     if (part.normals.size() != part.positions.size() || part.uvs.size() != part.positions.size() ||
         part.indices.size() % 3 != 0) {
-      return absl::InvalidArgumentError(
-          fmt::format("mesh part \"{}\": its arrays do not run parallel", part.material.name));
+      return InvalidArgument("mesh part \"{}\": its arrays do not run parallel", part.material.name);
     }
     for (uint32_t index : part.indices) {
       if (index >= part.positions.size()) {
-        return absl::InvalidArgumentError(fmt::format("mesh part \"{}\": index {} of {} positions", part.material.name,
-                                                      index, part.positions.size()));
+        return InvalidArgument("mesh part \"{}\": index {} of {} positions", part.material.name, index,
+                               part.positions.size());
       }
     }
   }
@@ -49,7 +46,7 @@ absl::Status World::MakeMeanColours() {
     if (!is_new) continue;
     RETURN_IF_ERROR(CheckMesh(*instance.mesh, triangles));
     if (triangles > kMaxTriangles) {
-      return absl::ResourceExhaustedError(fmt::format("the scene's meshes have more than {} triangles", kMaxTriangles));
+      return ResourceExhausted("the scene's meshes have more than {} triangles", kMaxTriangles);
     }
     std::vector<Vec3>& colours = mean_colours_.emplace_back();
     for (const MeshPart& part : instance.mesh->parts) colours.push_back(MeanPatternColour(part.material));

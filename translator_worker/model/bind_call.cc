@@ -43,8 +43,7 @@ class Binder {
     if (argument.name.empty()) return AddByPlace(argument);
     const int parameter = Find(argument.name);
     if (parameter < 0) {
-      return absl::InvalidArgumentError(
-          fmt::format("{} has no parameter {}; it has {}", type_.name(), llm::Quoted(argument.name), Names()));
+      return InvalidArgument("{} has no parameter {}; it has {}", type_.name(), llm::Quoted(argument.name), Names());
     }
     return Give(parameter, argument);
   }
@@ -57,8 +56,7 @@ class Binder {
       const v1::ParameterSpec& parameter = type_.parameters(i);
       absl::StatusOr<v1::ArgumentValue> value = reader_.Read(parameter, given->second);
       if (!value.ok()) {
-        return absl::InvalidArgumentError(
-            fmt::format("{}.{}: {}", type_.name(), parameter.name(), std::string(value.status().message())));
+        return InvalidArgument("{}.{}: {}", type_.name(), parameter.name(), value.status().message());
       }
       v1::Argument& argument = arguments.emplace_back();
       argument.set_name(parameter.name());
@@ -101,15 +99,15 @@ class Binder {
       if (type_.parameters(i).required()) break;
     }
     if (first >= 0) return Give(first, argument);
-    return absl::InvalidArgumentError(fmt::format("{} takes no further argument {}; it has {}", type_.name(),
-                                                  llm::Quoted(argument.values.front()), Names()));
+    return InvalidArgument("{} takes no further argument {}; it has {}", type_.name(),
+                           llm::Quoted(argument.values.front()), Names());
   }
 
   absl::Status Give(int parameter, const WrittenArgument& argument) {
     Values& values = given_[parameter];
     if (!values.empty() && !TakesList(type_.parameters(parameter).kind()) && values != argument.values) {
-      return absl::InvalidArgumentError(fmt::format("{} is given {} twice; a call for each would be right",
-                                                    type_.name(), type_.parameters(parameter).name()));
+      return InvalidArgument("{} is given {} twice; a call for each would be right", type_.name(),
+                             type_.parameters(parameter).name());
     }
     if (values != argument.values) values.insert(values.end(), argument.values.begin(), argument.values.end());
     last_ = parameter;
@@ -167,8 +165,8 @@ const llm::Choices& Flags() {
 absl::StatusOr<double> ReadNumber(const v1::ParameterSpec& parameter, const std::string& value) {
   const std::optional<double> number = llm::ReadQuantity(value, parameter.unit());
   if (number.has_value() && std::isfinite(*number)) return *number;
-  return absl::InvalidArgumentError(
-      fmt::format("{} is no number{}", llm::Quoted(value), parameter.unit().empty() ? "" : " in " + parameter.unit()));
+  return InvalidArgument("{} is no number{}", llm::Quoted(value),
+                         parameter.unit().empty() ? "" : " in " + parameter.unit());
 }
 
 }  // namespace
@@ -186,7 +184,7 @@ absl::StatusOr<Call> BindCall(const WrittenCall& written, const v1::ConstraintTy
   std::sort(objects.begin(), objects.end());
   const auto twice = std::adjacent_find(objects.begin(), objects.end());
   if (twice != objects.end()) {
-    return absl::InvalidArgumentError(fmt::format("{} relates \"{}\" to itself", type.name(), *twice));
+    return InvalidArgument("{} relates \"{}\" to itself", type.name(), *twice);
   }
   return call;
 }
@@ -211,9 +209,9 @@ absl::StatusOr<std::string> ArgumentReader::One(const llm::Choices& choices, con
   if (std::optional<std::string> found = llm::FindChoice(value, choices)) return *std::move(found);
   constexpr size_t kMostShown = 12;
   const size_t shown = std::min(choices.names.size(), kMostShown);
-  return absl::InvalidArgumentError(fmt::format("{} is no {}; one of {}{} would be right", llm::Quoted(value), what,
-                                                fmt::join(choices.names.begin(), choices.names.begin() + shown, ", "),
-                                                shown < choices.names.size() ? ", ..." : ""));
+  return InvalidArgument("{} is no {}; one of {}{} would be right", llm::Quoted(value), what,
+                         fmt::join(choices.names.begin(), choices.names.begin() + shown, ", "),
+                         shown < choices.names.size() ? ", ..." : "");
 }
 
 absl::StatusOr<std::vector<std::string>> ArgumentReader::ObjectIds(const std::string& value) const {
@@ -248,9 +246,8 @@ absl::StatusOr<v1::ArgumentValue> ArgumentReader::Single(const v1::ParameterSpec
     case v1::PARAMETER_KIND_OBJECT: {
       ASSIGN_OR_RETURN(const std::vector<std::string> ids, ObjectIds(value));
       if (ids.size() > 1) {
-        return absl::InvalidArgumentError(
-            fmt::format("{} means {} objects ({}); one of them would be right, in a call of its own",
-                        llm::Quoted(value), ids.size(), fmt::join(ids, ", ")));
+        return InvalidArgument("{} means {} objects ({}); one of them would be right, in a call of its own",
+                               llm::Quoted(value), ids.size(), fmt::join(ids, ", "));
       }
       text = ids.front();
       break;
@@ -282,8 +279,8 @@ absl::StatusOr<v1::ArgumentValue> ArgumentReader::Read(const v1::ParameterSpec& 
                                                        std::span<const std::string> values) const {
   if (!TakesList(parameter.kind())) {
     if (values.size() != 1) {
-      return absl::InvalidArgumentError(
-          fmt::format("{} has {} values; one would be right, or a call for each", parameter.name(), values.size()));
+      return InvalidArgument("{} has {} values; one would be right, or a call for each", parameter.name(),
+                             values.size());
     }
     return Single(parameter, values.front());
   }

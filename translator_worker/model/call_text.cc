@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include "fmt/format.h"
 #include "llm/answers/fault.h"
 #include "llm/answers/field_facts.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {
 namespace {
@@ -132,8 +132,8 @@ absl::StatusOr<WrittenCalls> ReadCallText(std::string_view written) {
     const size_t open = text.find('(');
     const std::string_view name = Unquoted(text.substr(0, std::min(open, text.size())));
     if (open == std::string_view::npos || name.empty() || name.size() > 100 || read.calls.size() == kMostCalls) {
-      return absl::InvalidArgumentError(
-          fmt::format("{} is no call; one such as near(sofa, shelf) or none(why) would be right", llm::Quoted(text)));
+      return InvalidArgument("{} is no call; one such as near(sofa, shelf) or none(why) would be right",
+                             llm::Quoted(text));
     }
     text.remove_prefix(open + 1);
     const size_t length = LengthUntil(text, "");
