@@ -2,6 +2,7 @@
 #pragma once
 
 #include "absl/status/status.h"
+#include "fmt/format.h"
 
 namespace flair::cli {
 
@@ -26,6 +27,10 @@ int ExitCodeOf(const absl::Status& status);
 
 // FAILED_PRECONDITION, which stands for kExitFiles here.
 absl::Status FileError(const std::string& message);
+template <typename... Args>
+requires(sizeof...(Args) > 0) absl::Status FileError(fmt::format_string<Args...> message, Args&&... args) {
+  return FileError(fmt::format(message, std::forward<Args>(args)...));
+}
 
 // ABORTED, which stands for kExitModel here.
 absl::Status ModelError(const std::string& message);
@@ -40,6 +45,10 @@ absl::Status BrokenPromises(const std::string& message);
 absl::Status About(const std::string& subject, const absl::Status& status);
 // What stands for a code that no status code stands for.
 absl::Status EndWith(ExitCode code, const std::string& message);
+template <typename... Args>
+requires(sizeof...(Args) > 0) absl::Status EndWith(ExitCode code, fmt::format_string<Args...> message, Args&&... args) {
+  return EndWith(code, fmt::format(message, std::forward<Args>(args)...));
+}
 
 // The codes for `flair --help`, a line or two each.
 inline constexpr char kExitCodeHelp[] =

@@ -11,8 +11,7 @@
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/openai/openai_client.h"
-#include "llm/wrappers/call_llm_clients.h"
-#include "llm/wrappers/folder_llm_clients.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {

@@ -23,13 +23,12 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr size_t kReadAtOnce = 1u << 20;
 
 absl::Status Cannot(const char* what, const std::string& path) {
-  return FileError(fmt::format("{}: cannot be {}: {}", path, what, std::strerror(errno)));
+  return FileError("{}: cannot be {}: {}", path, what, std::strerror(errno));
 }
 
 // SHA-256 of what comes piece by piece.
@@ -75,14 +74,44 @@ absl::Status Digest(int file, const std::string& name, int copy, runtime::Cancel
       return InvalidArgument("{}: is empty; expected one brief per line", name);
     }
     bytes.resize(static_cast<size_t>(count));
-    if (input.size_bytes == 0) {
-      RETURN_IF_ERROR(CheckKind(name, bytes));
-    }
+    if (input.size_bytes == 0) RETURN_IF_ERROR(CheckKind(name, bytes));
     digest.Add(bytes);
     input.size_bytes += count;
     if (copy >= 0 && WriteAll(copy, bytes) != 0) return Cannot("written", input.path.string());
   }
   return absl::CancelledError(fmt::format("{}: interrupted while reading; nothing was submitted", name));
+}
+
+constexpr size_t kShownOfTooLong = 1000;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+absl::Status CannotRead(const std::filesystem::path& path) {
+  return FileError("{}: cannot be read: {}", path.string(), std::strerror(errno));
+}
+
+struct TextState {
+  const char* name;
+  std::string BatchPlace::*field;
+};
+constexpr std::array<TextState, 8> kTextStates = {{{"batch_id", &BatchPlace::batch_id},
+                                                   {"label", &BatchPlace::label},
+                                                   {"orchestrator", &BatchPlace::orchestrator},
+                                                   {"store", &BatchPlace::store},
+                                                   {"engine", &BatchPlace::engine},
+                                                   {"queue", &BatchPlace::queue},
+                                                   {"artifacts", &BatchPlace::artifacts},
+                                                   {"kept", &BatchPlace::kept}}};
+constexpr char kShardSize[] = "shard_size";
+
+absl::StatusOr<BatchPlace> Read(ResultsFile& results) {
+  BatchPlace place;
+  for (const TextState& state : kTextStates) {
+    ASSIGN_OR_RETURN(std::string value, results.State(state.name));
+    place.*state.field = std::move(value);
+  }
+  ASSIGN_OR_RETURN(const int64_t size, results.IntState(kShardSize));
+  place.shard_size = static_cast<int>(size);
+  return place;
 }
 
 }  // namespace
@@ -100,7 +129,7 @@ absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::f
   const absl::Cleanup close = [file] {
     if (file > STDERR_FILENO) ::close(file);
   };
-  if (S_ISDIR(status.st_mode)) return FileError(fmt::format("{}: is a folder; expected a file of briefs", given));
+  if (S_ISDIR(status.st_mode)) return FileError("{}: is a folder; expected a file of briefs", given);
   BatchInput input;
   input.name = standard ? "" : std::filesystem::path(given).filename().string();
   absl::Status read;
@@ -119,17 +148,6 @@ absl::StatusOr<BatchInput> OpenBatchInput(const std::string& given, const std::f
   if (!read.ok()) return read;
   return input;
 }
-
-namespace {
-
-constexpr size_t kShownOfTooLong = 1000;
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-absl::Status CannotRead(const std::filesystem::path& path) {
-  return FileError(fmt::format("{}: cannot be read: {}", path.string(), std::strerror(errno)));
-}
-
-}  // namespace
 
 LineReader::LineReader(std::filesystem::path path, int64_t offset, int64_t number)
     : path_(std::move(path)), file_(path_, std::ios::binary), offset_(offset), number_(number) {
@@ -169,35 +187,6 @@ absl::StatusOr<bool> LineReader::Next(Line& line) {
   return true;
 }
 
-namespace {
-
-struct TextState {
-  const char* name;
-  std::string BatchPlace::*field;
-};
-constexpr std::array<TextState, 8> kTextStates = {{{"batch_id", &BatchPlace::batch_id},
-                                                   {"label", &BatchPlace::label},
-                                                   {"orchestrator", &BatchPlace::orchestrator},
-                                                   {"store", &BatchPlace::store},
-                                                   {"engine", &BatchPlace::engine},
-                                                   {"queue", &BatchPlace::queue},
-                                                   {"artifacts", &BatchPlace::artifacts},
-                                                   {"kept", &BatchPlace::kept}}};
-constexpr char kShardSize[] = "shard_size";
-
-absl::StatusOr<BatchPlace> Read(ResultsFile& results) {
-  BatchPlace place;
-  for (const TextState& state : kTextStates) {
-    ASSIGN_OR_RETURN(std::string value, results.State(state.name));
-    place.*state.field = std::move(value);
-  }
-  ASSIGN_OR_RETURN(const int64_t size, results.IntState(kShardSize));
-  place.shard_size = static_cast<int>(size);
-  return place;
-}
-
-}  // namespace
-
 std::filesystem::path ResultsPath(const std::filesystem::path& folder) { return folder / "results.db"; }
 
 bool BatchFolder::IsAt(const std::filesystem::path& path) {
@@ -216,17 +205,16 @@ absl::StatusOr<BatchPlace> BatchFolder::ReadPlace(const std::filesystem::path& p
 absl::StatusOr<std::unique_ptr<BatchFolder>> BatchFolder::Hold(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error)) {
-    return FileError(fmt::format("{}: is a file; --out takes a folder", path.string()));
+    return FileError("{}: is a file; --out takes a folder", path.string());
   }
   std::filesystem::create_directories(path, error);
-  if (error) return FileError(fmt::format("{}: cannot be created: {}", path.string(), error.message()));
+  if (error) return FileError("{}: cannot be created: {}", path.string(), error.message());
   const std::filesystem::path lock_path = path / ".lock";
   const int lock = ::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock < 0) return FileError(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(errno)));
+  if (lock < 0) return FileError("{}: cannot be written: {}", path.string(), std::strerror(errno));
   std::unique_ptr<BatchFolder> folder(new BatchFolder(path, lock));
   if (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
-    return FileError(
-        fmt::format("{}: another flair batch is collecting into it; let it end, or stop it first", path.string()));
+    return FileError("{}: another flair batch is collecting into it; let it end, or stop it first", path.string());
   }
   ASSIGN_OR_RETURN(folder->results_, ResultsFile::Open(ResultsPath(path)));
   return folder;
@@ -238,9 +226,7 @@ absl::StatusOr<BatchPlace> BatchFolder::Place() { return Read(*results_); }
 
 absl::Status BatchFolder::SetPlace(const BatchPlace& place) {
   return results_->Change([&]() -> absl::Status {
-    for (const TextState& state : kTextStates) {
-      RETURN_IF_ERROR(results_->SetState(state.name, place.*state.field));
-    }
+    for (const TextState& state : kTextStates) RETURN_IF_ERROR(results_->SetState(state.name, place.*state.field));
     return results_->SetState(kShardSize, int64_t{place.shard_size});
   });
 }

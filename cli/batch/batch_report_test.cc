@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/batch/batch_run.h"
-#include "cli/batch/result_writer.h"
+#include "cli/batch/collector.h"
 #include "cli/batch/results_file.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"

@@ -20,7 +20,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 // Where the handler writes; signals know of no object.
@@ -42,35 +41,6 @@ void SetHandler(void (*handler)(int)) {
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
 }
-
-}  // namespace
-
-Interruption::Interruption() {
-  if (::pipe2(pipe_, O_CLOEXEC) != 0) return;  // then signals end the process as they always do
-  signal_pipe = pipe_[1];
-  signal_count = 0;
-  thread_ = std::thread([this] {
-    char read = kEnd;
-    while (::read(pipe_[0], &read, 1) < 0) {
-    }
-    if (read != kSignal) return;
-    by_signal_ = true;
-    stop_.Cancel();
-  });
-  SetHandler(OnSignal);
-}
-
-Interruption::~Interruption() {
-  if (!thread_.joinable()) return;
-  SetHandler(SIG_DFL);
-  const ssize_t ignored = ::write(pipe_[1], &kEnd, 1);
-  (void)ignored;
-  thread_.join();
-  ::close(pipe_[0]);
-  ::close(pipe_[1]);
-}
-
-namespace {
 
 // Rows that may wait for the files of others.
 constexpr size_t kHeldRows = 2048;
@@ -117,7 +87,7 @@ class SubmittingThread {
 absl::Status GoesOn(const BatchFolder& folder, const v1::Batch& batch, bool with_file) {
   const std::string how =
       with_file ? "give the same command again" : fmt::format("flair batch watch {}", folder.path().string());
-  return EndWith(kExitStopped, fmt::format("stopped; batch {} continues where it was: {}", batch.id(), how));
+  return EndWith(kExitStopped, "stopped; batch {} continues where it was: {}", batch.id(), how);
 }
 
 absl::Status Summarize(Session& session, const v1::Batch& batch, BatchFolder& folder, const BatchRunOptions& options) {
@@ -129,27 +99,69 @@ absl::Status Summarize(Session& session, const v1::Batch& batch, BatchFolder& fo
   }
   const absl::StatusOr<v1::Batch> now = session.GetBatch(batch.id());
   if (now.ok() && now->state() == v1::BATCH_STATE_CANCELLED) {
-    return EndWith(kExitCancelled, fmt::format("batch {} was cancelled", batch.id()));
+    return EndWith(kExitCancelled, "batch {} was cancelled", batch.id());
   }
   return EndOf(report, folder.path().string());
 }
 
+std::string NameOfBatch(const v1::Batch& batch) {
+  return batch.label().empty() ? batch.id() : fmt::format("{} ({})", batch.id(), Printable(batch.label()));
+}
+
+absl::Status Confirm(const v1::Batch& batch) {
+  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
+    return InvalidArgument(
+        "--yes: missing; this deletes {} of batch {} for good, and there is no terminal to confirm it",
+        Counted(batch.job_count(), "job"), batch.id());
+  }
+  fmt::print(stderr, "Delete batch {} with {} and the artifacts that no other job has? This cannot be undone. [y/N] ",
+             NameOfBatch(batch), Counted(batch.job_count(), "job"));
+  std::string answer;
+  std::getline(std::cin, answer);
+  if (answer == "y" || answer == "Y" || answer == "yes") return absl::OkStatus();
+  return EndWith(kExitStopped, "nothing was deleted");
+}
+
 }  // namespace
+
+Interruption::Interruption() {
+  if (::pipe2(pipe_, O_CLOEXEC) != 0) return;  // then signals end the process as they always do
+  signal_pipe = pipe_[1];
+  signal_count = 0;
+  thread_ = std::thread([this] {
+    char read = kEnd;
+    while (::read(pipe_[0], &read, 1) < 0) {
+    }
+    if (read != kSignal) return;
+    by_signal_ = true;
+    stop_.Cancel();
+  });
+  SetHandler(OnSignal);
+}
+
+Interruption::~Interruption() {
+  if (!thread_.joinable()) return;
+  SetHandler(SIG_DFL);
+  const ssize_t ignored = ::write(pipe_[1], &kEnd, 1);
+  (void)ignored;
+  thread_.join();
+  ::close(pipe_[0]);
+  ::close(pipe_[1]);
+}
 
 absl::Status EndOf(const BatchReport& report, const std::string& name) {
   const auto count = [&report](const char* field) { return CountIn(report, field); };
   if (count("failed_count") > 0) {
-    return EndWith(kExitSomeFailed,
-                   fmt::format("{} of {} failed; more: flair batch report {}; again: flair batch retry {}",
-                               count("failed_count"), Counted(count("job_count"), "job"), name, name));
+    return EndWith(kExitSomeFailed, "{} of {} failed; more: flair batch report {}; again: flair batch retry {}",
+                   count("failed_count"), Counted(count("job_count"), "job"), name, name);
   }
   if (count("not_fetched_count") > 0) {
-    return EndWith(kExitSomeFailed, fmt::format("the results of {} could not be fetched; again: flair batch watch {}",
-                                                Counted(count("not_fetched_count"), "job"), name));
+    return EndWith(kExitSomeFailed, "the results of {} could not be fetched; again: flair batch watch {}",
+                   Counted(count("not_fetched_count"), "job"), name);
   }
   if (count("rejected_count") > 0) {
-    return EndWith(kExitSomeFailed, fmt::format("{} rejected; {}/rejected.jsonl says why",
-                                                Counted(count("rejected_count"), "line was", "lines were"), name));
+    return EndWith(kExitSomeFailed, "{} rejected; {}/rejected.jsonl says why",
+                   Counted(count("rejected_count"), "line was", "lines were"), name);
   }
   if (count("cancelled_count") > 0) {
     return EndWith(kExitSomeFailed, Counted(count("cancelled_count"), "job was cancelled", "jobs were cancelled"));
@@ -183,35 +195,13 @@ absl::Status RunBatch(const v1::Batch& batch, Session& session, BatchFolder& fol
   return Summarize(session, batch, folder, options);
 }
 
-namespace {
-
-std::string NameOfBatch(const v1::Batch& batch) {
-  return batch.label().empty() ? batch.id() : fmt::format("{} ({})", batch.id(), Printable(batch.label()));
-}
-
-absl::Status Confirm(const v1::Batch& batch) {
-  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) {
-    return InvalidArgument(
-        "--yes: missing; this deletes {} of batch {} for good, and there is no terminal to confirm it",
-        Counted(batch.job_count(), "job"), batch.id());
-  }
-  fmt::print(stderr, "Delete batch {} with {} and the artifacts that no other job has? This cannot be undone. [y/N] ",
-             NameOfBatch(batch), Counted(batch.job_count(), "job"));
-  std::string answer;
-  std::getline(std::cin, answer);
-  if (answer == "y" || answer == "Y" || answer == "yes") return absl::OkStatus();
-  return EndWith(kExitStopped, "nothing was deleted");
-}
-
-}  // namespace
-
 absl::Status CheckHasEnded(const v1::Batch& batch) {
   if (!batch.open() && batch.open_count() == 0) return absl::OkStatus();
   const std::string why = batch.open_count() > 0 ? Counted(batch.open_count(), "of its jobs is waiting or running",
                                                            "of its jobs are waiting or running")
                                                  : "lines may still be added to it";
-  return EndWith(kExitBadInput, fmt::format("batch {} has not ended: {}; end it first: flair batch cancel {}",
-                                            batch.id(), why, batch.id()));
+  return EndWith(kExitBadInput, "batch {} has not ended: {}; end it first: flair batch cancel {}", batch.id(), why,
+                 batch.id());
 }
 
 absl::Status DeleteWholeBatch(const v1::Batch& batch, Session& batches, const DeletionOptions& options) {
@@ -224,9 +214,7 @@ absl::Status DeleteWholeBatch(const v1::Batch& batch, Session& batches, const De
       const absl::StatusOr<v1::DeleteBatchResponse> some = batches.DeleteBatch(batch.id());
       // Somebody else was faster with the rest of it.
       if (absl::IsNotFound(some.status()) && all.deleted_job_count() > 0) break;
-      if (batches.stopped()) {
-        return EndWith(kExitStopped, fmt::format("stopped; to continue: flair batch delete {}", batch.id()));
-      }
+      if (batches.stopped()) return EndWith(kExitStopped, "stopped; to continue: flair batch delete {}", batch.id());
       if (absl::IsFailedPrecondition(some.status())) {
         return EndWith(kExitBadInput, std::string(some.status().message()));
       }

@@ -11,7 +11,6 @@
 #include "absl/strings/str_replace.h"
 #include "cli/batch/batch_input.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
@@ -20,7 +19,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 using nlohmann::json;
@@ -103,33 +101,25 @@ absl::Status ReadBrief(json& object, v1::JobSpec& spec) {
 
 absl::Status ReadObject(json object, BriefLine& line) {
   v1::JobSpec& spec = line.spec;
-  absl::Status status = ReadKey(Take(object, {"id"}), line.key);
-  const auto step = [&status](auto&& next) {
-    if (status.ok()) status = next();
-  };
+  RETURN_IF_ERROR(ReadKey(Take(object, {"id"}), line.key));
   const auto part = [&](std::initializer_list<const char*> names, auto mutable_part) {
-    if (!status.ok()) return;
     const std::optional<json> value = Take(object, names);
-    if (value.has_value()) status = SetFromJson(*value, *names.begin(), *(spec.*mutable_part)());
+    return value.has_value() ? SetFromJson(*value, *names.begin(), *(spec.*mutable_part)()) : absl::OkStatus();
   };
-  part({"solve", "solve_options", "solveOptions"}, &v1::JobSpec::mutable_solve_options);
-  part({"render", "render_options", "renderOptions"}, &v1::JobSpec::mutable_render_options);
-  part({"models", "model_options", "modelOptions"}, &v1::JobSpec::mutable_model_options);
-  part({"replay"}, &v1::JobSpec::mutable_replay);
-  step([&] { return ReadVariants(Take(object, {"variants"}), spec); });
-  step([&] {
-    const std::optional<json> further = Take(object, {"further_views", "furtherViews"});
-    return further.has_value() ? SetFromJson(json{{"further_views", *further}}, "", spec) : absl::OkStatus();
-  });
-  step([&] { return ReadViews(Take(object, {"views"}), spec); });
-  step([&] { return ReadBrief(object, spec); });
-  return status;
+  RETURN_IF_ERROR(part({"solve", "solve_options", "solveOptions"}, &v1::JobSpec::mutable_solve_options));
+  RETURN_IF_ERROR(part({"render", "render_options", "renderOptions"}, &v1::JobSpec::mutable_render_options));
+  RETURN_IF_ERROR(part({"models", "model_options", "modelOptions"}, &v1::JobSpec::mutable_model_options));
+  RETURN_IF_ERROR(part({"replay"}, &v1::JobSpec::mutable_replay));
+  RETURN_IF_ERROR(ReadVariants(Take(object, {"variants"}), spec));
+  if (const std::optional<json> further = Take(object, {"further_views", "furtherViews"})) {
+    RETURN_IF_ERROR(SetFromJson(json{{"further_views", *further}}, "", spec));
+  }
+  RETURN_IF_ERROR(ReadViews(Take(object, {"views"}), spec));
+  return ReadBrief(object, spec);
 }
 
 absl::Status ReadJson(std::string_view text, BriefLine& line) {
-  if (!NestsWithin(text, kDeepest)) {
-    return InvalidArgument("nests deeper than {} levels", kDeepest);
-  }
+  if (!NestsWithin(text, kDeepest)) return InvalidArgument("nests deeper than {} levels", kDeepest);
   json value = json::parse(text, nullptr, false);
   if (value.is_discarded()) {
     v1::Brief nothing;
@@ -151,38 +141,6 @@ absl::Status Check(const v1::JobSpec& spec) {
       status.message(),
       {{"\n", "; "}, {"solve_options.", "solve."}, {"render_options.", "render."}, {"model_options.", "models."}}));
 }
-
-}  // namespace
-
-void SetViews(const std::vector<v1::RenderOptions>& views, v1::JobSpec& spec) {
-  if (views.empty()) return;
-  *spec.mutable_render_options() = views.front();
-  spec.mutable_further_views()->Assign(views.begin() + 1, views.end());
-}
-
-absl::StatusOr<BriefLine> ReadBriefLine(std::string_view line, const v1::JobSpec& defaults) {
-  BriefLine read;
-  read.spec = defaults;
-  const std::string stripped(absl::StripAsciiWhitespace(absl::string_view(line.data(), line.size())));
-  const std::string_view text = stripped;
-  absl::Status status;
-  if (text.starts_with('{') || text.starts_with('"')) {
-    status = ReadJson(text, read);
-  } else if (text.starts_with('[')) {
-    status =
-        absl::InvalidArgumentError("is a JSON array; expected one brief per line: text, \"text\" or {\"text\": ...}");
-  } else {
-    read.spec.mutable_brief()->set_text(stripped);
-  }
-  if (!status.ok()) return status;
-  v1::Brief& brief = *read.spec.mutable_brief();
-  brief.set_text(OneLine(brief.text()));
-  if (brief.has_room()) CompleteRoom(*brief.mutable_room());
-  if (status = Check(read.spec); !status.ok()) return status;
-  return read;
-}
-
-namespace {
 
 using google::protobuf::Descriptor;
 using google::protobuf::EnumDescriptor;
@@ -239,6 +197,34 @@ void Clear(const json& object, Message& message) {
 }
 
 }  // namespace
+
+void SetViews(const std::vector<v1::RenderOptions>& views, v1::JobSpec& spec) {
+  if (views.empty()) return;
+  *spec.mutable_render_options() = views.front();
+  spec.mutable_further_views()->Assign(views.begin() + 1, views.end());
+}
+
+absl::StatusOr<BriefLine> ReadBriefLine(std::string_view line, const v1::JobSpec& defaults) {
+  BriefLine read;
+  read.spec = defaults;
+  const std::string stripped(absl::StripAsciiWhitespace(absl::string_view(line.data(), line.size())));
+  const std::string_view text = stripped;
+  absl::Status status;
+  if (text.starts_with('{') || text.starts_with('"')) {
+    status = ReadJson(text, read);
+  } else if (text.starts_with('[')) {
+    status =
+        absl::InvalidArgumentError("is a JSON array; expected one brief per line: text, \"text\" or {\"text\": ...}");
+  } else {
+    read.spec.mutable_brief()->set_text(stripped);
+  }
+  if (!status.ok()) return status;
+  v1::Brief& brief = *read.spec.mutable_brief();
+  brief.set_text(OneLine(brief.text()));
+  if (brief.has_room()) CompleteRoom(*brief.mutable_room());
+  if (status = Check(read.spec); !status.ok()) return status;
+  return read;
+}
 
 bool NestsWithin(std::string_view json, int most) {
   int depth = 0;

@@ -33,13 +33,11 @@ Collector::Collector(Session& session, ResultsFile& results, ResultWriter& write
     : session_(session), results_(results), writer_(writer), options_(options) {}
 
 absl::StatusOr<int64_t> Collector::FirstSequence() {
-  const absl::StatusOr<int64_t> after = results_.IntState(kAfterSequence);
-  if (!after.ok()) return after;
+  ASSIGN_OR_RETURN(const int64_t after, results_.IntState(kAfterSequence));
   // What could not be fetched before is tried again.
-  const absl::StatusOr<int64_t> failed =
-      results_.Count("SELECT MIN(end_sequence) FROM jobs WHERE fetch_error IS NOT NULL");
-  if (!failed.ok()) return failed;
-  return *failed > 0 ? std::min(*after, *failed - 1) : *after;
+  ASSIGN_OR_RETURN(const int64_t failed,
+                   results_.Count("SELECT MIN(end_sequence) FROM jobs WHERE fetch_error IS NOT NULL"));
+  return failed > 0 ? std::min(after, failed - 1) : after;
 }
 
 absl::StatusOr<bool> Collector::IsNew(const v1::WatchBatchResponse& end) {
@@ -169,9 +167,8 @@ absl::Status Collector::Remember(bool all) {
   }
   RETURN_IF_ERROR(results_.Change([&]() -> absl::Status {
     for (const Fetched& one : settled) {
-      absl::Status put = results_.ForgetEnd(one.row.Int("batch_index"));
-      if (put.ok()) put = results_.Put(one.row);
-      if (!put.ok()) return put;
+      RETURN_IF_ERROR(results_.ForgetEnd(one.row.Int("batch_index")));
+      RETURN_IF_ERROR(results_.Put(one.row));
     }
     return results_.SetState(kAfterSequence, after);
   }));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cstdlib>
 #include <map>
+#include <tuple>
 
 #include "absl/time/time.h"
 #include "cli/batch/results_file.h"
@@ -10,71 +10,23 @@
 #include "cli/output/report_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "nlohmann/json.hpp"
+
+namespace flair {
+std::string_view ResultColumnTable();  // result_columns.json, embedded: name, type and meaning of each
+}
 
 namespace flair::cli {
 namespace {
 
-constexpr std::array<const char*, 16> kStages = {
-    "brief",       "room",  "zones",  "objects", "style",  "constraints", "cleaning", "completion",
-    "translation", "solve", "render", "view_1",  "view_2", "view_3",      "view_4",   "report"};
-
 constexpr size_t kListedFindings = 20;
 
-constexpr char kInteger[] = "INTEGER";
-constexpr char kReal[] = "REAL";
-constexpr char kText[] = "TEXT";
-
 std::vector<ResultColumn> MakeColumns() {
-  std::vector<ResultColumn> columns = {
-      {"batch_index", kInteger, "place in the batch, from 0; names the job's folder"},
-      {"line", kInteger, "line of the file, from 1"},
-      {"key", kText, "the line's \"id\""},
-      {"job_id", kText, "id of the job, for `flair jobs show` and `flair inspect JOB/STAGE`"},
-      {"state", kText, "waiting, succeeded, failed or cancelled"},
-      {"failure_kind", kText, "input, language, translation, infeasible, worker, timeout or store"},
-      {"stage", kText, "the stage that failed"},
-      {"error", kText, "what happened, in one sentence"},
-      {"error_code", kInteger, "the gRPC status code of the error"},
-      {"attempts", kInteger, "runs started"},
-      {"seed", kInteger, "the brief's seed"},
-      {"text", kText, "the brief's text"},
-      {"create_time", kText, "when it was queued, UTC"},
-      {"end_time", kText, "when it ended, UTC"},
-      {"oob_percent", kReal, "[Paper] OOB: area outside the room, percent"},
-      {"oor_percent", kReal, "[Paper] OOR: area of overlaps, percent"},
-      {"reachable_floor_share", kReal, "share of the free floor that can be reached"},
-      {"reachable_front_share", kReal, "share of the objects whose front can be reached"},
-      {"pathway_cost_m3", kReal, "[Paper] pathway cost"},
-      {"deepest_overlap_m", kReal, "deepest overlap, metres"},
-      {"oob_3d_percent", kReal, "volume outside the room, percent of its volume"},
-      {"oor_3d_percent", kReal, "volume of all overlaps, percent of the room's volume"},
-      {"deepest_overlap_3d_m", kReal, "the deepest of these, metres"},
-      {"unsupported_count", kInteger, "pieces that nothing holds"},
-      {"use_count", kInteger, "sentences that say how a piece is used"},
-      {"met_use_count", kInteger, "of these, those that hold"},
-      {"findings", kText, "physical faults and uses that are not met, in words"},
-      {"satisfied_count", kInteger, "constraints that hold"},
-      {"violated_count", kInteger, "constraints that do not"},
-      {"dropped_count", kInteger, "constraints left out of the problem"},
-      {"untranslated_count", kInteger, "sentences that did not become constraints"},
-      {"time_s", kReal, "time of all stages, seconds; reused artifacts count 0"},
-  };
-  for (const char* stage : kStages) {
-    columns.push_back({fmt::format("{}_s", stage), kReal, "time of this stage, seconds"});
+  std::vector<ResultColumn> columns;
+  for (const auto& [name, type, meaning] : nlohmann::json::parse(ResultColumnTable())
+                                               .get<std::vector<std::tuple<std::string, std::string, std::string>>>()) {
+    columns.push_back({name, type, meaning});
   }
-  columns.insert(columns.end(), {{"model_calls", kInteger, "calls of language models"},
-                                 {"input_tokens", kInteger, "tokens of the prompts"},
-                                 {"output_tokens", kInteger, "tokens of the answers"},
-                                 {"cost_usd", kReal, "US dollars"}});
-  for (const char* artifact :
-       {"brief", "room", "zones", "objects", "style", "constraints_raw", "constraints", "constraints_completed",
-        "graph", "layout", "picture", "picture_2", "picture_3", "picture_4", "picture_5", "report"}) {
-    columns.push_back({fmt::format("{}_sha256", artifact), kText, "digest of this artifact, which is its id"});
-  }
-  columns.insert(columns.end(), {{"path", kText, "folder or tar file with the job's files, relative to DIR"},
-                                 {"size_bytes", kInteger, "size of the kept files"},
-                                 {"fetch_error", kText, "why its results could not be fetched"},
-                                 {"end_sequence", kInteger, "order in which jobs ended; used by the collector"}});
   return columns;
 }
 
@@ -171,9 +123,9 @@ void AddReport(const v1::Report& report, ResultRow& row) {
   for (const v1::StageTiming& timing : report.stage_timings()) {
     if (timing.reused()) continue;
     time_s += SecondsOf(timing.duration());
-    if (std::ranges::find(kStages, timing.stage()) != kStages.end()) {
-      row.Set(timing.stage() + "_s", SecondsOf(timing.duration()));
-    }
+    const std::string column = timing.stage() + "_s";
+    if (std::ranges::find(ResultColumns(), column, &ResultColumn::name) == ResultColumns().end()) continue;
+    row.Set(column, SecondsOf(timing.duration()));
   }
   row.Set("time_s", time_s);
   row.Set("model_calls", int64_t{report.model_usage().call_count()});

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/result_writer.h"
-
 #include <archive.h>
 #include <archive_entry.h>
 #include <fcntl.h>
@@ -14,6 +12,7 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_split.h"
+#include "cli/batch/collector.h"
 #include "cli/exit_code.h"
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
@@ -24,7 +23,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,9 +41,7 @@ class JobFolders final : public ResultWriter {
     fs::remove_all(made, error);  // of a process that was killed
     fs::create_directories(made, error);
     if (error) return CannotWrite(made, error.value());
-    for (const OutputFile& file : files) {
-      RETURN_IF_ERROR(WriteFile(made / file.name, file.content));
-    }
+    for (const OutputFile& file : files) RETURN_IF_ERROR(WriteFile(made / file.name, file.content));
     RETURN_IF_ERROR(PutInPlace(made, final_folder));
     return Place{.path = path, .ticket = ++last_ticket_};
   }
@@ -77,14 +73,6 @@ class JobFolders final : public ResultWriter {
   std::atomic<int64_t> last_ticket_ = 0;
   std::atomic<int64_t> settled_ = 0;
 };
-
-}  // namespace
-
-std::string IndexName(int64_t batch_index) { return fmt::format("{:06}", batch_index); }
-
-std::unique_ptr<ResultWriter> MakeJobFolders(const fs::path& folder) { return std::make_unique<JobFolders>(folder); }
-
-namespace {
 
 constexpr char kPartial[] = ".partial";
 // The index of the Python package wids, which WebDataset reads; further members are ours.
@@ -122,8 +110,7 @@ class TarFile {
   explicit TarFile(fs::path path) : path_(std::move(path)), archive_(archive_write_new()) {}
   absl::Status Error() const {
     const char* why = archive_error_string(archive_);
-    return FileError(
-        fmt::format("{}: cannot be written: {}", path_.string(), why == nullptr ? "no reason given" : why));
+    return FileError("{}: cannot be written: {}", path_.string(), why == nullptr ? "no reason given" : why);
   }
 
   const fs::path path_;
@@ -160,9 +147,7 @@ class TarShards final : public ResultWriter {
       RETURN_IF_ERROR(tar_->Add(name, file.content));
     }
     const Place place{.path = fmt::format("shards/{}", Name()), .ticket = number_};
-    if (++job_count_ == shard_size_) {
-      RETURN_IF_ERROR(Finish());
-    }
+    if (++job_count_ == shard_size_) RETURN_IF_ERROR(Finish());
     return place;
   }
 
@@ -243,16 +228,6 @@ class TarShards final : public ResultWriter {
   nlohmann::json shards_;
 };
 
-}  // namespace
-
-absl::StatusOr<std::unique_ptr<ResultWriter>> MakeTarShards(const fs::path& folder, int shard_size) {
-  auto shards = std::make_unique<TarShards>(folder / "shards", shard_size);
-  RETURN_IF_ERROR(shards->Open());
-  return shards;
-}
-
-namespace {
-
 constexpr char kPictures[] = "pictures";
 constexpr char kReport[] = "report";
 constexpr char kReportText[] = "report.md";
@@ -284,6 +259,16 @@ std::string FreeName(const std::string& name, const std::vector<OutputFile>& fil
 }
 
 }  // namespace
+
+std::string IndexName(int64_t batch_index) { return fmt::format("{:06}", batch_index); }
+
+std::unique_ptr<ResultWriter> MakeJobFolders(const fs::path& folder) { return std::make_unique<JobFolders>(folder); }
+
+absl::StatusOr<std::unique_ptr<ResultWriter>> MakeTarShards(const fs::path& folder, int shard_size) {
+  auto shards = std::make_unique<TarShards>(folder / "shards", shard_size);
+  RETURN_IF_ERROR(shards->Open());
+  return shards;
+}
 
 absl::StatusOr<KeptFiles> KeptFiles::Parse(const std::string& text) {
   const std::vector<std::string> known = AllWords();

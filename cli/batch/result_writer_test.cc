@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/result_writer.h"
-
 #include <archive.h>
 #include <archive_entry.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/batch/collector.h"
 #include "nlohmann/json.hpp"
 #include "tests/fixtures/programs.h"
 

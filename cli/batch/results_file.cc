@@ -104,7 +104,7 @@ absl::Status ResultsFile::Error() const {
   const std::string message = fmt::format("{}: {}", path_, sqlite3_errmsg(connection_));
   const int code = sqlite3_errcode(connection_) & 0xff;
   if (code == SQLITE_CORRUPT) return absl::DataLossError(message + "; move it away to collect the results again");
-  if (code == SQLITE_NOTADB) return FileError(fmt::format("{}: is not a database of flair batch", path_));
+  if (code == SQLITE_NOTADB) return FileError("{}: is not a database of flair batch", path_);
   return FileError(message);
 }
 
@@ -114,19 +114,16 @@ absl::Status ResultsFile::Execute(const std::string& sql) {
 
 absl::Status ResultsFile::Configure() {
   sqlite3_busy_timeout(connection_, kBusyTimeoutMs);
-  if (absl::Status status = Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"); !status.ok()) {
-    return status;
-  }
+  RETURN_IF_ERROR(Execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"));
   return Change([this]() -> absl::Status {
     ASSIGN_OR_RETURN(const int64_t version, Count("PRAGMA user_version"));
     ASSIGN_OR_RETURN(const int64_t tables, Count("SELECT COUNT(*) FROM sqlite_schema"));
     if (tables == 0) return Execute(SchemaSql());
     ASSIGN_OR_RETURN(const int64_t application, Count("PRAGMA application_id"));
-    if (application != kApplicationId) return FileError(fmt::format("{}: is not a database of flair batch", path_));
+    if (application != kApplicationId) return FileError("{}: is not a database of flair batch", path_);
     if (version == kVersion) return absl::OkStatus();
-    return FileError(
-        fmt::format("{}: has version {}, this program knows {}; use the Flair that made it, or another --out", path_,
-                    version, kVersion));
+    return FileError("{}: has version {}, this program knows {}; use the Flair that made it, or another --out", path_,
+                     version, kVersion);
   });
 }
 
@@ -164,9 +161,8 @@ absl::StatusOr<ResultValue> ResultsFile::First(const std::string& sql, std::span
 
 absl::Status ResultsFile::Change(const std::function<absl::Status()>& change) {
   const std::lock_guard lock(mutex_);
-  absl::Status status = Execute("BEGIN IMMEDIATE");
-  if (!status.ok()) return status;
-  status = change();
+  RETURN_IF_ERROR(Execute("BEGIN IMMEDIATE"));
+  absl::Status status = change();
   if (status.ok()) status = Execute("COMMIT");
   if (!status.ok()) sqlite3_exec(connection_, "ROLLBACK", nullptr, nullptr, nullptr);
   return status;

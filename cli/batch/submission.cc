@@ -13,7 +13,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr int kPageJobs = 500;
@@ -26,6 +25,9 @@ constexpr char kLine[] = "submit_line";
 constexpr char kSubmitted[] = "submitted_count";
 constexpr char kRejected[] = "rejected_count";
 constexpr char kRejectedBytes[] = "rejected_bytes";
+
+// A line that was wrong is mostly short; one that has no end must not fill the disk.
+constexpr size_t kLongestText = 64 << 10;
 
 }  // namespace
 
@@ -104,9 +106,7 @@ absl::Status Submission::Remember() {
                                                       {kSubmitted, page_.first_index() + page_.specs_size()},
                                                       {kRejected, rejected_count_},
                                                       {kRejectedBytes, rejected_.size_bytes()}};
-    for (const auto& [name, value] : states) {
-      RETURN_IF_ERROR(results_.SetState(name, value));
-    }
+    for (const auto& [name, value] : states) RETURN_IF_ERROR(results_.SetState(name, value));
     return absl::OkStatus();
   });
 }
@@ -185,13 +185,6 @@ absl::Status Submission::Run(const v1::Batch& batch) {
   return SendPage(true);
 }
 
-namespace {
-
-// A line that was wrong is mostly short; one that has no end must not fill the disk.
-constexpr size_t kLongestText = 64 << 10;
-
-}  // namespace
-
 absl::Status RejectedLines::Open(int64_t size_bytes) {
   std::error_code error;
   size_bytes_ = size_bytes;
@@ -203,7 +196,7 @@ absl::Status RejectedLines::Open(int64_t size_bytes) {
     }
   }
   if (!error) return absl::OkStatus();
-  return FileError(fmt::format("{}: cannot be written: {}", path_.string(), error.message()));
+  return FileError("{}: cannot be written: {}", path_.string(), error.message());
 }
 
 void RejectedLines::Add(int64_t line, const std::string& reason, std::string_view text) {
@@ -220,7 +213,7 @@ absl::Status RejectedLines::Flush() {
   if (!file_.is_open() && size_bytes_ == 0) return absl::OkStatus();
   if (file_.is_open()) file_.flush();
   if (!file_.fail()) return absl::OkStatus();
-  return FileError(fmt::format("{}: cannot be written; is the disk full?", path_.string()));
+  return FileError("{}: cannot be written; is the disk full?", path_.string());
 }
 
 }  // namespace flair::cli

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/bench/bench.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "cli/bench/complete_graph.h"
-#include "cli/bench/measures.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 

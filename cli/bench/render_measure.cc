@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "cli/bench/measures.h"
+#include "cli/bench/bench.h"
 #include "fmt/format.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/service/handlers.h"

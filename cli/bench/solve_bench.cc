@@ -3,7 +3,7 @@
 #include <array>
 #include <mutex>
 
-#include "cli/bench/measures.h"
+#include "cli/bench/bench.h"
 #include "cli/output/message_view.h"
 #include "fmt/format.h"
 #include "optimizer_worker/solver/solver.h"

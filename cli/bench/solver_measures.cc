@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "cli/bench/measures.h"
+#include "cli/bench/bench.h"
 #include "fmt/format.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "optimizer_worker/solver/solver.h"
@@ -15,7 +15,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 int Held(const v1::SolvedLayout& layout) {
@@ -87,6 +86,12 @@ std::vector<std::string> Cells(const std::string& name, const std::vector<Record
   return cells;
 }
 
+double MeanHitShare(const std::vector<RestartsMeasure>& measures) {
+  std::vector<double> shares;
+  for (const RestartsMeasure& room : measures) shares.push_back(room.HitShare());
+  return Mean(shares);
+}
+
 }  // namespace
 
 absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem, const v1::SolveOptions& options,
@@ -133,16 +138,6 @@ std::string ResolveTable(const std::vector<Record>& edits) {
   for (const auto& [name, list] : kinds) text += table.Row(Cells("all: " + name, list));
   return text + table.Row(Cells("all", edits));
 }
-
-namespace {
-
-double MeanHitShare(const std::vector<RestartsMeasure>& measures) {
-  std::vector<double> shares;
-  for (const RestartsMeasure& room : measures) shares.push_back(room.HitShare());
-  return Mean(shares);
-}
-
-}  // namespace
 
 double RestartsMeasure::Best() const { return *std::min_element(scores.begin(), scores.end()); }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bench/translate_labels.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
 
+#include "cli/bench/translate_bench.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_calls.h"
-#include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -94,9 +92,7 @@ struct Line {
 
 absl::StatusOr<Line> ReadLine(const json& record, const v1::LayoutGraph& room) {
   for (const char* key : {"list", "sentence"}) {
-    if (!record.contains(key) || !record[key].is_string()) {
-      return InvalidArgument("{}: missing; expected a text", key);
-    }
+    if (!record.contains(key) || !record[key].is_string()) return InvalidArgument("{}: missing; expected a text", key);
   }
   Line line{record.value("bullet", record["sentence"].get<std::string>()), record["list"], {}, {}};
   if (std::find(std::begin(kLists), std::end(kLists), line.list) == std::end(kLists)) {
@@ -235,9 +231,7 @@ absl::StatusOr<v1::ConstraintEdge> ReadGoldCall(const json& call, const v1::Layo
   RETURN_IF_ERROR(AddObjects(call["objects"], *function, room, edge));
   const json params = call.value("params", json::object());
   if (!params.is_object()) return absl::InvalidArgumentError("gold: params is not an object");
-  for (const auto& [key, value] : params.items()) {
-    RETURN_IF_ERROR(AddParameter(key, value, *function, room, edge));
-  }
+  for (const auto& [key, value] : params.items()) RETURN_IF_ERROR(AddParameter(key, value, *function, room, edge));
   return edge;
 }
 

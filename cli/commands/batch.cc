@@ -6,7 +6,7 @@
 
 #include "cli/batch/batch_input.h"
 #include "cli/batch/batch_run.h"
-#include "cli/batch/result_writer.h"
+#include "cli/batch/collector.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
@@ -61,9 +61,7 @@ absl::StatusOr<v1::JobSpec> MakeDefaults(const BatchArguments& arguments) {
   spec.set_no_completion(arguments.lines.no_completion);
   RETURN_IF_ERROR(arguments.lines.Set(spec));
   RETURN_IF_ERROR(arguments.model.Set(spec));
-  for (const std::string& option : arguments.lines.options) {
-    RETURN_IF_ERROR(SetOption(option, spec).status());
-  }
+  for (const std::string& option : arguments.lines.options) RETURN_IF_ERROR(SetOption(option, spec).status());
   std::vector<v1::RenderOptions> views;
   for (const std::string& name : arguments.lines.views) {
     ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(name));
@@ -83,12 +81,11 @@ absl::Status CheckFolder(BatchFolder& folder, const std::string& request_id) {
   ASSIGN_OR_RETURN(const std::string known, folder.results().State("request_id"));
   if (place.batch_id.empty() || known == request_id) return absl::OkStatus();
   if (known.empty()) {
-    return FileError(fmt::format("{}: collects batch {}, which was submitted elsewhere; give --out another folder",
-                                 folder.path().string(), place.batch_id));
+    return FileError("{}: collects batch {}, which was submitted elsewhere; give --out another folder",
+                     folder.path().string(), place.batch_id);
   }
-  return FileError(
-      fmt::format("{}: holds batch {} of other briefs or options; give --out another folder, or what it was made with",
-                  folder.path().string(), place.batch_id));
+  return FileError("{}: holds batch {} of other briefs or options; give --out another folder, or what it was made with",
+                   folder.path().string(), place.batch_id);
 }
 
 absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& batch, const std::string& kept,
@@ -96,9 +93,9 @@ absl::Status RememberPlace(const BatchArguments& arguments, const v1::Batch& bat
   ASSIGN_OR_RETURN(const BatchPlace before, folder.Place());
   if (!before.batch_id.empty() && before.batch_id != batch.id()) {
     return FileError(
-        fmt::format("{}: holds batch {}, but here these briefs are batch {}; give the same --orchestrator, --engine or "
-                    "FLAIR_HOME as before, or another folder to --out",
-                    folder.path().string(), before.batch_id, batch.id()));
+        "{}: holds batch {}, but here these briefs are batch {}; give the same --orchestrator, --engine or "
+        "FLAIR_HOME as before, or another folder to --out",
+        folder.path().string(), before.batch_id, batch.id());
   }
   BatchPlace place;
   place.batch_id = batch.id();

@@ -7,10 +7,9 @@
 #include "absl/strings/str_join.h"
 #include "cli/batch/batch_run.h"
 #include "cli/batch/collector.h"
-#include "cli/batch/result_writer.h"
 #include "cli/commands/batch_flags.h"
 #include "cli/exit_code.h"
-#include "cli/input/field_path.h"
+#include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
@@ -141,16 +140,12 @@ absl::Status RetryBatch(const RetryArguments& arguments, const NamedBatch& named
 // The folder that a watch collects into, with what it remembers from before or is told now.
 absl::StatusOr<std::unique_ptr<BatchFolder>> HoldFolder(const WatchArguments& arguments, const NamedBatch& named) {
   const std::string path = arguments.out.empty() ? named.folder.string() : arguments.out;
-  if (path.empty()) {
-    return InvalidArgument("{}: names no folder to collect into; give --out DIR", arguments.id);
-  }
+  if (path.empty()) return InvalidArgument("{}: names no folder to collect into; give --out DIR", arguments.id);
   absl::StatusOr<std::unique_ptr<BatchFolder>> folder = BatchFolder::Hold(path);
   if (!folder.ok()) return folder;
   ASSIGN_OR_RETURN(BatchPlace place, (*folder)->Place());
   if (place.batch_id == named.batch.id()) return folder;
-  if (!place.batch_id.empty()) {
-    return FileError(fmt::format("{}: holds batch {}; give --out another folder", path, place.batch_id));
-  }
+  if (!place.batch_id.empty()) return FileError("{}: holds batch {}; give --out another folder", path, place.batch_id);
   ASSIGN_OR_RETURN(const KeptFiles kept, arguments.collect.Kept());
   BatchPlace made;
   made.batch_id = named.batch.id();
@@ -176,9 +171,7 @@ absl::Status WatchBatch(const WatchArguments& arguments, const NamedBatch& named
 }
 
 absl::Status ShowReport(ResultsFile& results, const ReportArguments& arguments) {
-  if (!arguments.csv.empty()) {
-    RETURN_IF_ERROR(WriteResultsCsv(results, arguments.csv));
-  }
+  if (!arguments.csv.empty()) RETURN_IF_ERROR(WriteResultsCsv(results, arguments.csv));
   ASSIGN_OR_RETURN(const BatchReport report, MakeBatchReport(results));
   if (arguments.json) {
     fmt::print("{}\n", JsonText(report, 2));

@@ -10,20 +10,17 @@
 #include <memory>
 
 #include "absl/time/clock.h"
-#include "cli/bench/complete_graph.h"
-#include "cli/bench/measures.h"
 #include "cli/bench/translate_bench.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
-#include "cli/input/llm_flags.h"
 #include "cli/input/message_text.h"
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
-#include "evaluation/readers/flairgpt_room.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/facts.h"
@@ -97,7 +94,7 @@ absl::Status MakeFolder(const std::filesystem::path& folder) {
   if (folder.empty()) return absl::OkStatus();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) return FileError(fmt::format("--out: {}: {}", folder.string(), error.message()));
+  if (error) return FileError("--out: {}: {}", folder.string(), error.message());
   return CheckOutputFile(folder / "layout.pb");
 }
 
@@ -139,9 +136,7 @@ absl::Status BenchSolve(const BenchSolveArguments& arguments) {
   });
   if (!solves.empty()) fmt::print("{}", SolveSummary(solves, memory_before_MiB));
   std::fflush(stdout);
-  if (!arguments.json.empty()) {
-    RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolvesToJson(solves, failures)));
-  }
+  if (!arguments.json.empty()) RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolvesToJson(solves, failures)));
   if (!arguments.out.empty() && !solves.empty()) {
     fmt::print("layouts are in {0}: NAME.json for the judge, NAME.pb for flair render {0}/NAME.pb --out NAME.png\n",
                arguments.out);

@@ -23,7 +23,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,9 +97,7 @@ absl::Status CompareOne(const CompareArguments& arguments, const v1::SolveOption
   ASSIGN_OR_RETURN(const v1::Artifact graph, OpenArtifact(arguments.graph, arguments.source));
   RETURN_IF_ERROR(CheckGraph(arguments.graph, graph));
   ASSIGN_OR_RETURN(const Contest contest, Run(arguments, arguments.graph, graph.layout_graph(), options));
-  if (!arguments.picture.empty()) {
-    RETURN_IF_ERROR(DrawPicture(arguments, contest));
-  }
+  if (!arguments.picture.empty()) RETURN_IF_ERROR(DrawPicture(arguments, contest));
   if (arguments.format == "json") {
     fmt::print("{}\n", JsonText(ContestJson(contest, arguments.optimizers), 2));
   } else {
@@ -156,26 +153,11 @@ absl::Status Compare(const CompareArguments& arguments) {
   }
   const bool is_folder = fs::is_directory(arguments.graph);
   if (!arguments.picture.empty()) {
-    if (is_folder) {
-      return InvalidArgument("--picture: {} is a folder; a picture shows one graph", arguments.graph);
-    }
+    if (is_folder) return InvalidArgument("--picture: {} is a folder; a picture shows one graph", arguments.graph);
     RETURN_IF_ERROR(CheckPicture({arguments.picture, arguments.size_px, {}, {}}));
   }
   return is_folder ? CompareFolder(arguments, options) : CompareOne(arguments, options);
 }
-
-}  // namespace
-
-void AddCompare(const Commands& program) {
-  program.Add("compare", "Compare several optimizers on the same graph.", Compare,
-              "Flair evaluates all answers itself: costs, verdicts and measures. For constraints of unknown types it "
-              "shows the optimizer's own verdicts, marked *. For a folder there is a line per design (graph.pb) and "
-              "optimizer, and medians.");
-}
-
-// flair diff: what differs between two artifacts of a kind, by meaning.
-
-namespace {
 
 struct DiffArguments : Options {
   using Options::Options;
@@ -215,9 +197,7 @@ absl::Status DrawPicture(const DiffArguments& arguments, const v1::Artifact& a, 
 }
 
 absl::Status Diff(const DiffArguments& arguments) {
-  if (!arguments.picture.empty()) {
-    RETURN_IF_ERROR(CheckPicture(PictureOf(arguments)));
-  }
+  if (!arguments.picture.empty()) RETURN_IF_ERROR(CheckPicture(PictureOf(arguments)));
   ASSIGN_OR_RETURN(const v1::Artifact a, OpenArtifact(arguments.a, arguments.source));
   ASSIGN_OR_RETURN(const v1::Artifact b, OpenArtifact(arguments.b, arguments.source));
   const absl::StatusOr<Difference> difference = CompareArtifacts(a, b);
@@ -232,22 +212,6 @@ absl::Status Diff(const DiffArguments& arguments) {
                                               : Printable(DifferenceText(*difference, arguments.a, arguments.b)));
   return difference->content_is_same ? absl::OkStatus() : DiffersStatus();
 }
-
-}  // namespace
-
-void AddDiff(const Commands& program) {
-  program.Add("diff", "Show what differs between two artifacts of the same kind.", Diff,
-              "Items are matched by meaning: sentences by their words, calls by type and arguments, objects by id or "
-              "name. + added, - removed, ~ changed, < better (lower cost, now satisfied), > worse. "
-              "Exits with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
-              "Examples:\n"
-              "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
-              "  flair diff out/a/constraints_raw.pb out/a/constraints.pb");
-}
-
-// flair graph: the layout graph itself as a diagram.
-
-namespace {
 
 struct GraphArguments : Options {
   using Options::Options;
@@ -289,6 +253,27 @@ absl::Status Graph(const GraphArguments& arguments) {
 }
 
 }  // namespace
+
+void AddCompare(const Commands& program) {
+  program.Add("compare", "Compare several optimizers on the same graph.", Compare,
+              "Flair evaluates all answers itself: costs, verdicts and measures. For constraints of unknown types it "
+              "shows the optimizer's own verdicts, marked *. For a folder there is a line per design (graph.pb) and "
+              "optimizer, and medians.");
+}
+
+// flair diff: what differs between two artifacts of a kind, by meaning.
+
+void AddDiff(const Commands& program) {
+  program.Add("diff", "Show what differs between two artifacts of the same kind.", Diff,
+              "Items are matched by meaning: sentences by their words, calls by type and arguments, objects by id or "
+              "name. + added, - removed, ~ changed, < better (lower cost, now satisfied), > worse. "
+              "Exits with 0 when the contents are the same, whoever made them, and with 7 when they differ. "
+              "Examples:\n"
+              "  flair diff out/a/layout.pb out/b/layout.pb --picture difference.png\n"
+              "  flair diff out/a/constraints_raw.pb out/a/constraints.pb");
+}
+
+// flair graph: the layout graph itself as a diagram.
 
 void AddGraph(const Commands& program) {
   program.Add("graph", "Draw the layout graph: objects, parts of the room, and the calls between them.", Graph,

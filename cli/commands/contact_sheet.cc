@@ -23,7 +23,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -198,18 +197,6 @@ absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
   return absl::OkStatus();
 }
 
-}  // namespace
-
-void AddContactSheet(const Commands& program) {
-  program.Add("contact-sheet", "Show all designs of a folder in one picture.", MakeContactSheet,
-              "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and "
-              "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows the reason instead.");
-}
-
-// flair export scene and flair export sceneeval: a furnished room in three dimensions.
-
-namespace {
-
 struct ExportArguments : Options {
   using Options::Options;
   std::string& layout = Required("LAYOUT", "A layout: layout.pb or layout.json of a design");
@@ -283,6 +270,14 @@ absl::Status ExportGlb(const ExportGlbArguments& arguments) {
 }
 
 }  // namespace
+
+void AddContactSheet(const Commands& program) {
+  program.Add("contact-sheet", "Show all designs of a folder in one picture.", MakeContactSheet,
+              "Below each tile: its folder and room, constraints that hold, furniture out of bounds (OOB) and "
+              "overlapping (OOR) in percent of the room, zones. What cannot be drawn shows the reason instead.");
+}
+
+// flair export scene and flair export sceneeval: a furnished room in three dimensions.
 
 void AddExport(const Commands& program) {
   const Commands exports = program.Group("export", "Export layouts as 3D scenes, for other programs.");

@@ -6,7 +6,6 @@
 #include "cli/commands/commands.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/job_options.h"
-#include "cli/input/llm_flags.h"
 #include "cli/input/message_text.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/artifact_text.h"

@@ -9,19 +9,19 @@
 #include <memory>
 #include <vector>
 
-#include "cli/bench/complete_graph.h"
+#include "cli/bench/bench.h"
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/artifact_file.h"
 #include "cli/input/options.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
-#include "evaluation/readers/flairgpt_room.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "fmt/format.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/model/model_tools.h"
 #include "language_worker/recorded/import_answers.h"
-#include "llm/wrappers/folder_llm_clients.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "room/validation/validate.h"
 #include "translator_worker/model/model_translator.h"
@@ -44,9 +44,7 @@ absl::Status ImportFlairGpt(const ImportFlairGptArguments& arguments) {
   ASSIGN_OR_RETURN(const std::string text, ReadFile(arguments.in));
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(text);
-  if (!graph.ok()) {
-    return InvalidArgument("{}: {}", arguments.in, graph.status().message());
-  }
+  if (!graph.ok()) return InvalidArgument("{}: {}", arguments.in, graph.status().message());
   if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(*graph));
   if (const absl::Status good = Validate(*graph); !good.ok()) {
     return InvalidArgument("{}: not a graph that can be solved: {}", arguments.in, good.message());
@@ -198,9 +196,7 @@ void ShowEnd(const ImportAnswersArguments& arguments, const language::ImportedAn
 absl::Status ImportAnswersOf(const ImportAnswersArguments& arguments) {
   ASSIGN_OR_RETURN(const std::string text, ReadFile(arguments.room));
   const absl::StatusOr<language::RecordedRoom> room = language::ReadRecordedRoom(text);
-  if (!room.ok()) {
-    return InvalidArgument("{}: {}", arguments.room, room.status().message());
-  }
+  if (!room.ok()) return InvalidArgument("{}: {}", arguments.room, room.status().message());
   ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder()));
   ASSIGN_OR_RETURN(const auto prompts,
                    llm::PromptLibrary::Load(language::DefaultPromptsFolder(), {}, language::LanguagePrompts()));

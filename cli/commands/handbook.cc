@@ -123,9 +123,7 @@ absl::Status Check(const CheckArguments& arguments) {
   }
   for (const std::string& fault : faults) fmt::print(stdout, "{}\n", fault);
   for (const std::string& note : findings.notes) fmt::print(stdout, "note: {}\n", note);
-  if (!faults.empty()) {
-    return InvalidArgument("{}: {}", folders.back(), Counted(faults.size(), "fault"));
-  }
+  if (!faults.empty()) return InvalidArgument("{}: {}", folders.back(), Counted(faults.size(), "fault"));
   const hb::Handbook& all = findings.handbook->contents();
   fmt::print(stdout, "{}: no faults; {} understood. With ours: {}, {}, {}. Version {}\n", folders.back(),
              Counted(findings.sentences.size(), "sentence"), Counted(all.furniture_size(), "piece"),

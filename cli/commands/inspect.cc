@@ -94,9 +94,7 @@ absl::Status Give(const InspectArguments& arguments, const std::string& text) {
 absl::Status Inspect(const InspectArguments& arguments) {
   RETURN_IF_ERROR(CheckFormat(arguments.format));
   const std::string format = FormatOf(arguments);
-  if (!arguments.out.empty()) {
-    RETURN_IF_ERROR(CheckOutputFile(arguments.out));
-  }
+  if (!arguments.out.empty()) RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   ASSIGN_OR_RETURN(const std::unique_ptr<ArtifactShelf> shelf, OpenShelf(arguments.from));
   ASSIGN_OR_RETURN(const FoundSource found, FindSource(arguments.source, *shelf));
   if (found.is_job) {
@@ -133,9 +131,7 @@ absl::Status Explain(const ExplainArguments& arguments) {
   }
   ASSIGN_OR_RETURN(const v1::ConstraintCatalog catalog, CallListConstraintTypes(arguments.optimizer));
   const absl::StatusOr<Note> note = MakeLayoutNote(artifact.solved_layout(), catalog);
-  if (!note.ok()) {
-    return InvalidArgument("{}: {}", arguments.file, note.status().message());
-  }
+  if (!note.ok()) return InvalidArgument("{}: {}", arguments.file, note.status().message());
   const NoteStyle style = {.all = arguments.all};
   if (arguments.object.empty()) {
     fmt::print("{}", arguments.json ? NoteJson(*note) : NoteText(*note, style));

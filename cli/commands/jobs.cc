@@ -7,7 +7,6 @@
 #include "cli/commands/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input/job_options.h"
-#include "cli/input/llm_flags.h"
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"
 #include "cli/inspect/inspection.h"
@@ -248,9 +247,7 @@ absl::Status Replay(const ReplayArguments& arguments) {
   RETURN_IF_ERROR(arguments.model.Set(limits));
   ASSIGN_OR_RETURN(const OptionalLlm llm,
                    ReadDesignModel(arguments.llm, limits.model_options(), arguments.orchestrator));
-  if (!arguments.out.empty()) {
-    RETURN_IF_ERROR(CheckOutputFolder(arguments.out, DesignFileNames()));
-  }
+  if (!arguments.out.empty()) RETURN_IF_ERROR(CheckOutputFolder(arguments.out, DesignFileNames()));
   ASSIGN_OR_RETURN(std::unique_ptr<Session> session, Session::Open(arguments.orchestrator, llm, arguments.stages));
   ASSIGN_OR_RETURN(const v1::Job first, session->GetJob(arguments.job_id));
   if (!HasEnded(first)) {

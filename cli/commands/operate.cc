@@ -21,7 +21,6 @@
 #include "cli/contract/target.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
-#include "cli/input/llm_flags.h"
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/output_folder.h"
@@ -154,7 +153,7 @@ absl::StatusOr<std::string> Store() {
   const std::string store = DefaultStorePath();
   std::error_code error;
   std::filesystem::create_directories(store, error);
-  if (error) return FileError(fmt::format("{}: {}", store, error.message()));
+  if (error) return FileError("{}: {}", store, error.message());
   RETURN_IF_ERROR(CheckOutputFolder(std::filesystem::path(store) / "probe", {}));
   return store + " can be written";
 }
@@ -320,9 +319,7 @@ absl::Status New(const TokenArguments& arguments) {
   if (arguments.calls_per_minute_limit != 0) entry.set_calls_per_minute_limit(arguments.calls_per_minute_limit);
   if (arguments.is_operator) entry.set_operator_(true);
   RETURN_IF_ERROR(orchestrator::CheckTokenList(list));
-  if (!arguments.out.empty()) {
-    RETURN_IF_ERROR(WriteToken(arguments.out, token));
-  }
+  if (!arguments.out.empty()) RETURN_IF_ERROR(WriteToken(arguments.out, token));
   std::string text;
   google::protobuf::TextFormat::PrintToString(list, &text);
   fmt::print("{}", text);

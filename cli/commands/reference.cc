@@ -24,7 +24,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 struct CatalogArguments : Options {
@@ -93,7 +92,7 @@ absl::Status AddFolder(const fs::path& folder, std::vector<OutputFile>& files) {
       return Internal("{}: two workers' prompts of this name differ", entry.path().string());
     }
   }
-  if (error) return FileError(fmt::format("{}: {}; build again: ./flair build", folder.string(), error.message()));
+  if (error) return FileError("{}: {}; build again: ./flair build", folder.string(), error.message());
   return absl::OkStatus();
 }
 
@@ -108,8 +107,7 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
     names.push_back(file.name);
     std::error_code error;
     if (!fs::exists(fs::path(arguments.out) / file.name, error)) continue;
-    return FileError(
-        fmt::format("{}/{}: already exists and may be your own; choose another folder", arguments.out, file.name));
+    return FileError("{}/{}: already exists and may be your own; choose another folder", arguments.out, file.name);
   }
   RETURN_IF_ERROR(CheckOutputFolder(arguments.out, names));
   RETURN_IF_ERROR(WriteOutputFolder(arguments.out, files));
@@ -117,25 +115,6 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
   fmt::print(stderr, "next       flair design TEXT --out DIR --llm FILE --prompts {}\n", arguments.out);
   return absl::OkStatus();
 }
-
-}  // namespace
-
-void AddCatalog(const Commands& program) {
-  program.Add("catalog", "List the constraints that the optimizer understands.", Catalog);
-}
-
-void AddProtocol(const Commands& program) {
-  program.Add("protocol", "List the services and messages of the protocol.", Protocol);
-}
-
-void AddPrompts(const Commands& program) {
-  program.Add("prompts", "Write the prompts for language models to files, for you to change.", WritePrompts,
-              "Keep the files that you change and delete the others, so that those of the installed version are used.");
-}
-
-// flair contract: what a server of a stage promises, and whether it keeps it.
-
-namespace {
 
 std::vector<std::string> StageNames() {
   std::vector<std::string> names;
@@ -224,6 +203,21 @@ absl::Status Contract(const ContractArguments& arguments) {
 }
 
 }  // namespace
+
+void AddCatalog(const Commands& program) {
+  program.Add("catalog", "List the constraints that the optimizer understands.", Catalog);
+}
+
+void AddProtocol(const Commands& program) {
+  program.Add("protocol", "List the services and messages of the protocol.", Protocol);
+}
+
+void AddPrompts(const Commands& program) {
+  program.Add("prompts", "Write the prompts for language models to files, for you to change.", WritePrompts,
+              "Keep the files that you change and delete the others, so that those of the installed version are used.");
+}
+
+// flair contract: what a server of a stage promises, and whether it keeps it.
 
 void AddContract(const Commands& program) {
   program.Add("contract",

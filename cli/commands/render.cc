@@ -50,9 +50,7 @@ absl::Status Render(const RenderArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::RenderOptions options, ReadRenderFlags(arguments.flags, arguments.out));
   ASSIGN_OR_RETURN(const std::string annotations, AnnotationsPath(arguments, options));
   ASSIGN_OR_RETURN(const LayoutFile layout, ReadLayoutFile(arguments.layout));
-  for (const std::string& path : {arguments.out, annotations}) {
-    RETURN_IF_ERROR(CheckOutputFile(path));
-  }
+  for (const std::string& path : {arguments.out, annotations}) RETURN_IF_ERROR(CheckOutputFile(path));
   v1::RenderRequest request;
   request.set_request_id("flair-render");
   SetOrigin(layout, request);
@@ -64,9 +62,7 @@ absl::Status Render(const RenderArguments& arguments) {
   }());
   const v1::Preview& preview = response.preview();
   RETURN_IF_ERROR(WriteOutputFile(arguments.out, preview.image()));
-  if (!annotations.empty()) {
-    RETURN_IF_ERROR(WriteOutputFile(annotations, ToJson(preview.annotations())));
-  }
+  if (!annotations.empty()) RETURN_IF_ERROR(WriteOutputFile(annotations, ToJson(preview.annotations())));
   for (const v1::Diagnostic& diagnostic : response.diagnostics()) fmt::print(stderr, "{}\n", diagnostic.message());
   fmt::print(stderr, "{}: {}\n", arguments.out,
              preview.width_px() > 0 ? fmt::format("{} x {} px", preview.width_px(), preview.height_px())

@@ -19,7 +19,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 std::set<std::string> OwnTypes() {
@@ -62,73 +61,6 @@ void FillVerdicts(const v1::LayoutGraph& graph, const v1::SolvedLayout& answer, 
     trial.verdicts.push_back(std::move(verdict));
   }
 }
-
-}  // namespace
-
-absl::StatusOr<Trial> Judge(const v1::SolveRequest& request, const v1::SolveResponse& response) {
-  if (absl::Status status = Validate(response.solved_layout()); !status.ok()) {
-    return Internal("its layout is not valid: {}", status.message());
-  }
-  v1::EvaluateRequest evaluate;
-  *evaluate.mutable_layout_graph() = request.layout_graph();
-  *evaluate.mutable_placements() = response.solved_layout().placements();
-  *evaluate.mutable_options() = request.options();
-  const optimizer::NloptSolver solver;
-  const absl::StatusOr<v1::EvaluateResponse> judged = optimizer::EvaluateLayout(evaluate, solver);
-  if (!judged.ok()) {
-    return Internal("its layout cannot be judged: {}", judged.status().message());
-  }
-  Trial trial{.layout = response.solved_layout(), .producer = response.producer()};
-  *trial.layout.mutable_graph() = request.layout_graph();
-  *trial.layout.mutable_edge_outcomes() = judged->edge_outcomes();
-  *trial.layout.mutable_term_outcomes() = judged->term_outcomes();
-  *trial.layout.mutable_metrics() = judged->metrics();
-  FillVerdicts(request.layout_graph(), response.solved_layout(), trial);
-  trial.layout.set_total_cost(TotalCost(trial.layout));
-  return trial;
-}
-
-absl::StatusOr<Trial> RunTrial(const v1::SolveRequest& request, const std::string& address) {
-  const absl::Time start = absl::Now();
-  const absl::StatusOr<v1::SolveResponse> response = CallSolve(request, address);
-  const double seconds = absl::ToDoubleSeconds(absl::Now() - start);
-  if (!response.ok()) return response.status();
-  absl::StatusOr<Trial> trial = Judge(request, *response);
-  if (trial.ok()) trial->seconds = seconds;
-  return trial;
-}
-
-const std::vector<Figure>& Figures() {
-  static const std::vector<Figure> figures = {
-      {"constraints that hold, %", "satisfied_percent", 1,
-       [](const Trial& trial) {
-         return trial.verdicts.empty() ? 100.0 : 100.0 * trial.held_count / static_cast<double>(trial.verdicts.size());
-       }},
-      {"out of bounds (OOB), %", "oob_percent", 3,
-       [](const Trial& trial) { return trial.layout.metrics().oob_percent(); }},
-      {"overlaps (OOR), %", "oor_percent", 3, [](const Trial& trial) { return trial.layout.metrics().oor_percent(); }},
-      {"deepest overlap, mm", "deepest_overlap_mm", 1,
-       [](const Trial& trial) { return 1e3 * trial.layout.metrics().deepest_overlap_m(); }},
-      {"overlaps in 3D, %", "oor_3d_percent", 3,
-       [](const Trial& trial) { return trial.layout.metrics().oor_3d_percent(); }},
-      {"uses met, %", "uses_met_percent", 1,
-       [](const Trial& trial) {
-         const v1::LayoutMetrics& metrics = trial.layout.metrics();
-         return metrics.use_count() == 0 ? 100.0 : 100.0 * metrics.met_use_count() / metrics.use_count();
-       }},
-      {"floor reached, %", "reachable_floor_percent", 1,
-       [](const Trial& trial) { return 100 * trial.layout.metrics().reachable_floor_share(); }},
-      {"fronts reached, %", "reachable_front_percent", 1,
-       [](const Trial& trial) { return 100 * trial.layout.metrics().reachable_front_share(); }},
-      {"pathway cost, m3", "pathway_cost_m3", 4,
-       [](const Trial& trial) { return trial.layout.metrics().pathway_cost_m3(); }},
-      {"total cost", "total_cost", 3, [](const Trial& trial) { return trial.layout.total_cost(); }},
-      {"seconds", "seconds", 2, [](const Trial& trial) { return trial.seconds; }},
-  };
-  return figures;
-}
-
-namespace {
 
 constexpr size_t kNameWidth = 44;
 constexpr size_t kCellWidth = 16;
@@ -200,6 +132,67 @@ std::string VerdictLines(const Contest& contest, const TextTable& table, bool al
 }
 
 }  // namespace
+
+absl::StatusOr<Trial> Judge(const v1::SolveRequest& request, const v1::SolveResponse& response) {
+  if (absl::Status status = Validate(response.solved_layout()); !status.ok()) {
+    return Internal("its layout is not valid: {}", status.message());
+  }
+  v1::EvaluateRequest evaluate;
+  *evaluate.mutable_layout_graph() = request.layout_graph();
+  *evaluate.mutable_placements() = response.solved_layout().placements();
+  *evaluate.mutable_options() = request.options();
+  const optimizer::NloptSolver solver;
+  const absl::StatusOr<v1::EvaluateResponse> judged = optimizer::EvaluateLayout(evaluate, solver);
+  if (!judged.ok()) return Internal("its layout cannot be judged: {}", judged.status().message());
+  Trial trial{.layout = response.solved_layout(), .producer = response.producer()};
+  *trial.layout.mutable_graph() = request.layout_graph();
+  *trial.layout.mutable_edge_outcomes() = judged->edge_outcomes();
+  *trial.layout.mutable_term_outcomes() = judged->term_outcomes();
+  *trial.layout.mutable_metrics() = judged->metrics();
+  FillVerdicts(request.layout_graph(), response.solved_layout(), trial);
+  trial.layout.set_total_cost(TotalCost(trial.layout));
+  return trial;
+}
+
+absl::StatusOr<Trial> RunTrial(const v1::SolveRequest& request, const std::string& address) {
+  const absl::Time start = absl::Now();
+  const absl::StatusOr<v1::SolveResponse> response = CallSolve(request, address);
+  const double seconds = absl::ToDoubleSeconds(absl::Now() - start);
+  if (!response.ok()) return response.status();
+  absl::StatusOr<Trial> trial = Judge(request, *response);
+  if (trial.ok()) trial->seconds = seconds;
+  return trial;
+}
+
+const std::vector<Figure>& Figures() {
+  static const std::vector<Figure> figures = {
+      {"constraints that hold, %", "satisfied_percent", 1,
+       [](const Trial& trial) {
+         return trial.verdicts.empty() ? 100.0 : 100.0 * trial.held_count / static_cast<double>(trial.verdicts.size());
+       }},
+      {"out of bounds (OOB), %", "oob_percent", 3,
+       [](const Trial& trial) { return trial.layout.metrics().oob_percent(); }},
+      {"overlaps (OOR), %", "oor_percent", 3, [](const Trial& trial) { return trial.layout.metrics().oor_percent(); }},
+      {"deepest overlap, mm", "deepest_overlap_mm", 1,
+       [](const Trial& trial) { return 1e3 * trial.layout.metrics().deepest_overlap_m(); }},
+      {"overlaps in 3D, %", "oor_3d_percent", 3,
+       [](const Trial& trial) { return trial.layout.metrics().oor_3d_percent(); }},
+      {"uses met, %", "uses_met_percent", 1,
+       [](const Trial& trial) {
+         const v1::LayoutMetrics& metrics = trial.layout.metrics();
+         return metrics.use_count() == 0 ? 100.0 : 100.0 * metrics.met_use_count() / metrics.use_count();
+       }},
+      {"floor reached, %", "reachable_floor_percent", 1,
+       [](const Trial& trial) { return 100 * trial.layout.metrics().reachable_floor_share(); }},
+      {"fronts reached, %", "reachable_front_percent", 1,
+       [](const Trial& trial) { return 100 * trial.layout.metrics().reachable_front_share(); }},
+      {"pathway cost, m3", "pathway_cost_m3", 4,
+       [](const Trial& trial) { return trial.layout.metrics().pathway_cost_m3(); }},
+      {"total cost", "total_cost", 3, [](const Trial& trial) { return trial.layout.total_cost(); }},
+      {"seconds", "seconds", 2, [](const Trial& trial) { return trial.seconds; }},
+  };
+  return figures;
+}
 
 std::string LetterOf(size_t optimizer) { return std::string(1, static_cast<char>('A' + optimizer)); }
 

@@ -114,15 +114,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* VerdictName(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kKept:
-      return "kept";
-    case Verdict::kBroken:
-      return "broken";
-    case Verdict::kSkipped:
-      return "skipped";
-  }
-  return "";
+  constexpr const char* kNames[] = {"kept", "broken", "skipped"};
+  return kNames[static_cast<int>(verdict)];
 }
 
 std::vector<std::string> Claims(const v1::GetWorkerResponse& worker) {

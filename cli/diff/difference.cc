@@ -14,7 +14,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 bool IsListOfConstraints(const v1::Artifact& artifact) {
@@ -73,28 +72,6 @@ Section OriginSection(const v1::Artifact& a, const v1::Artifact& b) {
   }
   return section;
 }
-
-}  // namespace
-
-bool Difference::IsEmpty() const {
-  return std::ranges::all_of(sections, [](const Section& section) { return section.changes.empty(); });
-}
-
-absl::StatusOr<Difference> CompareArtifacts(const v1::Artifact& a, const v1::Artifact& b) {
-  if (a.content_case() != b.content_case() && !(IsListOfConstraints(a) && IsListOfConstraints(b))) {
-    return InvalidArgument("the first is a {}, the second a {}; give two of the same kind",
-                           KindName(orchestrator::KindOf(a)), KindName(orchestrator::KindOf(b)));
-  }
-  Difference difference{.kind = orchestrator::KindOf(b)};
-  difference.content_is_same = ContentBytes(a) == ContentBytes(b);
-  if (!difference.content_is_same) CompareContents(a, b, difference);
-  Section origin = OriginSection(a, b);
-  difference.origin_is_same = origin.changes.empty();
-  if (!difference.origin_is_same) difference.sections.push_back(std::move(origin));
-  return difference;
-}
-
-namespace {
 
 constexpr size_t kTitleWidth = 11;
 constexpr size_t kSubjectWidth = 44;
@@ -186,6 +163,24 @@ std::string Lines(const Section& section) {
 std::string_view WordFor(Became became) { return SortOf(became).word; }
 
 }  // namespace
+
+bool Difference::IsEmpty() const {
+  return std::ranges::all_of(sections, [](const Section& section) { return section.changes.empty(); });
+}
+
+absl::StatusOr<Difference> CompareArtifacts(const v1::Artifact& a, const v1::Artifact& b) {
+  if (a.content_case() != b.content_case() && !(IsListOfConstraints(a) && IsListOfConstraints(b))) {
+    return InvalidArgument("the first is a {}, the second a {}; give two of the same kind",
+                           KindName(orchestrator::KindOf(a)), KindName(orchestrator::KindOf(b)));
+  }
+  Difference difference{.kind = orchestrator::KindOf(b)};
+  difference.content_is_same = ContentBytes(a) == ContentBytes(b);
+  if (!difference.content_is_same) CompareContents(a, b, difference);
+  Section origin = OriginSection(a, b);
+  difference.origin_is_same = origin.changes.empty();
+  if (!difference.origin_is_same) difference.sections.push_back(std::move(origin));
+  return difference;
+}
 
 std::string DifferenceText(const Difference& difference, const std::string& a, const std::string& b) {
   if (difference.content_is_same && difference.origin_is_same) {

@@ -146,8 +146,8 @@ absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path
   std::error_code error;
   std::filesystem::create_directories(store_path, error);
   if (error) {
-    return FileError(fmt::format("{}: the store cannot be created: {}; set FLAIR_HOME to a writable folder", store_path,
-                                 error.message()));
+    return FileError("{}: the store cannot be created: {}; set FLAIR_HOME to a writable folder", store_path,
+                     error.message());
   }
   config::v1::OrchestratorConfig config;
   *config.mutable_runtime() = QuietRuntime();
@@ -221,9 +221,7 @@ absl::StatusOr<std::shared_ptr<grpc::Channel>> ConnectToStage(const StageName& s
   ASSIGN_OR_RETURN(runtime::ChannelOptions options, StageConnection());
   options.max_message_mib = max_message_mib;
   absl::StatusOr<std::shared_ptr<grpc::Channel>> channel = runtime::MakeChannel(address, stage.service, options);
-  if (!channel.ok()) {
-    return InvalidArgument("{}: {}", stage.flag, channel.status().message());
-  }
+  if (!channel.ok()) return InvalidArgument("{}: {}", stage.flag, channel.status().message());
   RETURN_IF_ERROR(CheckProtocols(stage, address, *channel));
   const absl::Status answer = stage.ask_nothing(*channel);
   if (absl::IsUnimplemented(answer)) {

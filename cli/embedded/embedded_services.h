@@ -9,7 +9,6 @@
 #include <string>
 
 #include "absl/status/statusor.h"
-#include "cli/input/llm_flags.h"
 #include "cli/input/service_flags.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "language_worker/service/make_language_service.h"

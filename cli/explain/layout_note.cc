@@ -7,8 +7,7 @@
 #include <string_view>
 
 #include "absl/strings/ascii.h"
-#include "evaluation/metrics/solids.h"
-#include "evaluation/metrics/uses.h"
+#include "evaluation/metrics/measures.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "optimizer_worker/constraints/shortfall.h"

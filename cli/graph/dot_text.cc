@@ -20,7 +20,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 using renderer::Rgb;
@@ -92,18 +91,8 @@ std::string Tooltips(const std::vector<DiagramCall>& calls) {
 
 // Fill and frame of a node that stands for a part of the room.
 const char* FillOf(DiagramKind kind) {
-  switch (kind) {
-    case DiagramKind::kWall:
-      return "#D9D3C8";
-    case DiagramKind::kDoor:
-      return "#EAD9BE";
-    case DiagramKind::kWindow:
-      return "#D3E4EE";
-    case DiagramKind::kSocket:
-      return "#EFE7A8";
-    default:
-      return "#FFFFFF";
-  }
+  constexpr const char* kFills[] = {"#FFFFFF", "#D9D3C8", "#EAD9BE", "#D3E4EE", "#EFE7A8", "#FFFFFF"};
+  return kFills[static_cast<int>(kind)];
 }
 
 std::string NodeLine(const DiagramNode& node, int index) {
@@ -206,29 +195,6 @@ std::string ClusterText(const Diagram& diagram, int zone) {
       HexOf(renderer::Mix(white, tint, 0.35)), Quoted(name), nodes);
 }
 
-}  // namespace
-
-std::string DotText(const Diagram& diagram) {
-  std::string text = fmt::format(
-      "digraph layout {{\n"
-      "  graph [fontname=\"DejaVu Sans\", rankdir=LR, splines=true, nodesep=0.22, ranksep=0.55, pad=0.3, "
-      "bgcolor=\"#FFFFFF\", "
-      "labelloc=t, labeljust=l, fontsize=16, fontcolor=\"{0}\", tooltip=\" \",\n"
-      "    label=<<B>{1}</B><BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"11\">{2}</FONT><BR ALIGN=\"LEFT\"/>>];\n"
-      "  node [shape=plain, fontname=\"DejaVu Sans\", fontsize=11, fontcolor=\"{0}\"];\n"
-      "  edge [fontname=\"DejaVu Sans\", fontsize=9, arrowsize=0.6];\n",
-      kInk, Html(diagram.title.empty() ? "layout graph" : diagram.title), LegendText(diagram));
-  for (size_t zone = 0; zone < diagram.zones.size(); ++zone) text += ClusterText(diagram, static_cast<int>(zone));
-  text += NodesOf(diagram, -1);
-  for (const DiagramLink& link : diagram.links) text += LinkLine(link);
-  for (size_t i = 0; i < diagram.groups.size(); ++i) {
-    text += GroupLinks(diagram.groups[i], static_cast<int>(i));
-  }
-  return text + "}\n";
-}
-
-namespace {
-
 constexpr int kWithin_s = 120;
 constexpr size_t kMostWords = 300;
 
@@ -255,6 +221,23 @@ std::string WithoutTime(std::string pdf) {
 
 }  // namespace
 
+std::string DotText(const Diagram& diagram) {
+  std::string text = fmt::format(
+      "digraph layout {{\n"
+      "  graph [fontname=\"DejaVu Sans\", rankdir=LR, splines=true, nodesep=0.22, ranksep=0.55, pad=0.3, "
+      "bgcolor=\"#FFFFFF\", "
+      "labelloc=t, labeljust=l, fontsize=16, fontcolor=\"{0}\", tooltip=\" \",\n"
+      "    label=<<B>{1}</B><BR ALIGN=\"LEFT\"/><FONT POINT-SIZE=\"11\">{2}</FONT><BR ALIGN=\"LEFT\"/>>];\n"
+      "  node [shape=plain, fontname=\"DejaVu Sans\", fontsize=11, fontcolor=\"{0}\"];\n"
+      "  edge [fontname=\"DejaVu Sans\", fontsize=9, arrowsize=0.6];\n",
+      kInk, Html(diagram.title.empty() ? "layout graph" : diagram.title), LegendText(diagram));
+  for (size_t zone = 0; zone < diagram.zones.size(); ++zone) text += ClusterText(diagram, static_cast<int>(zone));
+  text += NodesOf(diagram, -1);
+  for (const DiagramLink& link : diagram.links) text += LinkLine(link);
+  for (size_t i = 0; i < diagram.groups.size(); ++i) text += GroupLinks(diagram.groups[i], static_cast<int>(i));
+  return text + "}\n";
+}
+
 absl::StatusOr<std::string> RunDot(const std::string& text, const std::string& format) {
   // Files in memory, which the shell opens by number.
   const int in = memfd_create("dot-in", 0), said = memfd_create("dot-said", 0);
@@ -264,19 +247,15 @@ absl::StatusOr<std::string> RunDot(const std::string& text, const std::string& f
       is_written
           ? popen(fmt::format("timeout {} dot -T{} </dev/fd/{} 2>/dev/fd/{}", kWithin_s, format, in, said).c_str(), "r")
           : nullptr;
-  if (dot == nullptr) return FileError(fmt::format("dot: cannot be run: {}", std::strerror(errno)));
+  if (dot == nullptr) return FileError("dot: cannot be run: {}", std::strerror(errno));
   std::string bytes = ReadAll(fileno(dot));
   const int status = pclose(dot);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (code == 127) {
     return FileError("dot: not found: Graphviz draws graphs; apt-get install graphviz, or write --out FILE.dot");
   }
-  if (code == 124) {
-    return DeadlineExceeded("dot: not finished within {} s; --out FILE.dot writes its input", kWithin_s);
-  }
-  if (code != 0 || bytes.empty()) {
-    return Internal("dot: failed: {}", ReadAll(said).substr(0, kMostWords));
-  }
+  if (code == 124) return DeadlineExceeded("dot: not finished within {} s; --out FILE.dot writes its input", kWithin_s);
+  if (code != 0 || bytes.empty()) return Internal("dot: failed: {}", ReadAll(said).substr(0, kMostWords));
   return format == "pdf" ? WithoutTime(std::move(bytes)) : bytes;
 }
 

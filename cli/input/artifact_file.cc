@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
@@ -19,7 +18,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr char kEditor[] = "flair";
@@ -60,6 +58,61 @@ absl::Status BadId(const std::string& name, const v1::Artifact& artifact) {
 std::string MakerOf(const v1::Producer& producer) {
   if (producer.program().empty()) return "";
   return fmt::format("of {}, {}, version {}", producer.program(), producer.method(), producer.version());
+}
+
+using google::protobuf::Descriptor;
+
+// Whether a text has, outside of all others, a field that artifacts have and messages of the other type have not.
+bool SeemsArtifact(ArtifactForm form, const std::string& text, const Descriptor& other) {
+  const Descriptor& artifact = *v1::Artifact::descriptor();
+  const size_t start = FindJsonField(text, {});
+  for (int i = 0; i < artifact.field_count(); ++i) {
+    const std::string& name = artifact.field(i)->name();
+    if (other.FindFieldByName(name) != nullptr) continue;
+    if (form == ArtifactForm::kJson && FindJsonField(text, {{name}}) != start) return true;
+    for (const char* mark : {" {", "{", ":"}) {
+      if (form == ArtifactForm::kProtobufText && ("\n" + text).find("\n" + name + mark) != std::string::npos)
+        return true;
+    }
+  }
+  return false;
+}
+
+constexpr char kExample[] = "a Brief, such as: text: \"A bedroom.\" object_list { objects { id: \"bed\" ... } }";
+
+// A brief whose text is given elsewhere may be without one.
+std::vector<validation::Problem> ProblemsBesidesText(v1::Brief brief) {
+  if (brief.text().empty()) brief.set_text("A room.");
+  return FindProblems(brief);
+}
+
+// What a folder holds, by id, with the artifacts that are not what they say left out.
+std::map<std::string, v1::Artifact> Beside(const std::filesystem::path& folder) {
+  std::map<std::string, v1::Artifact> artifacts;
+  for (int kind = 1; kind < v1::ArtifactKind_ARRAYSIZE; ++kind) {
+    const std::string stem = FileStem(static_cast<v1::ArtifactKind>(kind));
+    std::error_code error;
+    const std::filesystem::path path = folder / (stem + ".pb");
+    if (stem.empty() || !std::filesystem::is_regular_file(path, error)) continue;
+    absl::StatusOr<v1::Artifact> artifact = ReadArtifact(path);
+    if (artifact.ok()) artifacts[artifact->id()] = *std::move(artifact);
+  }
+  return artifacts;
+}
+
+std::optional<v1::Brief> BriefOf(const v1::Artifact& layout, const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(folder / "brief.pb", error)) return std::nullopt;
+  const std::map<std::string, v1::Artifact> artifacts = Beside(folder);
+  std::set<std::string> seen;
+  std::deque<std::string> ids(layout.made_from_ids().begin(), layout.made_from_ids().end());
+  for (; !ids.empty(); ids.pop_front()) {
+    const auto found = artifacts.find(ids.front());
+    if (found == artifacts.end() || !seen.insert(ids.front()).second) continue;
+    if (found->second.has_brief()) return found->second.brief();
+    ids.insert(ids.end(), found->second.made_from_ids().begin(), found->second.made_from_ids().end());
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -127,28 +180,6 @@ absl::Status CheckArtifactId(const v1::Artifact& artifact, const std::filesystem
   return BadId(path.string(), artifact);
 }
 
-namespace {
-
-using google::protobuf::Descriptor;
-
-// Whether a text has, outside of all others, a field that artifacts have and messages of the other type have not.
-bool SeemsArtifact(ArtifactForm form, const std::string& text, const Descriptor& other) {
-  const Descriptor& artifact = *v1::Artifact::descriptor();
-  const size_t start = FindJsonField(text, {});
-  for (int i = 0; i < artifact.field_count(); ++i) {
-    const std::string& name = artifact.field(i)->name();
-    if (other.FindFieldByName(name) != nullptr) continue;
-    if (form == ArtifactForm::kJson && FindJsonField(text, {{name}}) != start) return true;
-    for (const char* mark : {" {", "{", ":"}) {
-      if (form == ArtifactForm::kProtobufText && ("\n" + text).find("\n" + name + mark) != std::string::npos)
-        return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
 absl::StatusOr<bool> ReadArtifactOr(const std::filesystem::path& path, v1::Artifact& artifact,
                                     google::protobuf::Message& alone,
                                     const std::function<std::vector<validation::Problem>()>& problems) {
@@ -172,18 +203,6 @@ absl::StatusOr<bool> ReadArtifactOr(const std::filesystem::path& path, v1::Artif
   return false;
 }
 
-namespace {
-
-constexpr char kExample[] = "a Brief, such as: text: \"A bedroom.\" object_list { objects { id: \"bed\" ... } }";
-
-// A brief whose text is given elsewhere may be without one.
-std::vector<validation::Problem> ProblemsBesidesText(v1::Brief brief) {
-  if (brief.text().empty()) brief.set_text("A room.");
-  return FindProblems(brief);
-}
-
-}  // namespace
-
 absl::StatusOr<v1::Brief> ReadBrief(const std::string& flag, const std::string& path) {
   v1::Artifact artifact;
   v1::Brief brief;
@@ -201,39 +220,6 @@ absl::StatusOr<v1::Brief> ReadBrief(const std::string& flag, const std::string& 
   return InvalidArgument("{}: {}: an artifact without a brief; expected brief.pb or brief.json of a design, or a Brief",
                          flag, path);
 }
-
-namespace {
-
-// What a folder holds, by id, with the artifacts that are not what they say left out.
-std::map<std::string, v1::Artifact> Beside(const std::filesystem::path& folder) {
-  std::map<std::string, v1::Artifact> artifacts;
-  for (int kind = 1; kind < v1::ArtifactKind_ARRAYSIZE; ++kind) {
-    const std::string stem = FileStem(static_cast<v1::ArtifactKind>(kind));
-    std::error_code error;
-    const std::filesystem::path path = folder / (stem + ".pb");
-    if (stem.empty() || !std::filesystem::is_regular_file(path, error)) continue;
-    absl::StatusOr<v1::Artifact> artifact = ReadArtifact(path);
-    if (artifact.ok()) artifacts[artifact->id()] = *std::move(artifact);
-  }
-  return artifacts;
-}
-
-std::optional<v1::Brief> BriefOf(const v1::Artifact& layout, const std::filesystem::path& folder) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(folder / "brief.pb", error)) return std::nullopt;
-  const std::map<std::string, v1::Artifact> artifacts = Beside(folder);
-  std::set<std::string> seen;
-  std::deque<std::string> ids(layout.made_from_ids().begin(), layout.made_from_ids().end());
-  for (; !ids.empty(); ids.pop_front()) {
-    const auto found = artifacts.find(ids.front());
-    if (found == artifacts.end() || !seen.insert(ids.front()).second) continue;
-    if (found->second.has_brief()) return found->second.brief();
-    ids.insert(ids.end(), found->second.made_from_ids().begin(), found->second.made_from_ids().end());
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 absl::StatusOr<LayoutFile> ReadLayoutFile(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(v1::Artifact artifact, ReadArtifact(path));

@@ -14,7 +14,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,14 +63,6 @@ class StoreShelf final : public ArtifactShelf {
   std::unique_ptr<orchestrator::Database> database_;
 };
 
-}  // namespace
-
-std::unique_ptr<ArtifactShelf> MakeStoreShelf(const std::string& folder) {
-  return std::make_unique<StoreShelf>(folder);
-}
-
-namespace {
-
 constexpr size_t kMostFiles = 1000;
 constexpr size_t kMostTexts = 50;
 // Looking for a parent should take no longer than reading the artifact itself.
@@ -106,6 +97,10 @@ fs::path FolderOf(const std::string& path) {
 }
 
 }  // namespace
+
+std::unique_ptr<ArtifactShelf> MakeStoreShelf(const std::string& folder) {
+  return std::make_unique<StoreShelf>(folder);
+}
 
 void ArtifactFinder::ListFolder() {
   if (std::exchange(listed_, true) || path_.empty()) return;
@@ -150,9 +145,7 @@ std::optional<ArtifactFinder::Found> ArtifactFinder::Find(const std::string& id)
     }
   }
   absl::StatusOr<v1::Artifact> kept = shelf_.GetArtifact(id);
-  if (kept.ok() && CheckArtifactId(*kept, id).ok() && kept->id() == id) {
-    return Found{*std::move(kept), shelf_.name()};
-  }
+  if (kept.ok() && CheckArtifactId(*kept, id).ok() && kept->id() == id) return Found{*std::move(kept), shelf_.name()};
   return FindInTexts(id);
 }
 

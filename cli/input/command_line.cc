@@ -12,7 +12,6 @@
 #include "fmt/format.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr size_t kTextColumn = 26;
@@ -61,6 +60,65 @@ std::string Flowing(const std::string& text, size_t width) {
   }
   end_paragraph();
   return lines;
+}
+
+// The command that was called, and its whole name.
+struct CalledCommand {
+  const CLI::App* app;
+  std::string name;
+};
+
+CalledCommand CalledOf(const CLI::App& program) {
+  CalledCommand called{&program, program.get_name()};
+  while (!called.app->get_subcommands().empty()) {
+    called.app = called.app->get_subcommands().front();
+    called.name += " " + called.app->get_name();
+  }
+  return called;
+}
+
+std::vector<std::string> CommandsOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> OptionsOf(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+bool IsOption(std::string_view word) { return word.size() > 1 && word.front() == '-'; }
+
+// Of the words that nothing takes, what is most likely wrong.
+std::string UnexpectedWord(const CalledCommand& called, const std::vector<std::string>& words) {
+  const auto option = std::ranges::find_if(words, IsOption);
+  if (option != words.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return fmt::format("{}: {} has no such option{}; {} --help lists them", Printable(name), called.name,
+                       DidYouMean(name, OptionsOf(*called.app)), called.name);
+  }
+  const std::string word = Printable(words.front());
+  if (const std::vector<std::string> commands = CommandsOf(*called.app); !commands.empty()) {
+    return fmt::format("{}: {} has no such command{}; {} --help lists them", word, called.name,
+                       DidYouMean(word, commands), called.name);
+  }
+  return fmt::format("\"{}\": unexpected argument of {}; put text of several words in quotes", word, called.name);
+}
+
+// The part of CLI11's message before `words`, with which it goes on.
+std::string SubjectOf(const std::string& message, std::string_view words) {
+  return message.substr(0, message.find(words));
+}
+
+std::string WordsAfter(const std::string& message, std::string_view words) {
+  const size_t at = message.find(words);
+  return at == std::string::npos ? "" : message.substr(at + words.size());
 }
 
 }  // namespace
@@ -123,69 +181,6 @@ std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppF
   if (!app->get_footer().empty()) text += "\n" + Flowing(app->get_footer(), width_);
   return text;
 }
-
-namespace {
-
-// The command that was called, and its whole name.
-struct CalledCommand {
-  const CLI::App* app;
-  std::string name;
-};
-
-CalledCommand CalledOf(const CLI::App& program) {
-  CalledCommand called{&program, program.get_name()};
-  while (!called.app->get_subcommands().empty()) {
-    called.app = called.app->get_subcommands().front();
-    called.name += " " + called.app->get_name();
-  }
-  return called;
-}
-
-std::vector<std::string> CommandsOf(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
-  }
-  return names;
-}
-
-std::vector<std::string> OptionsOf(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
-bool IsOption(std::string_view word) { return word.size() > 1 && word.front() == '-'; }
-
-// Of the words that nothing takes, what is most likely wrong.
-std::string UnexpectedWord(const CalledCommand& called, const std::vector<std::string>& words) {
-  const auto option = std::ranges::find_if(words, IsOption);
-  if (option != words.end()) {
-    const std::string name = option->substr(0, option->find('='));
-    return fmt::format("{}: {} has no such option{}; {} --help lists them", Printable(name), called.name,
-                       DidYouMean(name, OptionsOf(*called.app)), called.name);
-  }
-  const std::string word = Printable(words.front());
-  if (const std::vector<std::string> commands = CommandsOf(*called.app); !commands.empty()) {
-    return fmt::format("{}: {} has no such command{}; {} --help lists them", word, called.name,
-                       DidYouMean(word, commands), called.name);
-  }
-  return fmt::format("\"{}\": unexpected argument of {}; put text of several words in quotes", word, called.name);
-}
-
-// The part of CLI11's message before `words`, with which it goes on.
-std::string SubjectOf(const std::string& message, std::string_view words) {
-  return message.substr(0, message.find(words));
-}
-
-std::string WordsAfter(const std::string& message, std::string_view words) {
-  const size_t at = message.find(words);
-  return at == std::string::npos ? "" : message.substr(at + words.size());
-}
-
-}  // namespace
 
 absl::Status UsageError(const CLI::App& program, const CLI::ParseError& error) {
   const CalledCommand called = CalledOf(program);

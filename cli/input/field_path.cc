@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/field_path.h"
-
 #include <google/protobuf/duration.pb.h>
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
@@ -18,7 +16,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 absl::Status NoPath(std::string_view path, size_t at, std::string_view why) {
@@ -31,50 +28,6 @@ absl::Status NoPath(std::string_view path, size_t at, std::string_view why) {
 bool IsNameCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
-
-}  // namespace
-
-absl::StatusOr<std::vector<PathStep>> ParseFieldPath(std::string_view path) {
-  std::vector<PathStep> steps;
-  for (size_t at = 0; at < path.size() || at == 0;) {
-    if (!steps.empty() && path[at] == '[') {
-      const size_t end = path.find(']', at);
-      if (end == std::string_view::npos) return NoPath(path, at, "a \"[\" without \"]\"");
-      if (end == at + 1) return NoPath(path, at, "nothing between \"[\" and \"]\"");
-      steps.push_back({std::string(path.substr(at + 1, end - at - 1)), true});
-      at = end + 1;
-      continue;
-    }
-    if (!steps.empty() && path[at] != '.') return NoPath(path, at, "neither \".\" nor \"[\"");
-    if (!steps.empty()) ++at;
-    const size_t start = at;
-    while (at < path.size() && IsNameCharacter(path[at])) ++at;
-    if (at == start) return NoPath(path, at, "no name");
-    steps.push_back({std::string(path.substr(start, at - start)), false});
-  }
-  return steps;
-}
-
-std::string PathText(const std::vector<PathStep>& steps, size_t count) {
-  std::string text;
-  for (size_t i = 0; i < std::min(count, steps.size()); ++i) {
-    if (steps[i].in_brackets) {
-      text += fmt::format("[{}]", steps[i].text);
-    } else {
-      text += (text.empty() ? "" : ".") + steps[i].text;
-    }
-  }
-  return text;
-}
-
-int IndexOf(const PathStep& step) {
-  int index = -1;
-  const char* const end = step.text.data() + step.text.size();
-  const auto [rest, error] = std::from_chars(step.text.data(), end, index);
-  return error == std::errc() && rest == end && index >= 0 ? index : -1;
-}
-
-namespace {
 
 // Reads a JSON text from left to right; whatever is no JSON ends it.
 class Reader {
@@ -169,27 +122,6 @@ std::optional<size_t> EnterItem(Reader& reader, int index) {
   return reader.Next();
 }
 
-}  // namespace
-
-size_t FindJsonField(std::string_view json, const std::vector<PathStep>& path) {
-  Reader reader(json);
-  size_t place = reader.Next();
-  for (const PathStep& step : path) {
-    const std::optional<size_t> inner =
-        step.in_brackets ? EnterItem(reader, IndexOf(step)) : EnterField(reader, step.text);
-    if (!inner || *inner >= json.size()) break;
-    place = *inner;
-  }
-  return place < json.size() ? place : 0;
-}
-
-int LineAt(std::string_view text, size_t offset) {
-  const std::string_view before = text.substr(0, offset);
-  return static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
-}
-
-namespace {
-
 using google::protobuf::EnumDescriptor;
 using google::protobuf::EnumValueDescriptor;
 using google::protobuf::FieldDescriptor;
@@ -212,7 +144,89 @@ std::string ShortWord(const EnumValueDescriptor& value) {
   return zero.ends_with(kZero) ? name.substr(zero.size() - kZero.size()) : name;
 }
 
+// Keeps errors off the terminal.
+class NoErrors final : public google::protobuf::io::ErrorCollector {
+  void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}
+};
+
+// Sets a field or adds to a list.
+bool PutOne(const std::string& text, const FieldDescriptor& field, Message& message) {
+  std::string value = text;
+  if (double number = 0; field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+    if (!absl::SimpleAtod(text, &number) || !std::isfinite(number)) return false;
+  } else if (field.enum_type() != nullptr) {
+    const EnumValueDescriptor* word = FindWord(*field.enum_type(), text);
+    if (word == nullptr) return false;
+    value = word->name();
+  } else if (IsDuration(field)) {
+    if (!absl::SimpleAtod(text, &number) || !(number >= 0 && number < 1e11)) return false;
+    const double whole = std::floor(number);
+    value = fmt::format("{{ seconds: {:.0f} nanos: {:.0f} }}", whole, std::floor(1e9 * (number - whole)));
+  }
+  google::protobuf::TextFormat::Parser parser;
+  NoErrors ignored;
+  parser.RecordErrorsTo(&ignored);
+  return parser.ParseFieldValueFromString(value, &field, &message);
+}
+
 }  // namespace
+
+absl::StatusOr<std::vector<PathStep>> ParseFieldPath(std::string_view path) {
+  std::vector<PathStep> steps;
+  for (size_t at = 0; at < path.size() || at == 0;) {
+    if (!steps.empty() && path[at] == '[') {
+      const size_t end = path.find(']', at);
+      if (end == std::string_view::npos) return NoPath(path, at, "a \"[\" without \"]\"");
+      if (end == at + 1) return NoPath(path, at, "nothing between \"[\" and \"]\"");
+      steps.push_back({std::string(path.substr(at + 1, end - at - 1)), true});
+      at = end + 1;
+      continue;
+    }
+    if (!steps.empty() && path[at] != '.') return NoPath(path, at, "neither \".\" nor \"[\"");
+    if (!steps.empty()) ++at;
+    const size_t start = at;
+    while (at < path.size() && IsNameCharacter(path[at])) ++at;
+    if (at == start) return NoPath(path, at, "no name");
+    steps.push_back({std::string(path.substr(start, at - start)), false});
+  }
+  return steps;
+}
+
+std::string PathText(const std::vector<PathStep>& steps, size_t count) {
+  std::string text;
+  for (size_t i = 0; i < std::min(count, steps.size()); ++i) {
+    if (steps[i].in_brackets) {
+      text += fmt::format("[{}]", steps[i].text);
+    } else {
+      text += (text.empty() ? "" : ".") + steps[i].text;
+    }
+  }
+  return text;
+}
+
+int IndexOf(const PathStep& step) {
+  int index = -1;
+  const char* const end = step.text.data() + step.text.size();
+  const auto [rest, error] = std::from_chars(step.text.data(), end, index);
+  return error == std::errc() && rest == end && index >= 0 ? index : -1;
+}
+
+size_t FindJsonField(std::string_view json, const std::vector<PathStep>& path) {
+  Reader reader(json);
+  size_t place = reader.Next();
+  for (const PathStep& step : path) {
+    const std::optional<size_t> inner =
+        step.in_brackets ? EnterItem(reader, IndexOf(step)) : EnterField(reader, step.text);
+    if (!inner || *inner >= json.size()) break;
+    place = *inner;
+  }
+  return place < json.size() ? place : 0;
+}
+
+int LineAt(std::string_view text, size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  return static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+}
 
 bool HoldsOptions(const FieldDescriptor& field) {
   return field.message_type() != nullptr && !field.is_repeated() && !IsDuration(field);
@@ -247,35 +261,6 @@ std::string ValuesInWords(const FieldDescriptor& field) {
   }
   return (field.is_repeated() ? "several, separated by commas, of: " : "") + one;
 }
-
-namespace {
-
-// Keeps errors off the terminal.
-class NoErrors final : public google::protobuf::io::ErrorCollector {
-  void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}
-};
-
-// Sets a field or adds to a list.
-bool PutOne(const std::string& text, const FieldDescriptor& field, Message& message) {
-  std::string value = text;
-  if (double number = 0; field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
-    if (!absl::SimpleAtod(text, &number) || !std::isfinite(number)) return false;
-  } else if (field.enum_type() != nullptr) {
-    const EnumValueDescriptor* word = FindWord(*field.enum_type(), text);
-    if (word == nullptr) return false;
-    value = word->name();
-  } else if (IsDuration(field)) {
-    if (!absl::SimpleAtod(text, &number) || !(number >= 0 && number < 1e11)) return false;
-    const double whole = std::floor(number);
-    value = fmt::format("{{ seconds: {:.0f} nanos: {:.0f} }}", whole, std::floor(1e9 * (number - whole)));
-  }
-  google::protobuf::TextFormat::Parser parser;
-  NoErrors ignored;
-  parser.RecordErrorsTo(&ignored);
-  return parser.ParseFieldValueFromString(value, &field, &message);
-}
-
-}  // namespace
 
 bool SetValue(const std::string& text, const FieldDescriptor& field, Message& message) {
   message.GetReflection()->ClearField(&message, &field);

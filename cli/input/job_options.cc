@@ -7,14 +7,20 @@
 #include <numbers>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/numbers.h"
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
+#include "absl/strings/str_split.h"
 #include "cli/input/command_line.h"
-#include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
+
+namespace flair {
+// job_flags.txt, embedded: name|path|flag|least|most|help.
+std::string_view JobFlagTable();
+}  // namespace flair
 
 namespace flair::cli {
 namespace {
@@ -36,64 +42,31 @@ constexpr OptionGroup kGroups[] = {{"optimizer", "solve_options", "solve", ""},
                                    {"models", "model_options", "room", ""},
                                    {"brief", "brief", "brief", "seed"}};
 
-// An option that is a flag of some commands, and may have a shorter name than its field.
+// An option that is a flag of some commands, and may have a shorter name than its field: a line of job_flags.txt.
 struct FlagOption {
-  std::string_view name;
-  std::string_view path;
-  const char* flag;
+  std::string name;
+  std::string path;
+  std::string flag;
   // Where a flag's value is checked as it is read.
-  double least, most;
-  const char* help;
+  double least = 0, most = 0;
+  std::string help;
 };
 
-constexpr FlagOption kFlagOptions[] = {
-    {"brief.seed", "brief.seed", "--seed N", 0, kLargestSeed, "Random seed; the same seed gives the same bytes (0)"},
-    {"optimizer.seed", "optimizer.seed", "--seed N", 0, kLargestSeed, "Seed; another seed gives another layout (0)"},
-    {"optimizer.restarts", "optimizer.max_restart_count", "--restarts N", 1, 10000,
-     "Maximum number of restarts per solver stage, 1 to 10000 (by the stage's size)"},
-    {"optimizer.threads", "optimizer.thread_count", "--threads N", 1, 256,
-     "Threads of the solver, 1 to 256 (all cores); changes no result"},
-    {"optimizer.variants", "optimizer.variant_count", "--variants K", 1, 32,
-     "Number of visibly different layouts, 1 to 32 (1), best first"},
-    {"optimizer.path_width", "optimizer.path_width_m", "--path-width M", 0, 2,
-     "Width in metres of the paths from the door that are kept free, 0 to 2 (0.6)"},
-    {"optimizer.misfits", "optimizer.misfit_policy", "--misfits HOW", 0, 0,
-     "What to do with objects that do not fit: keep them where they do least harm, or leave-out (keep)"},
-    {"optimizer.time_limit", "optimizer.time_limit", "--time-limit S", 1e-3, 1e6,
-     "Stop after this many seconds with the best layout so far, 0.001 to 1000000; results then vary"},
-    {"optimizer.contradictions", "optimizer.find_contradictions", "--contradictions", 0, 0,
-     "Find the constraints that contradict each other"},
-    {"renderer.view", "renderer.view", "--view VIEW", 0, 0, "What is drawn: plan, birdseye or perspective (plan)"},
-    {"renderer.size", "renderer.size_px", "--size PX", 256, 8192,
-     "Longer side in pixels, 256 to 8192 (plan 1600, views 1024)"},
-    {"renderer.dpi", "renderer.dpi", "--dpi N", 36, 1200,
-     "Plans: dots per inch of paper, 36 to 1200, instead of --size"},
-    {"renderer.paper", "renderer.paper", "--paper SIZE", 0, 0,
-     "Plans: a4 or a3 (a3), portrait or landscape as the room needs"},
-    {"renderer.scale", "renderer.scale_denominator", "--scale 1:N", 0, 0,
-     "Plans: 1:N, N 5 to 1000 (the largest common one that fits the paper)"},
-    {"renderer.layers", "renderer.layers", "--layers A,B", 0, 0,
-     "Plans: some of floor_pieces, tertiary, zones, dimensions, constraints, circulation, separated by commas, or all "
-     "(the first four)"},
-    {"renderer.samples", "renderer.sample_count", "--samples N", 1, 4096,
-     "Views: light paths per pixel, 1 to 4096 (16)"},
-    {"renderer.seed", "renderer.seed", "--seed N", 0, kLargestSeed, "Views: seed of the noise (0)"},
-    {"renderer.camera.eye_m", "renderer.camera.eye_m", "--camera X,Y,Z", 0, 0,
-     "Views: where the camera is, metres in the room"},
-    {"renderer.camera.target_m", "renderer.camera.target_m", "--look-at X,Y,Z", 0, 0, "Views: what it looks at"},
-    {"models.max_calls", "models.budget.call_count", "--max-calls N", 0, 100000,
-     "Maximum number of calls to the model, 0 to 100000; beyond that the design fails"},
-    {"models.max_tokens", "models.budget.token_count", "--max-tokens N", 0, 1e9,
-     "Maximum number of tokens, questions and answers together, 0 to 10^9"},
-    {"models.max_usd", "models.budget.cost_usd", "--max-usd USD", 0, 1e6,
-     "Maximum cost in US dollars, 0 to 1000000, by the prices in the --llm file"},
-    {"models.stand_in", "models.stand_in_allowed", "--stand-in", 0, 0,
-     "Let the handbook or the grammar answer where the model fails; the report says so"},
-    {"models.omit_texts", "models.texts_omitted", "--omit-texts", 0, 0, "Do not store questions and answers"},
-};
+const std::vector<FlagOption>& FlagOptions() {
+  static const std::vector<FlagOption>& options = *[] {
+    auto* const made = new std::vector<FlagOption>;
+    for (const auto line : absl::StrSplit(std::string(JobFlagTable()), '\n', absl::SkipEmpty())) {
+      const std::vector<std::string> cells = absl::StrSplit(line, '|');
+      FlagOption& option = made->emplace_back(FlagOption{cells[0], cells[1], cells[2], 0, 0, cells[5]});
+      (void)(absl::SimpleAtod(cells[3], &option.least) && absl::SimpleAtod(cells[4], &option.most));
+    }
+    return made;
+  }();
+  return options;
+}
 
-const FlagOption* FindFlag(std::string_view text, std::string_view FlagOption::*member) {
-  for (const FlagOption& known : kFlagOptions) {
+const FlagOption* FindFlag(std::string_view text, std::string FlagOption::*member) {
+  for (const FlagOption& known : FlagOptions()) {
     if (known.*member == text) return &known;
   }
   return nullptr;
@@ -108,7 +81,7 @@ void AddNames(const std::string& path, const FieldDescriptor& field, std::string
     }
   } else if (IsValue(field)) {
     const FlagOption* const known = FindFlag(path, &FlagOption::path);
-    names.push_back({known == nullptr ? path : std::string(known->name), ValuesInWords(field)});
+    names.push_back({known == nullptr ? path : known->name, ValuesInWords(field)});
   }
 }
 
@@ -141,7 +114,7 @@ Place Find(std::string_view path, Message& message) {
 
 Place FindOption(std::string_view name, v1::JobSpec& spec) {
   const FlagOption* const known = FindFlag(name, &FlagOption::name);
-  const std::string_view path = known == nullptr ? name : known->path;
+  const std::string_view path = known == nullptr ? name : std::string_view(known->path);
   const OptionGroup* const group = GroupOf(path);
   if (group == nullptr || path.size() <= group->name.size()) return {};
   const std::string_view rest = path.substr(group->name.size() + 1);

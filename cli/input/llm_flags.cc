@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/llm_flags.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
 
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
+#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
 #include "worker_runtime/config/config_reader.h"

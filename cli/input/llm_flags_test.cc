@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/llm_flags.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -10,6 +8,7 @@
 #include <iterator>
 
 #include "cli/input/job_options.h"
+#include "cli/input/service_flags.h"
 #include "fmt/format.h"
 
 namespace flair::cli {

@@ -13,14 +13,12 @@
 
 #include "absl/status/statusor.h"
 #include "cli/exit_code.h"
-#include "cli/input/field_path.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 using google::protobuf::FieldDescriptor;
@@ -94,39 +92,6 @@ absl::Status Join(const std::vector<std::string>& lines, size_t more) {
   if (more > 0) text += fmt::format("\nand {} more", more);
   return absl::InvalidArgumentError(text);
 }
-
-}  // namespace
-
-absl::Status ParseMessageText(TextForm form, const std::string& name, const std::string& text, Message& message) {
-  return form == TextForm::kJson ? ParseJsonMessage(name, text, message) : ParseProtobufText(name, text, message);
-}
-
-absl::Status LocateProblems(TextForm form, const std::string& name, const std::string& text, const Message& message,
-                            const std::vector<validation::Problem>& problems) {
-  if (problems.empty()) return absl::OkStatus();
-  const LineFinder line_of = form == TextForm::kJson ? FindInJson(text) : FindInProtobufText(text, message);
-  const size_t listed = std::min(problems.size(), kListedProblems);
-  std::vector<std::string> lines;
-  for (size_t i = 0; i < listed; ++i) {
-    const absl::StatusOr<std::vector<PathStep>> path = ParseFieldPath(problems[i].path);
-    const int line = path.ok() ? line_of(*path) : 0;
-    lines.push_back(fmt::format("{}{}: {}: {}", name, line > 0 ? fmt::format(":{}", line) : "", problems[i].path,
-                                problems[i].text));
-  }
-  return Join(lines, problems.size() - listed);
-}
-
-absl::Status ListProblems(const std::string& name, const std::vector<validation::Problem>& problems) {
-  if (problems.empty()) return absl::OkStatus();
-  const size_t listed = std::min(problems.size(), kListedProblems);
-  std::vector<std::string> lines;
-  for (size_t i = 0; i < listed; ++i) {
-    lines.push_back(fmt::format("{}: {}: {}", name, problems[i].path, problems[i].text));
-  }
-  return Join(lines, problems.size() - listed);
-}
-
-namespace {
 
 using google::protobuf::Descriptor;
 
@@ -220,7 +185,53 @@ absl::Status Explain(const std::string& name, const std::string& json, const Des
                          where.empty() ? "" : ": ", words);
 }
 
+constexpr size_t kLongestName = 64;
+
+// Letters to insert, delete or replace on the way from one to the other.
+size_t Distance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t{0});
+  for (size_t i = 0; i < a.size(); ++i) {
+    size_t diagonal = std::exchange(row[0], i + 1);
+    for (size_t k = 0; k < b.size(); ++k) {
+      const size_t replaced = diagonal + (a[i] == b[k] ? 0 : 1);
+      diagonal = row[k + 1];
+      row[k + 1] = std::min({replaced, row[k] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
+
+absl::Status ParseMessageText(TextForm form, const std::string& name, const std::string& text, Message& message) {
+  return form == TextForm::kJson ? ParseJsonMessage(name, text, message) : ParseProtobufText(name, text, message);
+}
+
+absl::Status LocateProblems(TextForm form, const std::string& name, const std::string& text, const Message& message,
+                            const std::vector<validation::Problem>& problems) {
+  if (problems.empty()) return absl::OkStatus();
+  const LineFinder line_of = form == TextForm::kJson ? FindInJson(text) : FindInProtobufText(text, message);
+  const size_t listed = std::min(problems.size(), kListedProblems);
+  std::vector<std::string> lines;
+  for (size_t i = 0; i < listed; ++i) {
+    const absl::StatusOr<std::vector<PathStep>> path = ParseFieldPath(problems[i].path);
+    const int line = path.ok() ? line_of(*path) : 0;
+    lines.push_back(fmt::format("{}{}: {}: {}", name, line > 0 ? fmt::format(":{}", line) : "", problems[i].path,
+                                problems[i].text));
+  }
+  return Join(lines, problems.size() - listed);
+}
+
+absl::Status ListProblems(const std::string& name, const std::vector<validation::Problem>& problems) {
+  if (problems.empty()) return absl::OkStatus();
+  const size_t listed = std::min(problems.size(), kListedProblems);
+  std::vector<std::string> lines;
+  for (size_t i = 0; i < listed; ++i) {
+    lines.push_back(fmt::format("{}: {}: {}", name, problems[i].path, problems[i].text));
+  }
+  return Join(lines, problems.size() - listed);
+}
 
 absl::Status ParseJsonMessage(const std::string& name, const std::string& json, google::protobuf::Message& message) {
   const auto status = google::protobuf::util::JsonStringToMessage(json, &message);
@@ -245,27 +256,6 @@ absl::Status ReadTextMessage(const std::string& flag, const std::string& path, c
   if (read.ok()) return read;
   return InvalidArgument("{}: {}; should hold {}", flag, read.message(), example);
 }
-
-namespace {
-
-constexpr size_t kLongestName = 64;
-
-// Letters to insert, delete or replace on the way from one to the other.
-size_t Distance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), size_t{0});
-  for (size_t i = 0; i < a.size(); ++i) {
-    size_t diagonal = std::exchange(row[0], i + 1);
-    for (size_t k = 0; k < b.size(); ++k) {
-      const size_t replaced = diagonal + (a[i] == b[k] ? 0 : 1);
-      diagonal = row[k + 1];
-      row[k + 1] = std::min({replaced, row[k] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
 
 std::string ListNames(const std::vector<std::string>& names, size_t most) {
   std::string text;

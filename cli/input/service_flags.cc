@@ -10,7 +10,6 @@
 #include "absl/strings/string_view.h"
 #include "absl/time/clock.h"
 #include "cli/input/command_line.h"
-#include "cli/input/llm_flags.h"
 #include "fmt/format.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"

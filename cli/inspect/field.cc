@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "cli/input/field_path.h"
 #include "cli/input/message_text.h"
 #include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"

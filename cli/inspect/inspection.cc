@@ -19,7 +19,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 // "made by    somebody"; nothing for nothing.
@@ -65,6 +64,57 @@ std::optional<ArtifactFinder::Found> FindRaw(const v1::Artifact& artifact, Artif
     if (found && found->artifact.has_raw_constraint_list()) return found;
   }
   return std::nullopt;
+}
+
+std::string Short(const std::string& digest) { return digest.substr(0, 12); }
+
+// What decided it beside its inputs.
+struct Choices {
+  std::vector<int64_t> seeds = {};             // of a brief, or of the solve of a layout
+  std::set<std::string> models = {};           // that were asked for it
+  std::set<std::string> prompt_versions = {};  // of the questions
+};
+
+Choices ChoicesOf(const v1::Artifact& artifact) {
+  Choices choices;
+  if (artifact.has_brief()) choices.seeds.push_back(artifact.brief().seed());
+  for (const v1::StageOutcome& stage : artifact.solved_layout().stage_outcomes()) {
+    if (std::ranges::find(choices.seeds, stage.seed()) == choices.seeds.end()) choices.seeds.push_back(stage.seed());
+  }
+  for (const v1::ModelCall& call : artifact.model_calls()) {
+    choices.models.insert(call.model());
+    choices.prompt_versions.insert(call.prompt_version());
+  }
+  return choices;
+}
+
+std::string ChoicesText(const v1::Artifact& artifact) {
+  const Choices choices = ChoicesOf(artifact);
+  std::vector<std::string> parts;
+  if (!artifact.options_digest().empty()) parts.push_back("options " + Short(artifact.options_digest()));
+  if (!choices.seeds.empty()) {
+    parts.push_back(
+        fmt::format("{} {}", Form(std::ssize(choices.seeds), "seed", "seeds"), fmt::join(choices.seeds, ", ")));
+  }
+  if (!artifact.model_calls().empty()) {
+    parts.push_back(fmt::format("{} of {}, prompts {}", Counted(artifact.model_calls_size(), "call"),
+                                fmt::join(choices.models, ", "), fmt::join(choices.prompt_versions, ", ")));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+// "graph", with digits of its id when several have the name; digits alone for what was not found.
+std::map<std::string, std::string> NamesOf(const std::vector<ProvenanceStep>& steps) {
+  std::map<std::string, int> count;
+  for (const ProvenanceStep& step : steps) ++count[NameOf(step)];
+  std::map<std::string, std::string> names;
+  for (const ProvenanceStep& step : steps) {
+    const std::string name = NameOf(step);
+    names[step.id] = name.empty()      ? Short(step.id) + " (missing)"
+                     : count[name] > 1 ? name + " " + Short(step.id)
+                                       : name;
+  }
+  return names;
 }
 
 }  // namespace
@@ -137,61 +187,6 @@ std::vector<ProvenanceStep> FindProvenance(const v1::Artifact& artifact, Artifac
   add(artifact, "here");
   return steps;
 }
-
-namespace {
-
-std::string Short(const std::string& digest) { return digest.substr(0, 12); }
-
-// What decided it beside its inputs.
-struct Choices {
-  std::vector<int64_t> seeds = {};             // of a brief, or of the solve of a layout
-  std::set<std::string> models = {};           // that were asked for it
-  std::set<std::string> prompt_versions = {};  // of the questions
-};
-
-Choices ChoicesOf(const v1::Artifact& artifact) {
-  Choices choices;
-  if (artifact.has_brief()) choices.seeds.push_back(artifact.brief().seed());
-  for (const v1::StageOutcome& stage : artifact.solved_layout().stage_outcomes()) {
-    if (std::ranges::find(choices.seeds, stage.seed()) == choices.seeds.end()) choices.seeds.push_back(stage.seed());
-  }
-  for (const v1::ModelCall& call : artifact.model_calls()) {
-    choices.models.insert(call.model());
-    choices.prompt_versions.insert(call.prompt_version());
-  }
-  return choices;
-}
-
-std::string ChoicesText(const v1::Artifact& artifact) {
-  const Choices choices = ChoicesOf(artifact);
-  std::vector<std::string> parts;
-  if (!artifact.options_digest().empty()) parts.push_back("options " + Short(artifact.options_digest()));
-  if (!choices.seeds.empty()) {
-    parts.push_back(
-        fmt::format("{} {}", Form(std::ssize(choices.seeds), "seed", "seeds"), fmt::join(choices.seeds, ", ")));
-  }
-  if (!artifact.model_calls().empty()) {
-    parts.push_back(fmt::format("{} of {}, prompts {}", Counted(artifact.model_calls_size(), "call"),
-                                fmt::join(choices.models, ", "), fmt::join(choices.prompt_versions, ", ")));
-  }
-  return fmt::format("{}", fmt::join(parts, "; "));
-}
-
-// "graph", with digits of its id when several have the name; digits alone for what was not found.
-std::map<std::string, std::string> NamesOf(const std::vector<ProvenanceStep>& steps) {
-  std::map<std::string, int> count;
-  for (const ProvenanceStep& step : steps) ++count[NameOf(step)];
-  std::map<std::string, std::string> names;
-  for (const ProvenanceStep& step : steps) {
-    const std::string name = NameOf(step);
-    names[step.id] = name.empty()      ? Short(step.id) + " (missing)"
-                     : count[name] > 1 ? name + " " + Short(step.id)
-                                       : name;
-  }
-  return names;
-}
-
-}  // namespace
 
 std::string NameOf(const ProvenanceStep& step) {
   if (!step.artifact) return "";

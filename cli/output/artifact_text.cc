@@ -19,7 +19,6 @@
 #include "orchestrator/store/artifact_id.h"
 
 namespace flair::cli {
-
 namespace {
 
 std::string Json(const google::protobuf::Message& message, bool indent) {
@@ -29,6 +28,58 @@ std::string Json(const google::protobuf::Message& message, bool indent) {
   std::string json;
   (void)google::protobuf::util::MessageToJsonString(message, &json, options);
   return json;
+}
+
+std::string Finish(v1::Artifact artifact, const std::string& command, const std::string& build) {
+  v1::Producer& producer = *artifact.mutable_producer();
+  producer.set_program("flair");
+  producer.set_method(command);
+  producer.set_version("1");
+  producer.set_build(build);
+  artifact.set_id(orchestrator::ComputeArtifactId(artifact));
+  return ArtifactBytes(artifact);
+}
+
+constexpr std::array<std::pair<const char*, const char*>, 10> kFamilies = {{
+    {"wall", "Objects at walls"},
+    {"feature", "Objects and doors, windows, sockets"},
+    {"space", "Objects in the room"},
+    {"pair", "Two objects"},
+    {"group", "Several objects"},
+    {"rug", "Rugs"},
+    {"surface", "Things on top of others"},
+    {"on_wall", "Things that hang on walls"},
+    {"ceiling", "Things that hang from the ceiling"},
+    {"room", "Whole-room terms, which the optimizer adds itself"},
+}};
+
+std::string RangeText(const v1::ParameterSpec& parameter) {
+  if (!parameter.has_min_number() && !parameter.has_max_number()) return "";
+  return fmt::format("[{}, {}]{}", parameter.has_min_number() ? fmt::format("{:g}", parameter.min_number()) : "-inf",
+                     parameter.has_max_number() ? fmt::format("{:g}", parameter.max_number()) : "inf",
+                     parameter.unit().empty() ? "" : " " + parameter.unit());
+}
+
+std::string DefaultText(const v1::ParameterSpec& parameter) {
+  if (parameter.required()) return "required";
+  return parameter.has_default_value() ? ValueText(parameter.default_value()) : "-";
+}
+
+std::string TypeMarkdown(const v1::ConstraintType& type) {
+  std::string text = fmt::format("### {}\n\n{}\n\n{}\n", type.name(), type.summary(), type.doc());
+  if (type.aliases_size() > 0) text += fmt::format("\nAlso read as: `{}`.\n", absl::StrJoin(type.aliases(), "`, `"));
+  std::vector<std::vector<std::string>> rows;
+  for (const v1::ParameterSpec& parameter : type.parameters()) {
+    rows.push_back({"`" + parameter.name() + "`", EnumInWords(parameter.kind()), DefaultText(parameter),
+                    RangeText(parameter), parameter.doc()});
+  }
+  text += "\n" + MarkdownTable({"parameter", "kind", "default", "range", "meaning"}, rows);
+  if (!type.phrase().empty()) text += fmt::format("\nTold as \"{}\".\n", type.phrase());
+  if (!type.shortfall().empty()) text += fmt::format("Missed: \"{}\".\n", type.shortfall());
+  for (const v1::CallExample& example : type.examples()) {
+    text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type.name(), example.arguments()));
+  }
+  return text + "\n";
 }
 
 }  // namespace
@@ -85,20 +136,6 @@ std::string StageOf(v1::ArtifactKind kind) {
 
 std::string KindName(v1::ArtifactKind kind) { return EnumInWords(kind); }
 
-namespace {
-
-std::string Finish(v1::Artifact artifact, const std::string& command, const std::string& build) {
-  v1::Producer& producer = *artifact.mutable_producer();
-  producer.set_program("flair");
-  producer.set_method(command);
-  producer.set_version("1");
-  producer.set_build(build);
-  artifact.set_id(orchestrator::ComputeArtifactId(artifact));
-  return ArtifactBytes(artifact);
-}
-
-}  // namespace
-
 std::string LayoutArtifactBytes(const v1::SolvedLayout& layout, const std::string& command, const std::string& build) {
   v1::Artifact artifact;
   *artifact.mutable_solved_layout() = layout;
@@ -147,54 +184,6 @@ double SecondsOf(const google::protobuf::Duration& duration) {
 std::string LocalTimeText(const google::protobuf::Timestamp& time) {
   return absl::FormatTime("%Y-%m-%d %H:%M:%S", absl::FromUnixSeconds(time.seconds()), absl::LocalTimeZone());
 }
-
-namespace {
-
-constexpr std::array<std::pair<const char*, const char*>, 10> kFamilies = {{
-    {"wall", "Objects at walls"},
-    {"feature", "Objects and doors, windows, sockets"},
-    {"space", "Objects in the room"},
-    {"pair", "Two objects"},
-    {"group", "Several objects"},
-    {"rug", "Rugs"},
-    {"surface", "Things on top of others"},
-    {"on_wall", "Things that hang on walls"},
-    {"ceiling", "Things that hang from the ceiling"},
-    {"room", "Whole-room terms, which the optimizer adds itself"},
-}};
-
-std::string RangeText(const v1::ParameterSpec& parameter) {
-  if (!parameter.has_min_number() && !parameter.has_max_number()) return "";
-  return fmt::format("[{}, {}]{}", parameter.has_min_number() ? fmt::format("{:g}", parameter.min_number()) : "-inf",
-                     parameter.has_max_number() ? fmt::format("{:g}", parameter.max_number()) : "inf",
-                     parameter.unit().empty() ? "" : " " + parameter.unit());
-}
-
-std::string DefaultText(const v1::ParameterSpec& parameter) {
-  if (parameter.required()) return "required";
-  return parameter.has_default_value() ? ValueText(parameter.default_value()) : "-";
-}
-
-std::string TypeMarkdown(const v1::ConstraintType& type) {
-  std::string text = fmt::format("### {}\n\n{}\n\n{}\n", type.name(), type.summary(), type.doc());
-  if (type.aliases_size() > 0) {
-    text += fmt::format("\nAlso read as: `{}`.\n", absl::StrJoin(type.aliases(), "`, `"));
-  }
-  std::vector<std::vector<std::string>> rows;
-  for (const v1::ParameterSpec& parameter : type.parameters()) {
-    rows.push_back({"`" + parameter.name() + "`", EnumInWords(parameter.kind()), DefaultText(parameter),
-                    RangeText(parameter), parameter.doc()});
-  }
-  text += "\n" + MarkdownTable({"parameter", "kind", "default", "range", "meaning"}, rows);
-  if (!type.phrase().empty()) text += fmt::format("\nTold as \"{}\".\n", type.phrase());
-  if (!type.shortfall().empty()) text += fmt::format("Missed: \"{}\".\n", type.shortfall());
-  for (const v1::CallExample& example : type.examples()) {
-    text += fmt::format("\n> {}  \n> `{}`\n", example.sentence(), CallText(type.name(), example.arguments()));
-  }
-  return text + "\n";
-}
-
-}  // namespace
 
 std::string CatalogMarkdown(const v1::ConstraintCatalog& catalog) {
   std::string text = fmt::format(

@@ -18,13 +18,12 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 namespace fs = std::filesystem;
 
 absl::Status Cannot(const std::string& what, const fs::path& path, int error) {
-  return FileError(fmt::format("{}: cannot {}: {}", path.string(), what, std::strerror(error)));
+  return FileError("{}: cannot {}: {}", path.string(), what, std::strerror(error));
 }
 
 fs::path Absolute(const fs::path& path) {
@@ -115,6 +114,14 @@ absl::Status PutInPlace(const fs::path& made, const fs::path& folder, const std:
   return absl::OkStatus();
 }
 
+absl::Status WithDescriptor(const std::filesystem::path& path, int flags, int (*act)(int)) {
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (file < 0) return CannotWrite(path, errno);
+  const int error = act(file) == 0 ? 0 : errno;
+  ::close(file);
+  return error == 0 ? absl::OkStatus() : CannotWrite(path, error);
+}
+
 }  // namespace
 
 int WriteAll(int file, std::string_view content) {
@@ -130,15 +137,14 @@ absl::Status CheckOutputFolder(const fs::path& given, const std::vector<std::str
   const fs::path folder = Absolute(given);
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
-    return FileError(fmt::format("{}: is a file; --out takes a folder", folder.string()));
+    return FileError("{}: is a file; --out takes a folder", folder.string());
   }
   if (fs::is_directory(folder, error)) {
     if (access(folder.c_str(), W_OK | X_OK) != 0) return Cannot("be written", folder, errno);
     const bool is_ours = ReadArtifactFile(folder / "brief.pb").ok();
     for (const std::string& name : names) {
       if (!is_ours && fs::exists(folder / name, error)) {
-        return FileError(
-            fmt::format("{}: holds {}, which is not Flair's; give --out another folder", folder.string(), name));
+        return FileError("{}: holds {}, which is not Flair's; give --out another folder", folder.string(), name);
       }
     }
   }
@@ -161,7 +167,7 @@ absl::Status CheckOutputFile(const fs::path& given) {
   if (given.empty()) return absl::OkStatus();
   const fs::path path = Absolute(given);
   std::error_code error;
-  if (fs::is_directory(path, error)) return FileError(fmt::format("{}: is a folder", path.string()));
+  if (fs::is_directory(path, error)) return FileError("{}: is a folder", path.string());
   if (IsSpecial(path)) return access(path.c_str(), W_OK) == 0 ? absl::OkStatus() : Cannot("be written", path, errno);
   return TemporaryFolder().Make(path);
 }
@@ -169,7 +175,7 @@ absl::Status CheckOutputFile(const fs::path& given) {
 absl::Status WriteOutputFile(const fs::path& given, const std::string& content) {
   const fs::path path = Absolute(given);
   std::error_code error;
-  if (fs::is_directory(path, error)) return FileError(fmt::format("{}: is a folder", path.string()));
+  if (fs::is_directory(path, error)) return FileError("{}: is a folder", path.string());
   if (IsSpecial(path)) return Write(path, 0, content, path);
   TemporaryFolder temporary;
   RETURN_IF_ERROR(temporary.Make(path));
@@ -180,20 +186,8 @@ absl::Status WriteOutputFile(const fs::path& given, const std::string& content) 
   return absl::OkStatus();
 }
 
-namespace {
-
-absl::Status WithDescriptor(const std::filesystem::path& path, int flags, int (*act)(int)) {
-  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
-  if (file < 0) return CannotWrite(path, errno);
-  const int error = act(file) == 0 ? 0 : errno;
-  ::close(file);
-  return error == 0 ? absl::OkStatus() : CannotWrite(path, error);
-}
-
-}  // namespace
-
 absl::Status CannotWrite(const std::filesystem::path& path, int error) {
-  return FileError(fmt::format("{}: cannot be written: {}", path.string(), std::strerror(error)));
+  return FileError("{}: cannot be written: {}", path.string(), std::strerror(error));
 }
 
 absl::Status WriteFile(const std::filesystem::path& path, const std::string& content) {

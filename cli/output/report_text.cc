@@ -12,7 +12,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 const v1::Artifact& Get(const ArtifactsByKind& artifacts, v1::ArtifactKind kind) {
@@ -187,6 +186,11 @@ std::string MakerText(const ArtifactsByKind& artifacts, const v1::Report& report
          MarkdownTable({"artifact", "id", "producer", "build"}, makers);
 }
 
+// "plan.png", "birdseye.exr".
+std::string NameOf(v1::PreviewView view, v1::PreviewFormat format) {
+  return EnumInWords(view) + "." + EnumInWords(format);
+}
+
 }  // namespace
 
 std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout) {
@@ -256,15 +260,6 @@ std::string WriteReport(const v1::Job& job, const ArtifactsByKind& artifacts) {
   text += MakerText(artifacts, report, job);
   return text;
 }
-
-namespace {
-
-// "plan.png", "birdseye.exr".
-std::string NameOf(v1::PreviewView view, v1::PreviewFormat format) {
-  return EnumInWords(view) + "." + EnumInWords(format);
-}
-
-}  // namespace
 
 std::string PictureName(const v1::Preview& preview) {
   const bool known = preview.view() != v1::PREVIEW_VIEW_UNSPECIFIED && v1::PreviewView_IsValid(preview.view()) &&

@@ -12,7 +12,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 template <typename Layout>  // SolvedLayout or RunnerUp
@@ -42,6 +41,43 @@ double FloorCost(const v1::SolvedLayout& layout) {
     if (stage.stage() != "tertiary") cost = stage.cost();
   }
   return cost;
+}
+
+constexpr int kListedDrops = 20;
+
+std::vector<std::string> Row(const std::string& stage, const std::string& models, int repairs,
+                             const v1::ModelUsage& usage) {
+  return {stage,
+          models,
+          std::to_string(usage.call_count()),
+          std::to_string(repairs),
+          fmt::format("{}{}", usage.estimated() ? "about " : "", usage.input_token_count()),
+          std::to_string(usage.output_token_count()),
+          usage.cost_usd() > 0 ? fmt::format("{:.4f} USD", usage.cost_usd()) : ""};
+}
+
+std::string StageTable(const ArtifactsByKind& artifacts) {
+  std::vector<std::vector<std::string>> rows;
+  int all_repairs = 0;
+  for (const auto& [kind, artifact] : artifacts) {
+    if (artifact.model_calls().empty()) continue;
+    std::set<std::string> models;
+    for (const v1::ModelCall& call : artifact.model_calls()) models.insert(call.model());
+    const int repairs = static_cast<int>(std::ranges::count_if(artifact.model_calls(), orchestrator::IsRepair));
+    v1::ModelUsage usage;
+    orchestrator::AddUsage(artifact, usage);
+    rows.push_back(Row(KindName(kind), fmt::format("{}", fmt::join(models, ", ")), repairs, usage));
+    all_repairs += repairs;
+  }
+  rows.push_back(Row("**all**", "", all_repairs, UsageOf(artifacts)));
+  return MarkdownTable({"stage", "model", "calls", "repairs", "tokens asked", "answered", "cost"}, rows);
+}
+
+// Lines of a list under a sentence; nothing without any.
+std::string ListText(const char* sentence, const std::vector<std::string>& items) {
+  std::string text = items.empty() ? "" : fmt::format("\n{}\n\n", sentence);
+  for (const std::string& item : items) text += fmt::format("- {}\n", MarkdownCell(item));
+  return text;
 }
 
 }  // namespace
@@ -93,12 +129,6 @@ v1::SolvedLayout VariantOf(const v1::SolvedLayout& layout, int index) {
   return variant;
 }
 
-namespace {
-
-constexpr int kListedDrops = 20;
-
-}  // namespace
-
 std::string LayoutRemarks(const v1::SolvedLayout& layout) {
   std::string text;
   for (const v1::Diagnostic& diagnostic : layout.diagnostics()) {
@@ -115,45 +145,6 @@ std::string LayoutRemarks(const v1::SolvedLayout& layout) {
   }
   return text;
 }
-
-namespace {
-
-std::vector<std::string> Row(const std::string& stage, const std::string& models, int repairs,
-                             const v1::ModelUsage& usage) {
-  return {stage,
-          models,
-          std::to_string(usage.call_count()),
-          std::to_string(repairs),
-          fmt::format("{}{}", usage.estimated() ? "about " : "", usage.input_token_count()),
-          std::to_string(usage.output_token_count()),
-          usage.cost_usd() > 0 ? fmt::format("{:.4f} USD", usage.cost_usd()) : ""};
-}
-
-std::string StageTable(const ArtifactsByKind& artifacts) {
-  std::vector<std::vector<std::string>> rows;
-  int all_repairs = 0;
-  for (const auto& [kind, artifact] : artifacts) {
-    if (artifact.model_calls().empty()) continue;
-    std::set<std::string> models;
-    for (const v1::ModelCall& call : artifact.model_calls()) models.insert(call.model());
-    const int repairs = static_cast<int>(std::ranges::count_if(artifact.model_calls(), orchestrator::IsRepair));
-    v1::ModelUsage usage;
-    orchestrator::AddUsage(artifact, usage);
-    rows.push_back(Row(KindName(kind), fmt::format("{}", fmt::join(models, ", ")), repairs, usage));
-    all_repairs += repairs;
-  }
-  rows.push_back(Row("**all**", "", all_repairs, UsageOf(artifacts)));
-  return MarkdownTable({"stage", "model", "calls", "repairs", "tokens asked", "answered", "cost"}, rows);
-}
-
-// Lines of a list under a sentence; nothing without any.
-std::string ListText(const char* sentence, const std::vector<std::string>& items) {
-  std::string text = items.empty() ? "" : fmt::format("\n{}\n\n", sentence);
-  for (const std::string& item : items) text += fmt::format("- {}\n", MarkdownCell(item));
-  return text;
-}
-
-}  // namespace
 
 v1::ModelUsage UsageOf(const ArtifactsByKind& artifacts) {
   v1::ModelUsage usage;
@@ -191,9 +182,7 @@ std::string ModelCallLines(const v1::Artifact& artifact) {
   for (const v1::ModelCall& call : artifact.model_calls()) {
     text += fmt::format("{:<11}{}: {}, {}", text.empty() ? "asked" : "", call.step(), call.model(),
                         orchestrator::SummarizeUsage(call.usage()));
-    if (!call.faults().empty()) {
-      text += ", " + Counted(call.faults_size(), "fault");
-    }
+    if (!call.faults().empty()) text += ", " + Counted(call.faults_size(), "fault");
     text += '\n';
   }
   return text;

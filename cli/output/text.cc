@@ -13,15 +13,43 @@
 #include "fmt/ranges.h"
 
 namespace flair::cli {
+namespace {
+
+bool BeginsWithUnit(std::string_view text) {
+  for (const std::string_view unit : {"m", "m2", "cm", "degrees"}) {
+    if (!text.starts_with(unit)) continue;
+    if (text.size() == unit.size() || std::isalnum(static_cast<unsigned char>(text[unit.size()])) == 0) return true;
+  }
+  return false;
+}
+
+// How much of the text may not be parted: a word, or a figure with its unit.
+size_t EndOfPiece(std::string_view text) {
+  const size_t end = std::min(text.find(' '), text.size());
+  const bool figure = end > 0 && end < text.size() && text[end - 1] >= '0' && text[end - 1] <= '9';
+  if (!figure || !BeginsWithUnit(text.substr(end + 1))) return end;
+  return std::min(text.find(' ', end + 1), text.size());
+}
+
+std::string Line(const std::vector<std::string>& cells, const std::vector<size_t>& widths,
+                 const std::vector<bool>& right) {
+  std::string line;
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const std::string space(widths[i] - std::min(widths[i], ColumnsOf(cells[i])), ' ');
+    line += (i == 0 ? "" : "  ") + (right[i] ? space + cells[i] : cells[i] + space);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+}  // namespace
 
 std::string Printable(std::string text) {
   for (size_t i = 0; i < text.size(); ++i) {
     const unsigned char c = static_cast<unsigned char>(text[i]);
     if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7f) text[i] = ' ';
     // U+0080 to U+009F.
-    if (c == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0) {
-      text[i] = text[i + 1] = ' ';
-    }
+    if (c == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0) text[i] = text[i + 1] = ' ';
   }
   return text;
 }
@@ -80,26 +108,6 @@ std::string TextTable::Row(const std::vector<std::string>& cells) const {
   return row + "\n";
 }
 
-namespace {
-
-bool BeginsWithUnit(std::string_view text) {
-  for (const std::string_view unit : {"m", "m2", "cm", "degrees"}) {
-    if (!text.starts_with(unit)) continue;
-    if (text.size() == unit.size() || std::isalnum(static_cast<unsigned char>(text[unit.size()])) == 0) return true;
-  }
-  return false;
-}
-
-// How much of the text may not be parted: a word, or a figure with its unit.
-size_t EndOfPiece(std::string_view text) {
-  const size_t end = std::min(text.find(' '), text.size());
-  const bool figure = end > 0 && end < text.size() && text[end - 1] >= '0' && text[end - 1] <= '9';
-  if (!figure || !BeginsWithUnit(text.substr(end + 1))) return end;
-  return std::min(text.find(' ', end + 1), text.size());
-}
-
-}  // namespace
-
 size_t ColumnsOf(std::string_view text) {
   return static_cast<size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -133,21 +141,6 @@ size_t TextWidth() {
   if (::isatty(STDOUT_FILENO) == 0 || ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
   return std::clamp<size_t>(size.ws_col, 60, 110);
 }
-
-namespace {
-
-std::string Line(const std::vector<std::string>& cells, const std::vector<size_t>& widths,
-                 const std::vector<bool>& right) {
-  std::string line;
-  for (size_t i = 0; i < cells.size(); ++i) {
-    const std::string space(widths[i] - std::min(widths[i], ColumnsOf(cells[i])), ' ');
-    line += (i == 0 ? "" : "  ") + (right[i] ? space + cells[i] : cells[i] + space);
-  }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
-}
-
-}  // namespace
 
 Columns::Columns(std::vector<std::string> titles) : titles_(std::move(titles)) {
   for (std::string& title : titles_) {

@@ -13,10 +13,14 @@
 #include "cli/protocol/protocol_bytes.h"
 #include "fmt/format.h"
 #include "google/protobuf/descriptor.pb.h"
+#include "nlohmann/json.hpp"
 #include "worker_runtime/status/status_macros.h"
 
-namespace flair::cli {
+namespace flair {
+std::string_view ProtocolReadingOrder();  // reading_order.json, embedded: file and title of each
+}
 
+namespace flair::cli {
 namespace {
 
 using google::protobuf::Descriptor;
@@ -29,40 +33,6 @@ using google::protobuf::FileDescriptorSet;
 using google::protobuf::ServiceDescriptor;
 
 constexpr std::string_view kPackage = "flair.v1";
-
-struct KnownFile {
-  std::string_view file;
-  std::string_view title;
-};
-constexpr KnownFile kReadingOrder[] = {
-    {"language_service", "Service: language"},
-    {"translator_service", "Service: translator"},
-    {"optimizer_service", "Service: optimizer"},
-    {"renderer_service", "Service: renderer"},
-    {"orchestrator_service", "Service: orchestrator"},
-    {"worker_service", "Service: worker"},
-    {"artifact", "What is stored"},
-    {"brief", "What is asked for"},
-    {"room", "The empty room"},
-    {"zone_plan", "Its zones"},
-    {"object_list", "What is placed"},
-    {"style_sheet", "How it looks"},
-    {"constraint_list", "What is wanted, in sentences"},
-    {"meaning", "What a sentence means"},
-    {"constraint_catalog", "What can be wanted: types of constraints"},
-    {"layout_graph", "The problem: a graph of calls"},
-    {"solved_layout", "The solution: a furnished room"},
-    {"preview", "Pictures"},
-    {"view_annotations", "What is seen in a picture"},
-    {"report", "The account of a job"},
-    {"job", "Jobs"},
-    {"layout_edit", "Edits of a layout"},
-    {"layout_metrics", "Measures of a layout"},
-    {"placement", "Where an object is"},
-    {"geometry", "Points and polygons"},
-    {"provenance", "Who made it, and remarks"},
-    {"model_call", "Calls of language models"},
-};
 
 const FileDescriptorSet& DescriptorSet() {
   static const FileDescriptorSet set = [] {
@@ -84,9 +54,10 @@ const DescriptorPool& Pool() {
 
 std::vector<ProtocolFile> ReadFiles() {
   std::vector<ProtocolFile> files;
-  for (const KnownFile& known : kReadingOrder) {
-    const FileDescriptor* const file = Pool().FindFileByName(fmt::format("flair/v1/{}.proto", known.file));
-    if (file != nullptr) files.push_back({std::string(known.title), file});
+  for (const auto& [name, title] :
+       nlohmann::json::parse(ProtocolReadingOrder()).get<std::vector<std::pair<std::string, std::string>>>()) {
+    const FileDescriptor* const file = Pool().FindFileByName(fmt::format("flair/v1/{}.proto", name));
+    if (file != nullptr) files.push_back({title, file});
   }
   for (const FileDescriptorProto& proto : DescriptorSet().file()) {
     const FileDescriptor* const file = Pool().FindFileByName(proto.name());
@@ -95,64 +66,6 @@ std::vector<ProtocolFile> ReadFiles() {
   }
   return files;
 }
-
-}  // namespace
-
-std::span<const ProtocolFile> ProtocolFiles() {
-  static const std::vector<ProtocolFile> files = ReadFiles();
-  return files;
-}
-
-std::vector<std::string> ParagraphsOf(const std::string& comment) {
-  std::vector<std::string> paragraphs;
-  bool goes_on = false;
-  for (absl::string_view line : absl::StrSplit(comment, '\n')) {
-    line = absl::StripAsciiWhitespace(line);
-    if (!line.empty() && goes_on) absl::StrAppend(&paragraphs.back(), " ", line);
-    if (!line.empty() && !goes_on) paragraphs.emplace_back(line);
-    goes_on = !line.empty();
-  }
-  return paragraphs;
-}
-
-FieldType TypeOf(const FieldDescriptor& field) {
-  FieldType type;
-  if (field.is_repeated()) type.prefix = "list of";
-  if (field.has_optional_keyword()) type.prefix = "optional";
-  const Descriptor* const message = field.message_type();
-  const EnumDescriptor* const enumeration = field.enum_type();
-  type.is_ours = enumeration != nullptr || (message != nullptr && message->file()->package() == kPackage);
-  type.name = enumeration != nullptr ? enumeration->name()
-              : message == nullptr   ? field.type_name()
-              : type.is_ours         ? message->name()
-                                     : message->full_name();
-  return type;
-}
-
-ProtocolEntry FindInProtocol(std::string_view any_case) {
-  struct {
-    const absl::string_view name;
-    ProtocolEntry found;
-    void operator()(const Descriptor& message) {
-      if (absl::EqualsIgnoreCase(name, message.name())) found.message = &message;
-    }
-    void operator()(const EnumDescriptor& enumeration) {
-      if (absl::EqualsIgnoreCase(name, enumeration.name())) found.enumeration = &enumeration;
-    }
-    void operator()(const ServiceDescriptor& service) {
-      if (absl::EqualsIgnoreCase(name, service.name())) found.service = &service;
-      for (int i = 0; i < service.method_count(); ++i) {
-        if (absl::EqualsIgnoreCase(name, service.method(i)->name())) found.method = service.method(i);
-      }
-    }
-  } search{{any_case.data(), any_case.size()}, {}};
-  for (const auto& [title, file] : ProtocolFiles()) {
-    ForEachDeclaration(*file, [&search](const auto& declaration) { search(declaration); });
-  }
-  return search.found;
-}
-
-namespace {
 
 using google::protobuf::MethodDescriptor;
 using google::protobuf::OneofDescriptor;
@@ -213,36 +126,6 @@ template <typename Declaration>
 std::string OverviewLine(const Declaration& declaration) {
   return fmt::format("  {:<28} {}\n", declaration.name(), FirstSentence(declaration));
 }
-
-}  // namespace
-
-std::string ProtocolOverview() {
-  std::string text;
-  for (const auto& [title, file] : ProtocolFiles()) {
-    absl::StrAppend(&text, text.empty() ? "" : "\n", title, " (", file->name(), ")\n");
-    ForEachDeclaration(*file, [&text](const auto& declaration) {
-      text += OverviewLine(declaration);
-      if constexpr (std::is_same_v<decltype(declaration), const ServiceDescriptor&>) {
-        for (int i = 0; i < declaration.method_count(); ++i) text += OverviewLine(*declaration.method(i));
-      }
-    });
-  }
-  return text;
-}
-
-absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
-  const ProtocolEntry entry = FindInProtocol(name);
-  if (entry.service != nullptr) return ServiceText(*entry.service);
-  if (entry.message != nullptr) return MessageText(*entry.message);
-  if (entry.enumeration != nullptr) return EnumText(*entry.enumeration);
-  if (entry.method == nullptr) {
-    return NotFound("\"{}\" is not a service, call, message or enum of flair.v1; flair protocol lists them", name);
-  }
-  return absl::StrCat("call of ", entry.method->service()->name(), "\n  ", MethodText(*entry.method), "\n",
-                      MessageText(*entry.method->input_type()), "\n", MessageText(*entry.method->output_type()));
-}
-
-namespace {
 
 constexpr std::string_view kIntroduction =
     "# Protocol\n\n"
@@ -370,6 +253,86 @@ std::string Section(const ServiceDescriptor& service) {
 }
 
 }  // namespace
+
+std::span<const ProtocolFile> ProtocolFiles() {
+  static const std::vector<ProtocolFile> files = ReadFiles();
+  return files;
+}
+
+std::vector<std::string> ParagraphsOf(const std::string& comment) {
+  std::vector<std::string> paragraphs;
+  bool goes_on = false;
+  for (absl::string_view line : absl::StrSplit(comment, '\n')) {
+    line = absl::StripAsciiWhitespace(line);
+    if (!line.empty() && goes_on) absl::StrAppend(&paragraphs.back(), " ", line);
+    if (!line.empty() && !goes_on) paragraphs.emplace_back(line);
+    goes_on = !line.empty();
+  }
+  return paragraphs;
+}
+
+FieldType TypeOf(const FieldDescriptor& field) {
+  FieldType type;
+  if (field.is_repeated()) type.prefix = "list of";
+  if (field.has_optional_keyword()) type.prefix = "optional";
+  const Descriptor* const message = field.message_type();
+  const EnumDescriptor* const enumeration = field.enum_type();
+  type.is_ours = enumeration != nullptr || (message != nullptr && message->file()->package() == kPackage);
+  type.name = enumeration != nullptr ? enumeration->name()
+              : message == nullptr   ? field.type_name()
+              : type.is_ours         ? message->name()
+                                     : message->full_name();
+  return type;
+}
+
+ProtocolEntry FindInProtocol(std::string_view any_case) {
+  struct {
+    const absl::string_view name;
+    ProtocolEntry found;
+    void operator()(const Descriptor& message) {
+      if (absl::EqualsIgnoreCase(name, message.name())) found.message = &message;
+    }
+    void operator()(const EnumDescriptor& enumeration) {
+      if (absl::EqualsIgnoreCase(name, enumeration.name())) found.enumeration = &enumeration;
+    }
+    void operator()(const ServiceDescriptor& service) {
+      if (absl::EqualsIgnoreCase(name, service.name())) found.service = &service;
+      for (int i = 0; i < service.method_count(); ++i) {
+        if (absl::EqualsIgnoreCase(name, service.method(i)->name())) found.method = service.method(i);
+      }
+    }
+  } search{{any_case.data(), any_case.size()}, {}};
+  for (const auto& [title, file] : ProtocolFiles()) {
+    ForEachDeclaration(*file, [&search](const auto& declaration) { search(declaration); });
+  }
+  return search.found;
+}
+
+std::string ProtocolOverview() {
+  std::string text;
+  for (const auto& [title, file] : ProtocolFiles()) {
+    absl::StrAppend(&text, text.empty() ? "" : "\n", title, " (", file->name(), ")\n");
+    ForEachDeclaration(*file, [&text](const auto& declaration) {
+      text += OverviewLine(declaration);
+      if constexpr (std::is_same_v<decltype(declaration), const ServiceDescriptor&>) {
+        for (int i = 0; i < declaration.method_count(); ++i) text += OverviewLine(*declaration.method(i));
+      }
+    });
+  }
+  return text;
+}
+
+absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
+  const ProtocolEntry entry = FindInProtocol(name);
+  if (entry.service != nullptr) return ServiceText(*entry.service);
+  if (entry.message != nullptr) return MessageText(*entry.message);
+  if (entry.enumeration != nullptr) return EnumText(*entry.enumeration);
+  if (entry.method == nullptr) {
+    return NotFound("\"{}\" is not a service, call, message or enum of flair.v1; flair protocol lists them", name);
+  }
+  return absl::StrCat("call of ", entry.method->service()->name(), "\n  ", MethodText(*entry.method), "\n",
+                      MessageText(*entry.method->input_type()), "\n", MessageText(*entry.method->output_type()));
+}
 
 std::string ProtocolMarkdown() {
   std::string text(kIntroduction);

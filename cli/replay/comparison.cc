@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/replay/comparison.h"
 
-#include <google/protobuf/text_format.h>
 #include <google/protobuf/util/message_differencer.h>
 
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_join.h"
+#include "absl/strings/str_split.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/pipeline/stage.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using google::protobuf::util::MessageDifferencer;
 
 const v1::Artifact* Find(const ArtifactsByKind& artifacts, v1::ArtifactKind kind) {
   const auto found = artifacts.find(kind);
@@ -45,7 +49,11 @@ std::string WithoutNotes(const std::string& picture) {
 
 // Without what is another one in every job.
 v1::Artifact OfAnyJob(v1::Artifact artifact) {
-  if (artifact.has_preview()) artifact.mutable_preview()->set_image(WithoutNotes(artifact.preview().image()));
+  if (artifact.has_preview()) {
+    const std::string drawn = WithoutNotes(artifact.preview().image());
+    artifact.mutable_preview()->set_image(
+        fmt::format("{} bytes, {}", drawn.size(), runtime::Sha256Hex(drawn).substr(0, 8)));
+  }
   if (!artifact.has_report()) return artifact;
   artifact.clear_id();
   artifact.clear_options_digest();
@@ -65,6 +73,38 @@ v1::Artifact ContentOf(v1::Artifact artifact) {
   return artifact;
 }
 
+constexpr size_t kShownLength = 80;
+
+std::string Shortened(std::string text) {
+  return text.size() <= kShownLength ? text : text.substr(0, kShownLength - 3) + "...";
+}
+
+std::vector<FieldDifference> Differences(const Message& first, const Message& second,
+                                         const std::vector<std::string>& without = {}) {
+  MessageDifferencer differencer;
+  for (const std::string& name : without) {
+    const FieldDescriptor* field = first.GetDescriptor()->FindFieldByName(name);
+    if (field != nullptr) differencer.IgnoreField(field);
+  }
+  // A line for each field, texts in quotes and escaped: "modified: placements[1].x_m: 1.2 -> 1.24", "added: PATH:
+  // VALUE", "ignored: PATH".
+  std::string report;
+  differencer.ReportDifferencesToString(&report);
+  differencer.Compare(first, second);
+  std::vector<FieldDifference> differences;
+  for (const auto line : absl::StrSplit(report, '\n', absl::SkipEmpty())) {
+    const std::vector<std::string> part = absl::StrSplit(line, absl::MaxSplits(": ", 2));
+    if (part.size() < 3) continue;
+    FieldDifference& found = differences.emplace_back(FieldDifference{part[1], "none", "none"});
+    const bool is_text = part[2].starts_with('"');
+    const size_t arrow = part[0] == "modified" ? part[2].find(is_text ? "\" -> \"" : " -> ") + is_text : part[2].size();
+    if (part[0] != "added") found.first = Shortened(part[2].substr(0, arrow));
+    if (part[0] != "deleted") found.second = Shortened(part[2].substr(part[0] == "added" ? 0 : arrow + 4));
+  }
+  if (!differences.empty()) differences.front().field_count = static_cast<int>(differences.size());
+  return differences;
+}
+
 std::optional<FieldDifference> ContentDifference(const v1::Artifact& first, const v1::Artifact& second) {
   // A layout has its graph in it, whose differences are those of an earlier stage.
   if (first.has_solved_layout() && second.has_solved_layout()) {
@@ -77,29 +117,20 @@ std::optional<FieldDifference> ContentDifference(const v1::Artifact& first, cons
 
 // Other options that were asked for are no cause to tell of.
 std::vector<FieldDifference> OriginDifferences(const v1::Artifact& first, const v1::Artifact& second, bool asked) {
-  std::vector<FieldDifference> differences;
-  const google::protobuf::Descriptor& producer = *v1::Producer::descriptor();
-  for (int i = 0; i < producer.field_count(); ++i) {
-    v1::Producer one;
-    v1::Producer other;
-    const auto& reflection = *one.GetReflection();
-    reflection.SetString(&one, producer.field(i), reflection.GetString(first.producer(), producer.field(i)));
-    reflection.SetString(&other, producer.field(i), reflection.GetString(second.producer(), producer.field(i)));
-    auto found = FirstDifference(one, other);
-    if (!found.has_value()) continue;
-    found->path = "producer." + found->path;
-    differences.push_back(*std::move(found));
-  }
-  v1::Artifact one;
-  v1::Artifact other;
-  one.set_options_digest(first.options_digest());
-  other.set_options_digest(asked ? first.options_digest() : second.options_digest());
-  if (auto found = FirstDifference(one, other); found.has_value()) differences.push_back(*std::move(found));
-  one.Clear();
-  other.Clear();
-  *one.mutable_model_calls() = first.model_calls();
-  *other.mutable_model_calls() = second.model_calls();
-  if (auto found = FirstDifference(one, other); found.has_value()) differences.push_back(*std::move(found));
+  const auto origin = [](const v1::Artifact& artifact, const std::string& options_digest) {
+    v1::Artifact made;
+    *made.mutable_producer() = artifact.producer();
+    made.set_options_digest(options_digest);
+    *made.mutable_model_calls() = artifact.model_calls();
+    return made;
+  };
+  std::vector<FieldDifference> differences = Differences(
+      origin(first, first.options_digest()), origin(second, asked ? first.options_digest() : second.options_digest()));
+  // Of the calls the first will do.
+  const auto is_call = [](const FieldDifference& one) { return one.path.starts_with("model_calls"); };
+  const auto call = std::ranges::find_if(differences, is_call);
+  if (call != differences.end())
+    differences.erase(std::remove_if(call + 1, differences.end(), is_call), differences.end());
   return differences;
 }
 
@@ -116,6 +147,49 @@ void CompareArtifacts(const v1::Artifact& first, const v1::Artifact& second, Sta
   } else {
     stage.agreement = Agreement::kSameBytes;
   }
+}
+
+std::string_view Verdict(const StageComparison& stage) {
+  if (stage.agreement == Agreement::kDiffers && stage.asked) return "differs as asked";
+  constexpr std::string_view kWords[] = {"taken",       "agrees", "same content", "differs",
+                                         "missing now", "new",    "not reached"};
+  return kWords[static_cast<int>(stage.agreement)];
+}
+
+// What happened at the stage, beside the verdict.
+std::string Finding(const StageComparison& stage) {
+  std::string text;
+  if (stage.content.has_value()) {
+    text = stage.content->InWords();
+    const int more = stage.content->field_count - 1;
+    if (more > 0) text += ", and " + Counted(more, "more field");
+  }
+  const bool made_twice = stage.agreement == Agreement::kDiffers || stage.agreement == Agreement::kSameContent;
+  if (made_twice && !stage.input.empty())
+    text += fmt::format("{}made from another {}", text.empty() ? "" : "; ", stage.input);
+  if (stage.asked && stage.agreement == Agreement::kSameBytes) text = "although asked otherwise";
+  return text;
+}
+
+// The first stage whose result is another one, though nothing else was asked of it.
+const StageComparison* FirstToPart(const std::vector<StageComparison>& stages) {
+  const auto found = std::ranges::find_if(stages, &StageComparison::Parts);
+  return found == stages.end() ? nullptr : &*found;
+}
+
+// Why a stage may have parted that was given the same.
+std::string LikelyCause(const StageComparison& stage) {
+  if (stage.agreement == Agreement::kFirstOnly) return "";
+  if (!stage.origin.empty()) return "; likely because of " + stage.origin.front().InWords();
+  if (!stage.input.empty()) return fmt::format("; likely because its {} differs", stage.input);
+  return "; by the same program, build and configuration: it is not deterministic";
+}
+
+nlohmann::json ToJson(const FieldDifference& difference) {
+  return {{"path", difference.path},
+          {"first", difference.first},
+          {"replay", difference.second},
+          {"field_count", difference.field_count}};
 }
 
 }  // namespace
@@ -159,66 +233,6 @@ std::vector<StageComparison> CompareStages(const v1::Job& first, const Artifacts
 bool AllAgree(const std::vector<StageComparison>& stages) {
   return std::ranges::none_of(stages, &StageComparison::Parts);
 }
-
-namespace {
-
-std::string_view Verdict(const StageComparison& stage) {
-  switch (stage.agreement) {
-    case Agreement::kTaken:
-      return "taken";
-    case Agreement::kSameBytes:
-      return "agrees";
-    case Agreement::kSameContent:
-      return "same content";
-    case Agreement::kDiffers:
-      return stage.asked ? "differs as asked" : "differs";
-    case Agreement::kFirstOnly:
-      return "missing now";
-    case Agreement::kReplayOnly:
-      return "new";
-    case Agreement::kNeither:
-      return "not reached";
-  }
-  return "";
-}
-
-// What happened at the stage, beside the verdict.
-std::string Finding(const StageComparison& stage) {
-  std::string text;
-  if (stage.content.has_value()) {
-    text = stage.content->InWords();
-    const int more = stage.content->field_count - 1;
-    if (more > 0) text += ", and " + Counted(more, "more field");
-  }
-  const bool made_twice = stage.agreement == Agreement::kDiffers || stage.agreement == Agreement::kSameContent;
-  if (made_twice && !stage.input.empty())
-    text += fmt::format("{}made from another {}", text.empty() ? "" : "; ", stage.input);
-  if (stage.asked && stage.agreement == Agreement::kSameBytes) text = "although asked otherwise";
-  return text;
-}
-
-// The first stage whose result is another one, though nothing else was asked of it.
-const StageComparison* FirstToPart(const std::vector<StageComparison>& stages) {
-  const auto found = std::ranges::find_if(stages, &StageComparison::Parts);
-  return found == stages.end() ? nullptr : &*found;
-}
-
-// Why a stage may have parted that was given the same.
-std::string LikelyCause(const StageComparison& stage) {
-  if (stage.agreement == Agreement::kFirstOnly) return "";
-  if (!stage.origin.empty()) return "; likely because of " + stage.origin.front().InWords();
-  if (!stage.input.empty()) return fmt::format("; likely because its {} differs", stage.input);
-  return "; by the same program, build and configuration: it is not deterministic";
-}
-
-nlohmann::json ToJson(const FieldDifference& difference) {
-  return {{"path", difference.path},
-          {"first", difference.first},
-          {"replay", difference.second},
-          {"field_count", difference.field_count}};
-}
-
-}  // namespace
 
 std::string ComparisonTable(const std::vector<StageComparison>& stages) {
   std::string table;
@@ -274,112 +288,13 @@ std::string ComparisonJson(const std::vector<StageComparison>& stages, const std
   return JsonText(all);
 }
 
-namespace {
-
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::util::MessageDifferencer;
-
-constexpr size_t kShownLength = 80;
-
-std::string Shortened(std::string text) {
-  if (text.size() <= kShownLength) return text;
-  size_t end = kShownLength - 3;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return text.substr(0, end) + "...";
-}
-
-// One value of a field; `index` is -1 for fields that are no lists.
-std::string ValueText(const Message& message, const FieldDescriptor& field, int index) {
-  if (field.type() == FieldDescriptor::TYPE_BYTES) {
-    const google::protobuf::Reflection& reflection = *message.GetReflection();
-    const std::string bytes =
-        index < 0 ? reflection.GetString(message, &field) : reflection.GetRepeatedString(message, &field, index);
-    return fmt::format("{} bytes", bytes.size());
-  }
-  google::protobuf::TextFormat::Printer printer;
-  printer.SetSingleLineMode(true);
-  printer.SetUseUtf8StringEscaping(true);
-  std::string text;
-  printer.PrintFieldValueToString(message, &field, index, &text);
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) text = "{ " + text + "}";
-  return Shortened(text);
-}
-
-using FieldPath = std::vector<MessageDifferencer::SpecificField>;
-
-// Keeps the first difference and counts them all.
-class FirstOnly final : public MessageDifferencer::Reporter {
- public:
-  const std::optional<FieldDifference>& found() const { return found_; }
-
-  void ReportAdded(const Message&, const Message& second, const FieldPath& path) override {
-    if (See(path)) found_->second = ValueAt(second, path, true);
-  }
-  void ReportDeleted(const Message& first, const Message&, const FieldPath& path) override {
-    if (See(path)) found_->first = ValueAt(first, path, false);
-  }
-  void ReportModified(const Message& first, const Message& second, const FieldPath& path) override {
-    // After the fields of a message, the message itself is reported, too.
-    if (path.back().field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE || !See(path)) return;
-    found_->first = ValueAt(first, path, false);
-    found_->second = ValueAt(second, path, true);
-  }
-
- private:
-  bool See(const FieldPath& path) {
-    const bool is_first = !found_.has_value();
-    if (is_first) found_ = FieldDifference{PathText(path), "none", "none", 0};
-    ++found_->field_count;
-    return is_first;
-  }
-
-  static std::string PathText(const FieldPath& path) {
-    std::string text;
-    for (const MessageDifferencer::SpecificField& step : path) {
-      if (step.field == nullptr) continue;
-      text += (text.empty() ? "" : ".") + step.field->name();
-      if (step.field->is_repeated()) text += fmt::format("[{}]", std::max(step.index, step.new_index));
-    }
-    return text;
-  }
-
-  // The reporter is given the messages that the last field of the path belongs to.
-  static std::string ValueAt(const Message& message, const FieldPath& path, bool second) {
-    const MessageDifferencer::SpecificField& last = path.back();
-    if (!last.field->is_repeated()) return ValueText(message, *last.field, -1);
-    return ValueText(message, *last.field, second ? last.new_index : last.index);
-  }
-
-  std::optional<FieldDifference> found_;
-};
-
-std::optional<FieldDifference> Compare(const Message& first, const Message& second,
-                                       const std::vector<std::string>& without) {
-  MessageDifferencer differencer;
-  for (const std::string& name : without) {
-    const FieldDescriptor* field = first.GetDescriptor()->FindFieldByName(name);
-    if (field != nullptr) differencer.IgnoreField(field);
-  }
-  FirstOnly reporter;
-  differencer.ReportDifferencesTo(&reporter);
-  differencer.Compare(first, second);
-  return reporter.found();
-}
-
-}  // namespace
-
-std::string FieldDifference::InWords() const {
-  // Two pictures of one size may differ.
-  if (first == second) return fmt::format("{}: {}, other content", path, first);
-  return fmt::format("{}: {} -> {}", path, first, second);
-}
+std::string FieldDifference::InWords() const { return fmt::format("{}: {} -> {}", path, first, second); }
 
 std::optional<FieldDifference> FirstDifference(const Message& first, const Message& second,
                                                const std::vector<std::string>& aside) {
-  std::optional<FieldDifference> found = Compare(first, second, aside);
-  if (!found.has_value() && !aside.empty()) found = Compare(first, second, {});
-  return found;
+  std::vector<FieldDifference> found = Differences(first, second, aside);
+  if (found.empty() && !aside.empty()) found = Differences(first, second);
+  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
 }
 
 }  // namespace flair::cli

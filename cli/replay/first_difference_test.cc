@@ -52,14 +52,9 @@ TEST(FirstDifference, LooksAtFieldsThatWerePutAsideOnlyWhenNothingElseDiffers) {
             "graph.catalog_library: \"a\" -> \"b\"");
 }
 
-TEST(FirstDifference, KeepsLongTextsShortAndBytesOffTheScreen) {
+TEST(FirstDifference, KeepsLongTextsShort) {
   const std::string words = Words("graph { catalog_library: '" + std::string(5000, 'x') + "' }", "graph {}");
   EXPECT_LT(words.size(), 200u);
-  v1::Preview first;
-  v1::Preview second;
-  first.set_image(std::string("\x01\x02\x1b", 3));
-  second.set_image(std::string("\x01\x02\x07", 3));
-  EXPECT_EQ(FirstDifference(first, second)->InWords(), "image: 3 bytes, other content");
 }
 
 }  // namespace

@@ -386,9 +386,7 @@ absl::StatusOr<ArtifactsByKind> StoredArtifacts(Session& session, const v1::Job&
 absl::StatusOr<ArtifactsByKind> CollectArtifacts(Session& session, const v1::Job& job) {
   ASSIGN_OR_RETURN(ArtifactsByKind artifacts, StoredArtifacts(session, job));
   for (const v1::ArtifactKind kind : {v1::ARTIFACT_KIND_SOLVED_LAYOUT, v1::ARTIFACT_KIND_PREVIEW}) {
-    if (!artifacts.contains(kind)) {
-      return Internal("job {} succeeded without a {}", job.id(), KindName(kind));
-    }
+    if (!artifacts.contains(kind)) return Internal("job {} succeeded without a {}", job.id(), KindName(kind));
   }
   return artifacts;
 }

@@ -12,7 +12,6 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "cli/input/artifact_shelf.h"
-#include "cli/input/llm_flags.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/report_text.h"
 #include "cli/progress/progress.h"

@@ -228,9 +228,7 @@ absl::Status DrawPlansBeside(const PlansBeside& plans) {
 }
 
 absl::Status CheckViews(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    RETURN_IF_ERROR(ViewOfName(name).status());
-  }
+  for (const std::string& name : names) RETURN_IF_ERROR(ViewOfName(name).status());
   return absl::OkStatus();
 }
 

@@ -12,7 +12,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 // A year: enough to tell a jam from a stop, and no more than people care for.
@@ -30,6 +29,11 @@ int Trouble(v1::WorkerState state) {
   const auto* found = std::find(std::begin(kStates), std::end(kStates), state);
   return found == std::end(kStates) ? 0 : static_cast<int>(found - std::begin(kStates)) + 1;
 }
+
+// Newest batches that are looked at.
+constexpr int kBatchLimit = 50;
+// Looks after which ended batches are asked for again.
+constexpr int kForgetAfter = 8;
 
 }  // namespace
 
@@ -146,15 +150,6 @@ ClusterState::Json ClusterState::Batches(const std::vector<v1::Batch>& batches) 
   }
   return rows;
 }
-
-namespace {
-
-// Newest batches that are looked at.
-constexpr int kBatchLimit = 50;
-// Looks after which ended batches are asked for again.
-constexpr int kForgetAfter = 8;
-
-}  // namespace
 
 absl::StatusOr<ClusterLook> ClusterClient::Look() {
   ASSIGN_OR_RETURN(v1::GetClusterResponse cluster, session_.GetCluster());

@@ -16,7 +16,6 @@
 #include "cli/output/text.h"
 
 namespace flair::cli {
-
 namespace {
 
 // The first so many characters.
@@ -42,6 +41,20 @@ std::string Padding(std::string_view text, int width) {
   return std::string(static_cast<size_t>(std::max(0, width - static_cast<int>(ColumnsOf(text)))), ' ');
 }
 
+volatile std::sig_atomic_t end_wanted = 0;
+volatile std::sig_atomic_t resized = 0;
+termios former_mode;
+
+void OnEnd(int) { end_wanted = 1; }
+void OnResize(int) { resized = 1; }
+
+// Without SA_RESTART, so that waiting ends.
+void Handle(int number, void (*handler)(int)) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  ::sigaction(number, &action, nullptr);
+}
+
 }  // namespace
 
 StyledLine& StyledLine::Add(std::string_view text, Style style) {
@@ -65,24 +78,6 @@ StyledLine& StyledLine::Right(std::string_view text, int column_width, Style sty
   const std::string fitted = Fitted(text, column_width);
   return Add(Padding(fitted, column_width)).Add(fitted, style);
 }
-
-namespace {
-
-volatile std::sig_atomic_t end_wanted = 0;
-volatile std::sig_atomic_t resized = 0;
-termios former_mode;
-
-void OnEnd(int) { end_wanted = 1; }
-void OnResize(int) { resized = 1; }
-
-// Without SA_RESTART, so that waiting ends.
-void Handle(int number, void (*handler)(int)) {
-  struct sigaction action = {};
-  action.sa_handler = handler;
-  ::sigaction(number, &action, nullptr);
-}
-
-}  // namespace
 
 bool TerminalScreen::IsThere() {
   const char* kind = std::getenv("TERM");

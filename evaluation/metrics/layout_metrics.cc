@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
-#include "evaluation/metrics/pathway.h"
+#include "evaluation/metrics/measures.h"
 #include "evaluation/metrics/routes.h"
-#include "evaluation/metrics/solids.h"
-#include "evaluation/metrics/uses.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "room/conversion/conversion.h"
 #include "room/geometry/footprint.h"
@@ -18,7 +21,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::evaluation {
-
 namespace {
 
 constexpr double kLeastArea_m2 = 1e-12;
@@ -80,25 +82,6 @@ void AddDoorSwings(const LayoutView& view, std::vector<Overlap>& overlaps) {
   }
 }
 
-}  // namespace
-
-double CoveredLength(const LayoutView& view, size_t i, const Opening& opening) {
-  const Wall& wall = view.scene.room.walls[static_cast<size_t>(opening.wall)];
-  const double half_depth = view.scene.objects[i].footprint.depth_m / 2;
-  if (std::abs(wall.Height(Center(view.layout[i]))) > half_depth + kNearWall_m) return 0;
-  double low = 1e300, high = -1e300;
-  for (const Vec2<double>& corner : CornersOf(view, i)) {
-    low = std::min(low, wall.Offset(corner));
-    high = std::max(high, wall.Offset(corner));
-  }
-  // A thing on the neighbouring wall is seen end on, next to the opening or beyond this wall's end.
-  const Vec2<double> front = Front(view.layout[i]);
-  if (Dot(front, wall.inward_normal) < 0.7) return 0;
-  return std::max(0.0, std::min(high, opening.offset_m + opening.width_m) - std::max(low, opening.offset_m));
-}
-
-namespace {
-
 void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) {
   for (size_t i = 0; i < view.scene.objects.size(); ++i) {
     const Object& object = view.scene.objects[i];
@@ -115,7 +98,46 @@ void AddCoveredOpenings(const LayoutView& view, std::vector<Overlap>& overlaps) 
   }
 }
 
+bool IsUse(const v1::Sentence& sentence) { return sentence.use() || sentence.origin() == v1::SENTENCE_ORIGIN_IMPLIED; }
+
+// The first call of a sentence that does not hold; null when all hold.
+const v1::EdgeOutcome* Missed(const std::vector<const v1::EdgeOutcome*>& outcomes) {
+  const auto missed = std::ranges::find_if(
+      outcomes, [](const v1::EdgeOutcome* outcome) { return outcome->status() != v1::OUTCOME_STATUS_SATISFIED; });
+  return missed == outcomes.end() ? nullptr : *missed;
+}
+
+v1::Finding NotMet(const v1::Sentence& sentence, const v1::EdgeOutcome* missed) {
+  v1::Finding finding;
+  finding.set_kind(v1::FINDING_KIND_USE_NOT_MET);
+  if (sentence.subject_ids_size() > 0) finding.set_object_id(sentence.subject_ids(0));
+  if (sentence.subject_ids_size() > 1) finding.set_partner_id(sentence.subject_ids(1));
+  finding.set_sentence_id(sentence.id());
+  const std::string why = missed == nullptr ? "no constraint could be made of it" : missed->reason();
+  finding.set_message(why.empty() ? "\"" + sentence.text() + "\" does not hold" : why);
+  if (missed != nullptr && missed->has_missed_by()) {
+    finding.set_amount(missed->missed_by());
+    finding.set_unit(missed->unit());
+  }
+  return finding;
+}
+
 }  // namespace
+
+double CoveredLength(const LayoutView& view, size_t i, const Opening& opening) {
+  const Wall& wall = view.scene.room.walls[static_cast<size_t>(opening.wall)];
+  const double half_depth = view.scene.objects[i].footprint.depth_m / 2;
+  if (std::abs(wall.Height(Center(view.layout[i]))) > half_depth + kNearWall_m) return 0;
+  double low = 1e300, high = -1e300;
+  for (const Vec2<double>& corner : CornersOf(view, i)) {
+    low = std::min(low, wall.Offset(corner));
+    high = std::max(high, wall.Offset(corner));
+  }
+  // A thing on the neighbouring wall is seen end on, next to the opening or beyond this wall's end.
+  const Vec2<double> front = Front(view.layout[i]);
+  if (Dot(front, wall.inward_normal) < 0.7) return 0;
+  return std::max(0.0, std::min(high, opening.offset_m + opening.width_m) - std::max(low, opening.offset_m));
+}
 
 std::vector<Overlap> FindOverlaps(const LayoutView& view) {
   std::vector<Overlap> overlaps;
@@ -199,6 +221,31 @@ absl::StatusOr<v1::LayoutMetrics> MeasureLayout(const v1::SolvedLayout& layout) 
   v1::LayoutMetrics metrics = MeasureLayout({scene, partial.layout, partial.placed});
   AddUses(layout.graph(), layout.placements(), layout.edge_outcomes(), metrics);
   return metrics;
+}
+
+void AddUses(const v1::LayoutGraph& graph, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
+             const google::protobuf::RepeatedPtrField<v1::EdgeOutcome>& outcomes, v1::LayoutMetrics& metrics) {
+  std::set<std::string_view> placed;
+  for (const v1::Placement& placement : placements) placed.insert(placement.object_id());
+  std::map<std::string_view, std::vector<const v1::EdgeOutcome*>> outcomes_of;
+  for (int e = 0; e < std::min(graph.edges_size(), outcomes.size()); ++e) {
+    outcomes_of[graph.edges(e).sentence_id()].push_back(&outcomes[e]);
+  }
+  int asked = 0, met = 0;
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    const auto is_placed = [&](const std::string& id) { return placed.contains(id); };
+    if (!IsUse(sentence) || !std::ranges::all_of(sentence.subject_ids(), is_placed)) continue;
+    ++asked;
+    const std::vector<const v1::EdgeOutcome*>& own = outcomes_of[sentence.id()];
+    const v1::EdgeOutcome* const missed = Missed(own);
+    if (!own.empty() && missed == nullptr) {
+      ++met;
+    } else {
+      *metrics.add_findings() = NotMet(sentence, missed);
+    }
+  }
+  metrics.set_use_count(asked);
+  metrics.set_met_use_count(met);
 }
 
 }  // namespace flair::evaluation

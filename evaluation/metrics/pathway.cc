@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/metrics/pathway.h"
-
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/hilbert_sort.h>
@@ -9,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "evaluation/metrics/measures.h"
 #include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/metrics/pathway.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "evaluation/metrics/layout_metrics.h"
+#include "evaluation/metrics/measures.h"
 #include "evaluation/metrics/testing/furnished.h"
 #include "fmt/format.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/pathway.h"
+#include "evaluation/metrics/measures.h"
 #include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
 #include "evaluation/metrics/testing/oor_paper.h"

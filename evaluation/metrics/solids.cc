@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/metrics/solids.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "evaluation/metrics/measures.h"
 #include "room/geometry/gap.h"
 #include "room/geometry/polygon.h"
 #include "room/scene/room.h"

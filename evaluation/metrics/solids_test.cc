@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/metrics/solids.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "evaluation/metrics/measures.h"
 #include "evaluation/metrics/testing/furnished.h"
 
 namespace flair::evaluation {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/metrics/uses.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "evaluation/metrics/measures.h"
 
 namespace flair::evaluation {
 namespace {

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
-#include <set>
 #include <sstream>
 
 #include "evaluation/readers/flairgpt_calls.h"
@@ -18,24 +16,15 @@ using Words = std::vector<std::string>;
 
 // `name` without the words that only say that it is a zone.
 std::string ZoneWords(const std::string& name) {
-  static const std::set<std::string> empty = {"area", "zone", "region", "space", "nook"};
   std::istringstream words(FlairGptWords(name));
   std::string left;
   for (std::string word; words >> word;) {
-    if (empty.count(word) == 0) left += (left.empty() ? "" : " ") + word;
+    if (FlairGptMeaning("zone_words", word) == nullptr) left += (left.empty() ? "" : " ") + word;
   }
   return left;
 }
 
 std::string Quoted(const json& value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
-
-std::string SideNamed(const std::string& word) {
-  static const std::map<std::string, std::string> names = {
-      {"back", "back"},   {"top", "back"},     {"head", "back"},  {"headboard", "back"}, {"rear", "back"},
-      {"front", "front"}, {"bottom", "front"}, {"foot", "front"}, {"left", "left"},      {"right", "right"}};
-  const auto it = names.find(word);
-  return it == names.end() ? "" : it->second;
-}
 
 // The sides that a word means on an object that is `wide`: not deeper than wide. INVALID_ARGUMENT when none.
 absl::StatusOr<Words> SidesNamed(const std::string& word, bool wide) {
@@ -44,16 +33,14 @@ absl::StatusOr<Words> SidesNamed(const std::string& word, bool wide) {
   if (word == "side" || word == "sides") return flanks;
   if (word.rfind("long", 0) == 0 || word == "length") return wide ? ends : flanks;
   if (word.rfind("short", 0) == 0 || word == "width") return wide ? flanks : ends;
-  if (const std::string side = SideNamed(word); !side.empty()) return Words{side};
+  if (const json* side = FlairGptMeaning("sides", word)) return Words{*side};
   return InvalidArgument("unknown side \"{}\"", word);
 }
 
 absl::StatusOr<std::string> Corner(const json& value) {
-  static const std::map<std::string, std::string> corners = {
-      {"tl", "back_left"}, {"tr", "back_right"}, {"br", "front_right"}, {"bl", "front_left"}};
-  const auto it = value.is_string() ? corners.find(value.get<std::string>()) : corners.end();
-  if (it == corners.end()) return InvalidArgument("unknown corner {}", Quoted(value));
-  return it->second;
+  const json* const corner = value.is_string() ? FlairGptMeaning("corners", value) : nullptr;
+  if (corner == nullptr) return InvalidArgument("unknown corner {}", Quoted(value));
+  return corner->get<std::string>();
 }
 
 }  // namespace
@@ -92,26 +79,14 @@ absl::StatusOr<std::string> FlairGptArguments::ObjectId(const json& recorded, bo
 }
 
 absl::StatusOr<std::string> FlairGptArguments::Feature(const json& value) const {
-  static const std::map<std::string, std::string> words = {{"window", "window"},
-                                                           {"windows", "window"},
-                                                           {"door", "door"},
-                                                           {"doors", "door"},
-                                                           {"doorway", "door"},
-                                                           {"entrance", "door"},
-                                                           {"socket", "socket"},
-                                                           {"sockets", "socket"},
-                                                           {"plug", "socket"},
-                                                           {"outlet", "socket"},
-                                                           {"power outlet", "socket"},
-                                                           {"power socket", "socket"},
-                                                           {"electrical outlet", "socket"}};
-  const auto it = value.is_string() ? words.find(FlairGptWords(value)) : words.end();
-  if (it == words.end()) return NotFound("no feature {}", Quoted(value));
+  const json* const feature = value.is_string() ? FlairGptMeaning("features", FlairGptWords(value)) : nullptr;
+  if (feature == nullptr) return NotFound("no feature {}", Quoted(value));
+  const std::string kind = *feature;
   for (const v1::Opening& opening : graph_.room().openings()) {
-    if (it->second == (opening.kind() == v1::OPENING_KIND_DOOR ? "door" : "window")) return it->second;
+    if (kind == (opening.kind() == v1::OPENING_KIND_DOOR ? "door" : "window")) return kind;
   }
-  if (it->second == "socket" && graph_.room().sockets_size() > 0) return it->second;
-  return NotFound("the room has no {}", it->second);
+  if (kind == "socket" && graph_.room().sockets_size() > 0) return kind;
+  return NotFound("the room has no {}", kind);
 }
 
 absl::StatusOr<std::string> FlairGptArguments::ZoneId(const json& value) const {
@@ -170,9 +145,7 @@ absl::StatusOr<std::optional<v1::Argument>> FlairGptArguments::Read(const FlairG
   std::string text;
   switch (parameter.kind) {
     case FlairGptKind::kNumber:
-      if (!value.is_number()) {
-        return InvalidArgument("{} is {}, not a number", parameter.name, Quoted(value));
-      }
+      if (!value.is_number()) return InvalidArgument("{} is {}, not a number", parameter.name, Quoted(value));
       read.set_number(value.get<double>());
       return argument;
     case FlairGptKind::kFlag:

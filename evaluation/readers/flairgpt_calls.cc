@@ -7,6 +7,10 @@
 
 #include "worker_runtime/status/status_macros.h"
 
+namespace flair {
+std::string_view FlairGptVocabulary();  // flairgpt_vocabulary.json, embedded
+}
+
 namespace flair::evaluation {
 namespace {
 
@@ -112,57 +116,16 @@ absl::StatusOr<std::vector<v1::ConstraintEdge>> Read(const json& record, const v
   return edges;
 }
 
-// "name:kind" in positional order, by the letters of FlairGptKind; capital O: a floor object that may be left out; * at
-// the end: and others.
-struct Row {
-  const char* type;
-  const char* parameters;
-};
-
-const std::map<std::string, Row>& Rows() {
-  static const std::map<std::string, Row> rows = {
-      {"ind_next_to_wall", {"against_wall", "object:o side:s"}},
-      {"ind_near_wall", {"near_wall", "object:o side:s max_distance_m:n"}},
-      {"ind_in_corner", {"in_corner", "object:o side:s :_"}},
-      {"ind_close_to_fixed_object", {"close_to_feature", "object:o feature:f side:s max_distance_m:n"}},
-      {"ind_away_from_fixed_object", {"away_from_feature", "object:o feature:f min_distance_m:n"}},
-      {"ind_accessible", {"accessible", "object:o sides:S min_clearance_m:n"}},
-      {"ind_central", {"central", "object:o both:b"}},
-      {"ind_in_region", {"in_zone", "object:o zone:z :_"}},
-      {"ind_not_block_fixed_object", {"clear_of_feature", "object:o feature:f"}},
-      {"ind_under_window", {"under_window", "object:o"}},
-      {"ind_facing_into_room", {"facing_into_room", "object:o"}},
-      {"ind_not_against_wall", {"not_against_wall", "object:o min_distance_m:n"}},
-      {"ind_not_in_corner", {"not_in_corner", "object:o"}},
-      {"ind_parallel_to_wall", {"parallel_to_wall", "object:o"}},
-      {"io_next_to", {"next_to", "object:o target:o object_side:s target_side:s"}},
-      {"io_away_from", {"away_from", "object:o target:o min_distance_m:n"}},
-      {"io_near", {"near", "object:o target:o max_distance_m:n"}},
-      {"io_parallel", {"parallel", "object:o target:o *"}},
-      {"io_facing", {"facing", "object:o target:o both:b"}},
-      {"io_not_facing", {"not_facing", "object:o target:o"}},
-      {"io_infront", {"in_front_of", "object:o target:o distance_m:n parallel:b"}},
-      {"io_perp", {"perpendicular", "object:o target:o center:O"}},
-      {"io_on", {"on", "object:o target:o"}},
-      {"io_under_central", {"under_center", "object:o target:o"}},
-      {"io_surround", {"surround", "center:o objects:L"}},
-      {"io_between", {"between", "object:o first:o second:o"}},
-      {"rug_under_central", {"rug_under_center", "rug:i object:o"}},
-      {"rug_under_central_forward", {"rug_under_forward", "rug:i object:o"}},
-      {"on_top_central", {"on_top_center", "object:i host:o"}},
-      {"on_top_corner", {"on_top_corner", "object:i host:o corner:c"}},
-      {"on_wall_near", {"on_wall_near", "object:i target:o"}},
-      {"on_wall_above_central", {"on_wall_above", "object:i target:o"}},
-      {"on_wall_in_region", {"on_wall_in_zone", "object:i zone:z"}},
-      {"center_ceiling", {"ceiling_center", "object:i"}},
-      {"ceiling_above", {"ceiling_above", "object:i target:o"}},
-  };
-  return rows;
+const json& Vocabulary() {
+  static const json& vocabulary = *new json(json::parse(FlairGptVocabulary()));
+  return vocabulary;
 }
 
-FlairGptFunction FunctionOf(const Row& row) {
-  FlairGptFunction function{row.type, {}, false};
-  std::istringstream words(row.parameters);
+// Of a row of the functions.
+FlairGptFunction FunctionOf(const std::string& row) {
+  FlairGptFunction function;
+  std::istringstream words(row);
+  words >> function.type;
   for (std::string word; words >> word;) {
     if (word == "*") {
       function.ignores_others = true;
@@ -178,6 +141,12 @@ FlairGptFunction FunctionOf(const Row& row) {
 
 }  // namespace
 
+const json* FlairGptMeaning(const char* list, const std::string& word) {
+  const json& words = Vocabulary().at(list);
+  const auto found = words.find(word);
+  return found == words.end() ? nullptr : &*found;
+}
+
 absl::StatusOr<std::vector<v1::ConstraintEdge>> ReadFlairGptCall(const json& call, const v1::LayoutGraph& graph) {
   try {
     return Read(call, graph);
@@ -187,17 +156,13 @@ absl::StatusOr<std::vector<v1::ConstraintEdge>> ReadFlairGptCall(const json& cal
 }
 
 std::string CanonicalFlairGptName(std::string name) {
-  static const std::map<std::string, std::string> aliases = {
-      {"io_min_dist", "io_away_from"},           {"ind_near_fixed_object", "ind_close_to_fixed_object"},
-      {"ind_near", "ind_close_to_fixed_object"}, {"ind_not_next_to_wall", "ind_not_against_wall"},
-      {"on_top_center", "on_top_central"},       {"on_wall_above", "on_wall_above_central"}};
   if (name.rfind("p_", 0) == 0) name = "io_" + name.substr(2);
-  if (const auto it = aliases.find(name); it != aliases.end()) return it->second;
-  if (Rows().count(name) != 0) return name;
+  if (const json* alias = FlairGptMeaning("aliases", name)) return *alias;
+  if (FindFlairGptFunction(name) != nullptr) return name;
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"ind_", "io_"}, {"io_", "ind_"}}) {
     if (name.rfind(from, 0) != 0) continue;
     const std::string other = to + name.substr(from.size());
-    if (Rows().count(other) != 0) return other;
+    if (FindFlairGptFunction(other) != nullptr) return other;
   }
   return name;
 }
@@ -205,7 +170,7 @@ std::string CanonicalFlairGptName(std::string name) {
 const FlairGptFunction* FindFlairGptFunction(const std::string& canonical_name) {
   static const std::map<std::string, FlairGptFunction> functions = [] {
     std::map<std::string, FlairGptFunction> map;
-    for (const auto& [name, row] : Rows()) map.emplace(name, FunctionOf(row));
+    for (const auto& [name, row] : Vocabulary()["functions"].items()) map.emplace(name, FunctionOf(row));
     return map;
   }();
   const auto it = functions.find(canonical_name);
@@ -214,41 +179,14 @@ const FlairGptFunction* FindFlairGptFunction(const std::string& canonical_name) 
 
 int PositionOfKeyword(const std::string& keyword, const FlairGptFunction& function) {
   // The empty name is that of what is ignored.
-  static const std::map<std::string, std::vector<std::string>> names = {
-      {"object_index", {"object", "host", "target"}},
-      {"other_index", {"object", "host", "target"}},
-      {"object1_index", {"object"}},
-      {"object2_index", {"target", "first"}},
-      {"object3_index", {"second"}},
-      {"fixed_object_type", {"feature"}},
-      {"region_name", {"zone"}},
-      {"center_object_index", {"center"}},
-      {"central_object_index", {"center"}},
-      {"object_indices", {"objects"}},
-      {"tertiary_index", {"rug", "object"}},
-      {"rug_index", {"rug"}},
-      {"side1", {"object_side"}},
-      {"side2", {"target_side"}},
-      {"side", {"side"}},
-      {"sides", {"sides"}},
-      {"both", {"both"}},
-      {"corner", {"corner"}},
-      {"dist", {"distance_m"}},
-      {"parallel", {"parallel"}},
-      {"center", {"center"}},
-      {"max_dist", {"max_distance_m", ""}},
-      {"min_dist", {"min_distance_m", "min_clearance_m"}},
-      {"weight", {""}}};
-  const auto it = names.find(keyword);
-  if (it == names.end()) return -1;
+  const json* const names = FlairGptMeaning("keywords", keyword);
+  if (names == nullptr) return -1;
   const std::vector<FlairGptParameter>& parameters = function.parameters;
   // A tertiary's object_index is the floor object that it belongs to: its own comes first.
   const bool item_first = !parameters.empty() && parameters[0].kind == FlairGptKind::kItem;
   const bool of_floor = keyword == "object_index" || keyword == "other_index";
   for (size_t p = of_floor && item_first ? 1 : 0; p < parameters.size(); ++p) {
-    if (std::find(it->second.begin(), it->second.end(), parameters[p].name) != it->second.end()) {
-      return static_cast<int>(p);
-    }
+    if (std::find(names->begin(), names->end(), parameters[p].name) != names->end()) return static_cast<int>(p);
   }
   return -1;
 }

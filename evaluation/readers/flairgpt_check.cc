@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <functional>
 #include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "evaluation/readers/flairgpt_calls.h"
-#include "evaluation/readers/flairgpt_room.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "worker_runtime/status/status_macros.h"
+
+namespace flair {
+std::string_view FlairGptVocabulary();  // flairgpt_vocabulary.json, embedded
+}
 
 namespace flair::evaluation {
 namespace {
@@ -19,119 +21,68 @@ using nlohmann::json;
 
 constexpr size_t kMostFaults = 5;
 constexpr size_t kLongestValue = 60;
-constexpr double kLargestRoom_m = 100, kLargestObject_m = 20;
 
 std::string Shown(const json& value) {
   const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
   return text.size() <= kLongestValue ? text : text.substr(0, kLongestValue) + "...";
 }
 
-// What a field should be: in words, and as a test.
-struct Rule {
-  std::string right;
-  std::function<bool(const json&)> holds;
-  bool required = true;
-};
-
-Rule Metres(double most, bool zero_too) {
-  return {fmt::format("a number in {}0, {:g}], metres", zero_too ? '[' : '(', most), [=](const json& value) {
-            const double size = value.is_number() ? value.get<double>() : -1;
-            return size <= most && (size > 0 || (zero_too && size == 0));
-          }};
-}
-
-Rule Text(std::string right, bool required) {
-  return {std::move(right), [](const json& value) { return value.is_string(); }, required};
-}
-
-Rule Optional(Rule rule) {
-  rule.required = false;
-  return rule;
-}
-
-using Rules = std::vector<std::pair<const char*, Rule>>;
-
+// Holds a problem against the rules of flairgpt_vocabulary.json: what a field is, whether it must be there, what would
+// be right, and the same of its fields or elements.
 class Checker {
  public:
+  using Rule = nlohmann::ordered_json;
+
   absl::Status Check(const json& problem) {
     if (!problem.is_object()) return absl::InvalidArgumentError(Shown(problem) + " is not an object");
-    const auto is_object = [](const json& value) { return value.is_object(); };
-    const Rule room{"an object with width and length", is_object};
-    const Rule calls{"an object with the calls of primary, secondary and tertiary", is_object};
-    if (Holds(problem, "", "room", room)) {
-      CheckFields(problem["room"], "room.",
-                  {{"width", Metres(kLargestRoom_m, false)}, {"length", Metres(kLargestRoom_m, false)}});
-    }
-    const Rule wall{"south, east, north or west",
-                    [](const json& value) {
-                      static const std::set<std::string> walls = {"south", "east", "north", "west"};
-                      return !value.is_string() || walls.contains(value.get<std::string>());
-                    },
-                    false};
-    CheckList(problem, "fixed_objects", "an object with kind, width, wall and position",
-              {{"kind", Text("text", false)}, {"width", Optional(Metres(kLargestRoom_m, true))}, {"wall", wall}});
-    ForEach(problem, "zones", [&](const std::string& path, const json& name) {
-      if (!name.is_string()) Fault(path, &name, "text, a name");
-    });
-    std::set<double> floor_indices, item_indices;
-    for (const char* stage : {"primary", "secondary", "tertiary"}) {
-      std::set<double>& indices = std::string_view(stage) == "tertiary" ? item_indices : floor_indices;
-      const Rule index{"a whole number that no other such object has", [&](const json& value) {
-                         const double number = value.is_number() ? value.get<double>() : -1;
-                         return number >= 0 && number <= kLargestIndex && number == std::floor(number) &&
-                                indices.insert(number).second;
-                       }};
-      CheckList(problem, stage, "an object with name, width, length and index",
-                {{"name", Text("text", true)},
-                 {"width", Metres(kLargestObject_m, true)},
-                 {"length", Metres(kLargestObject_m, true)},
-                 {"index", index},
-                 {"zone", Text("text, the name of a zone", false)}});
-    }
-    if (Holds(problem, "", "calls", calls)) {
-      const Rule list{"a list", [](const json& value) { return value.is_array(); }, false};
-      CheckFields(problem["calls"], "calls.",
-                  {{"primary", list}, {"secondary", list}, {"secondary_all", list}, {"tertiary", list}});
-    }
+    CheckFields(problem, "", Rule::parse(FlairGptVocabulary()).at("problem"));
     if (faults_.empty()) return absl::OkStatus();
     return InvalidArgument("{}", fmt::join(faults_, "; "));
   }
 
  private:
   // `value` null: it is missing.
-  void Fault(const std::string& field, const json* value, const std::string& right) {
+  void Fault(const std::string& field, const json* value, const Rule& rule) {
     if (faults_.size() == kMostFaults) return;
+    const std::string right = rule["right"];
     faults_.push_back(value == nullptr ? fmt::format("{}: is missing; should be {}", field, right)
                                        : fmt::format("{}: {} should be {}", field, Shown(*value), right));
   }
 
-  // Whether the member of that name is there and right; a fault when it is not.
-  bool Holds(const json& object, const std::string& path, const char* name, const Rule& rule) {
-    const auto it = object.find(name);
-    const bool there = it != object.end();
-    const bool right = there && rule.holds(*it);
-    if (!right && (there || rule.required)) Fault(path + name, there ? &*it : nullptr, rule.right);
-    return right;
+  bool Holds(const json& value, const Rule& rule) {
+    const std::string is = rule["is"];
+    const double number = value.is_number() ? value.get<double>() : -1;
+    if (is == "object") return value.is_object();
+    if (is == "list") return value.is_array();
+    if (is == "text") return value.is_string();
+    if (is == "metres") return number <= rule["most"] && (number > 0 || (rule["zero"] && number == 0));
+    if (is == "wall")
+      return !value.is_string() || value == "south" || value == "east" || value == "north" || value == "west";
+    return number >= 0 && number <= kLargestIndex && number == std::floor(number) &&
+           indices_.insert({is, number}).second;
   }
 
-  void CheckFields(const json& object, const std::string& path, const Rules& rules) {
-    for (const auto& [name, rule] : rules) Holds(object, path, name, rule);
+  void CheckFields(const json& object, const std::string& path, const Rule& rules) {
+    for (const auto& [name, rule] : rules.items()) {
+      const auto found = object.find(name);
+      if (found != object.end()) {
+        CheckValue(*found, path + name, rule);
+      } else if (rule.value("required", false)) {
+        Fault(path + name, nullptr, rule);
+      }
+    }
   }
 
-  void ForEach(const json& problem, const char* name, const auto& check) {
-    const auto it = problem.find(name);
-    if (it == problem.end()) return;
-    if (!it->is_array()) return Fault(name, &*it, "a list");
-    for (size_t i = 0; i < it->size(); ++i) check(fmt::format("{}[{}]", name, i), (*it)[i]);
-  }
-
-  void CheckList(const json& problem, const char* name, const char* right, const Rules& rules) {
-    ForEach(problem, name, [&](const std::string& path, const json& member) {
-      member.is_object() ? CheckFields(member, path + ".", rules) : Fault(path, &member, right);
-    });
+  void CheckValue(const json& value, const std::string& path, const Rule& rule) {
+    if (!Holds(value, rule)) return Fault(path, &value, rule);
+    if (rule.contains("fields")) CheckFields(value, path + ".", rule["fields"]);
+    for (size_t i = 0; rule.contains("each") && i < value.size(); ++i) {
+      CheckValue(value[i], fmt::format("{}[{}]", path, i), rule["each"]);
+    }
   }
 
   std::vector<std::string> faults_;
+  std::set<std::pair<std::string, double>> indices_;
 };
 
 }  // namespace

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/readers/flairgpt_room.h"
-
 #include <algorithm>
 #include <charconv>
-#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -27,13 +24,11 @@ constexpr double kCloth_m2 = 0.5, kCloth_m = 0.02;
 constexpr double kLeastExtent_m = 0.05;
 
 bool IsRug(const std::string& name) {
-  static const std::set<std::string> words = {"rug",     "rugs",    "mat",     "mats",      "carpet", "carpets",
-                                              "bathmat", "doormat", "arearug", "runnerrug", "playmat"};
   std::string spaced;
   for (char c : name) spaced += std::isalpha(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(c)) : ' ';
   std::istringstream stream(spaced);
   for (std::string word; stream >> word;) {
-    if (words.count(word) != 0) return true;
+    if (FlairGptMeaning("rug_words", word) != nullptr) return true;
   }
   return false;
 }

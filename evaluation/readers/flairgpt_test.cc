@@ -9,7 +9,6 @@
 #include <iterator>
 
 #include "evaluation/readers/flairgpt_calls.h"
-#include "evaluation/readers/flairgpt_room.h"
 #include "nlohmann/json.hpp"
 #include "room/conversion/conversion.h"
 

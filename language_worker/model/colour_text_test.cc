@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/colour_text.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "language_worker/handbook/loading/load_handbook.h"
+#include "language_worker/model/prompt_text.h"
 
 namespace flair::language {
 namespace {

@@ -7,7 +7,6 @@
 #include "flair/config/v1/language_worker_config.pb.h"
 #include "flair/v1/language_service.pb.h"
 #include "language_worker/model/model_tools.h"
-#include "language_worker/model/object_size.h"
 #include "language_worker/service/language_handlers.h"
 #include "llm/answers/prompt_library.h"
 #include "llm/client/llm_client.h"

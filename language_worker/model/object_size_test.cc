@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/model/object_size.h"
-
 #include <gtest/gtest.h>
 
 #include <string>

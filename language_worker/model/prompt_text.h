@@ -3,13 +3,17 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/room.pb.h"
+#include "flair/v1/style_sheet.pb.h"
 #include "flair/v1/zone_plan.pb.h"
-#include "llm/answers/field_facts.h"
+#include "language_worker/handbook/handbook.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::language {
 
@@ -56,5 +60,9 @@ class ObjectWords {
 
 // "first" to "tenth", then "11th"; `number` counts from 0.
 std::string Ordinal(size_t number);
+
+// The colour that a model wrote as its name and value, in any order: "sage #7A8B6F", "#7A8B6F sage", "sage rgb(122,
+// 139, 111)"; without a value the handbook's of that name. Nothing when it is none. Pure; any text is good input.
+std::optional<v1::Colour> ReadColour(std::string_view text, const Handbook& handbook);
 
 }  // namespace flair::language

@@ -21,7 +21,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
-
 namespace {
 
 using llm::Fault;
@@ -199,29 +198,6 @@ v1::Room ToRoom(const v1::Brief& brief, const SizeRequest& size, const RoomAnswe
   return room;
 }
 
-}  // namespace
-
-absl::StatusOr<v1::Room> AskRoom(const v1::Brief& brief, const ModelTools& tools, llm::Conversation& conversation) {
-  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, tools.handbook));
-  llm::Question question =
-      MakeQuestion(tools, "room", "room", {{"brief", llm::QuoteData(brief.text())}}, RoomAnswer::default_instance());
-  question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) {
-    std::vector<Fault> faults;
-    CheckSize(facts.size, answer, faults);
-    CheckOpenings(answer, faults);
-    return faults;
-  });
-  const auto make = [&](const RoomAnswer& answer) -> absl::StatusOr<v1::Room> {
-    return ToRoom(brief, facts.size, answer);
-  };
-  return AskFor<RoomAnswer, v1::Room>(question, conversation, make,
-                                      [](const v1::Room& room) { return Validate(room); });
-}
-
-namespace {
-
-using llm::Fault;
-using llm::FaultKind;
 using model::v1::ZonesAnswer;
 
 // [Handbook facts] the recorded rooms have three zones on 20 m2; hardly any has more than five.
@@ -276,6 +252,23 @@ v1::ZonePlan ToZonePlan(const ZonesAnswer& answer) {
 }
 
 }  // namespace
+
+absl::StatusOr<v1::Room> AskRoom(const v1::Brief& brief, const ModelTools& tools, llm::Conversation& conversation) {
+  ASSIGN_OR_RETURN(const BriefFacts facts, ReadBrief(brief, tools.handbook));
+  llm::Question question =
+      MakeQuestion(tools, "room", "room", {{"brief", llm::QuoteData(brief.text())}}, RoomAnswer::default_instance());
+  question.check = llm::CheckOf<RoomAnswer>([&](RoomAnswer& answer) {
+    std::vector<Fault> faults;
+    CheckSize(facts.size, answer, faults);
+    CheckOpenings(answer, faults);
+    return faults;
+  });
+  const auto make = [&](const RoomAnswer& answer) -> absl::StatusOr<v1::Room> {
+    return ToRoom(brief, facts.size, answer);
+  };
+  return AskFor<RoomAnswer, v1::Room>(question, conversation, make,
+                                      [](const v1::Room& room) { return Validate(room); });
+}
 
 absl::StatusOr<v1::ZonePlan> AskZones(const v1::Brief& brief, const v1::Room& room, const ModelTools& tools,
                                       llm::Conversation& conversation) {

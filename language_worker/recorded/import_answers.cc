@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "language_worker/model/model_handlers.h"
-#include "llm/wrappers/folder_llm_clients.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
@@ -22,22 +22,15 @@ class Phase {
       : room_(room), handlers_(handlers), result_(result) {}
 
   absl::Status Run() {
-    absl::Status status = Take<v1::DescribeRoomRequest>(result_.room, &v1::DescribeRoomResponse::room);
-    if (status.ok()) status = Take<v1::PlanZonesRequest>(result_.zones, &v1::PlanZonesResponse::zone_plan);
-    if (status.ok()) status = Take<v1::ListObjectsRequest>(result_.objects, &v1::ListObjectsResponse::object_list);
     v1::StyleSheet style;
-    if (status.ok()) status = Take<v1::ChooseStyleRequest>(style, &v1::ChooseStyleResponse::style_sheet);
-    if (status.ok()) {
-      status = Take<v1::ListConstraintsRequest>(result_.constraints, &v1::ListConstraintsResponse::constraint_list);
-    }
-    if (status.ok()) {
-      status = Take<v1::CleanConstraintsRequest>(result_.constraints, &v1::CleanConstraintsResponse::constraint_list);
-    }
-    if (status.ok()) {
-      status =
-          Take<v1::CompleteConstraintsRequest>(result_.completed, &v1::CompleteConstraintsResponse::constraint_list);
-    }
-    return status;
+    RETURN_IF_ERROR(Take<v1::DescribeRoomRequest>(result_.room, &v1::DescribeRoomResponse::room));
+    RETURN_IF_ERROR(Take<v1::PlanZonesRequest>(result_.zones, &v1::PlanZonesResponse::zone_plan));
+    RETURN_IF_ERROR(Take<v1::ListObjectsRequest>(result_.objects, &v1::ListObjectsResponse::object_list));
+    RETURN_IF_ERROR(Take<v1::ChooseStyleRequest>(style, &v1::ChooseStyleResponse::style_sheet));
+    v1::ConstraintList& list = result_.constraints;
+    RETURN_IF_ERROR(Take<v1::ListConstraintsRequest>(list, &v1::ListConstraintsResponse::constraint_list));
+    RETURN_IF_ERROR(Take<v1::CleanConstraintsRequest>(list, &v1::CleanConstraintsResponse::constraint_list));
+    return Take<v1::CompleteConstraintsRequest>(result_.completed, &v1::CompleteConstraintsResponse::constraint_list);
   }
 
  private:

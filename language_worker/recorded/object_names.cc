@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/object_names.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +9,7 @@
 #include "absl/strings/ascii.h"
 #include "english/language.h"
 #include "english/words.h"
+#include "language_worker/recorded/recorded_text.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::language {

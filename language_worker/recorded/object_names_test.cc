@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/object_names.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <deque>
+
+#include "language_worker/recorded/recorded_text.h"
 
 namespace flair::language {
 namespace {

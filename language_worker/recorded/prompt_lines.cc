@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/prompt_lines.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +10,8 @@
 #include <utility>
 
 #include "absl/strings/str_split.h"
-#include "language_worker/recorded/object_names.h"
+#include "language_worker/recorded/import_answers.h"
+#include "language_worker/recorded/recorded_text.h"
 
 namespace flair::language {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/prompt_lines.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "language_worker/model/prompt_text.h"
+#include "language_worker/recorded/import_answers.h"
 
 namespace flair::language {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "language_worker/recorded/recorded_answers.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/recorded/import_answers.h"
 
 namespace flair::language {
 namespace {
@@ -36,16 +35,9 @@ bool Alike(const v1::Object& a, const v1::Object& b) {
 }
 
 const char* WordOf(v1::ObjectKind kind) {
-  switch (kind) {
-    case v1::OBJECT_KIND_WALL:
-      return "wall";
-    case v1::OBJECT_KIND_CEILING:
-      return "ceiling";
-    case v1::OBJECT_KIND_SURFACE:
-      return "surface";
-    default:
-      return "floor";
-  }
+  if (kind == v1::OBJECT_KIND_WALL) return "wall";
+  if (kind == v1::OBJECT_KIND_CEILING) return "ceiling";
+  return kind == v1::OBJECT_KIND_SURFACE ? "surface" : "floor";
 }
 
 double WallLength(const v1::Room& room, const std::string& wall) {

@@ -7,10 +7,9 @@
 #include <utility>
 
 #include "english/language.h"
-#include "language_worker/model/object_size.h"
-#include "language_worker/recorded/object_names.h"
-#include "language_worker/recorded/prompt_lines.h"
-#include "language_worker/recorded/recorded_answers.h"
+#include "language_worker/model/model_tools.h"
+#include "language_worker/recorded/import_answers.h"
+#include "language_worker/recorded/recorded_text.h"
 
 namespace flair::language {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "absl/strings/ascii.h"
-#include "evaluation/readers/flairgpt_room.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"

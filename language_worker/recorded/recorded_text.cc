@@ -202,9 +202,7 @@ class ConstraintReader {
     const std::string all = context.beginning + (idle ? line.text.substr(label.size() + 2) : line.text);
     std::vector<int> objects = context.objects;
     if (objects.empty()) AddObjects(MentionsOf(all, context), objects);
-    if (objects.empty()) {
-      return conversion_.Keep(text_.name, line.number, line.text, "names none of the objects");
-    }
+    if (objects.empty()) return conversion_.Keep(text_.name, line.number, line.text, "names none of the objects");
     conversion_.Convert();
     for (const std::string& sentence : SplitSentences(all)) {
       std::vector<int> own = context.objects;

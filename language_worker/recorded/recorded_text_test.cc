@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "language_worker/recorded/object_names.h"
-
 namespace flair::language {
 namespace {
 

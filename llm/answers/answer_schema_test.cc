@@ -7,7 +7,7 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
-#include "llm/answers/field_facts.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::llm {
 namespace {

@@ -12,9 +12,8 @@
 
 #include "absl/status/statusor.h"
 #include "flair/v1/model_call.pb.h"
-#include "llm/answers/fault.h"
-#include "llm/answers/field_facts.h"
 #include "llm/answers/prompt_library.h"
+#include "llm/answers/read_answer.h"
 #include "llm/client/llm_client.h"
 
 namespace flair::llm {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "llm/answers/field_facts.h"
 #include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 
@@ -80,9 +79,7 @@ class Scanner {
       ++at_;
     }
     scan_.stop = std::min(at_, text_.size());
-    if (scan_.end == JsonScan::End::kTruncated && whole_ > 0) {
-      scan_.salvaged = scan_.json.substr(0, whole_) + closers_;
-    }
+    if (scan_.end == JsonScan::End::kTruncated && whole_ > 0) scan_.salvaged = scan_.json.substr(0, whole_) + closers_;
     return std::move(scan_);
   }
 
@@ -256,9 +253,7 @@ ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> 
   const auto no_value = [](std::string text) {
     return ExtractedJson{json(json::value_t::discarded), {{"", std::move(text)}}};
   };
-  if (answer.size() > kMostBytes) {
-    return no_value(fmt::format("has {} bytes; at most {}", answer.size(), kMostBytes));
-  }
+  if (answer.size() > kMostBytes) return no_value(fmt::format("has {} bytes; at most {}", answer.size(), kMostBytes));
   const std::string good = PlainSpaces(ToUtf8(answer));
   const std::string_view text = Trimmed(WithoutThoughts(good));
   if (text.empty()) return no_value("is empty; one JSON object would be right");

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/answers/fault.h"
-
 #include <fmt/format.h>
 
 #include <set>
 
+#include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 
 namespace flair::llm {
@@ -34,9 +33,7 @@ void RemoveElements(const std::set<std::string>& elements, const std::string& pa
     // From the last, whose numbers the others do not change.
     for (int i = reflection.FieldSize(message, field) - 1; i >= 0; --i) {
       const std::string element = fmt::format("{}[{}]", at, i);
-      if (of_messages) {
-        RemoveElements(elements, element + ".", *reflection.MutableRepeatedMessage(&message, field, i));
-      }
+      if (of_messages) RemoveElements(elements, element + ".", *reflection.MutableRepeatedMessage(&message, field, i));
       if (!elements.contains(element)) continue;
       for (int k = i; k + 1 < reflection.FieldSize(message, field); ++k) {
         reflection.SwapElements(&message, field, k, k + 1);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/answers/field_facts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,8 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace flair::llm {
+#include "llm/answers/read_answer.h"
 
+namespace flair::llm {
 namespace {
 
 using google::protobuf::FieldDescriptor;
@@ -23,6 +22,100 @@ std::string UnitWord(std::string_view unit) {
   if (unit == "m") return "metres";
   if (unit == "deg") return "degrees";
   return std::string(unit);
+}
+
+// The names whose bare form `equal` accepts, aliases included.
+template <typename Equal>
+std::set<std::string> Meant(const Choices& choices, const Equal& equal) {
+  std::set<std::string> meant;
+  for (const std::string& name : choices.names) {
+    if (equal(Bare(name))) meant.insert(name);
+  }
+  for (const auto& [alias, name] : choices.aliases) {
+    if (equal(Bare(alias))) meant.insert(name);
+  }
+  return meant;
+}
+
+std::string WithoutPlural(std::string text) {
+  if (text.size() > 3 && text.back() == 's') text.pop_back();
+  return text;
+}
+
+struct UnitName {
+  std::string_view unit;
+  std::string_view name;
+  double factor;
+};
+
+constexpr UnitName kUnits[] = {
+    {"m", "m", 1},         {"m", "metres", 1},   {"m", "meters", 1}, {"m", "cm", 0.01}, {"m", "mm", 0.001},
+    {"deg", "degrees", 1}, {"deg", "degree", 1}, {"deg", "deg", 1},  {"deg", "°", 1},
+};
+
+std::string_view Stripped(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+using google::protobuf::Descriptor;
+using Json = nlohmann::ordered_json;
+
+// Servers that turn a schema into a grammar write repetitions out; larger limits are for the reader alone.
+constexpr int kMostItemsToSay = 40;
+
+Json ObjectSchema(const Descriptor& message, const FieldChoices& choices);
+
+// 20 instead of 20.0, so that the schema reads as a person would write it.
+Json Number(double value) {
+  if (value == static_cast<double>(static_cast<int64_t>(value))) return static_cast<int64_t>(value);
+  return value;
+}
+
+Json ValueSchema(const FieldDescriptor& field, const FieldChoices& choices) {
+  const model::v1::FieldFacts& facts = FactsOf(field);
+  Json schema;
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      if (facts.line()) return {{"type", "string"}};
+      return ObjectSchema(*field.message_type(), choices);
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return {{"type", "boolean"}};
+    case FieldDescriptor::CPPTYPE_STRING:
+      schema["type"] = "string";
+      if (const std::optional<Choices> texts = TextsOf(field, choices)) schema["enum"] = texts->names;
+      return schema;
+    default:
+      schema["type"] = IsWhole(field) ? "integer" : "number";
+      if (facts.has_minimum()) schema["minimum"] = Number(facts.minimum());
+      if (facts.has_maximum()) schema["maximum"] = Number(facts.maximum());
+      return schema;
+  }
+}
+
+Json FieldSchema(const FieldDescriptor& field, const FieldChoices& choices) {
+  const model::v1::FieldFacts& facts = FactsOf(field);
+  Json schema = ValueSchema(field, choices);
+  if (field.is_repeated()) {
+    schema = {{"type", "array"}, {"items", schema}};
+    if (facts.min_items() > 0) schema["minItems"] = facts.min_items();
+    if (facts.max_items() > 0 && facts.max_items() <= kMostItemsToSay) schema["maxItems"] = facts.max_items();
+  } else if (field.has_optional_keyword()) {
+    schema["type"] = {schema["type"], "null"};
+    if (schema.contains("enum")) schema["enum"].push_back(nullptr);
+  }
+  if (!facts.doc().empty()) schema["description"] = facts.doc();
+  return schema;
+}
+
+Json ObjectSchema(const Descriptor& message, const FieldChoices& choices) {
+  Json properties = Json::object(), required = Json::array();
+  for (int i = 0; i < message.field_count(); ++i) {
+    properties[message.field(i)->name()] = FieldSchema(*message.field(i), choices);
+    required.push_back(message.field(i)->name());
+  }
+  return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
 }
 
 }  // namespace
@@ -90,28 +183,6 @@ std::string RightFor(const FieldDescriptor& field, const FieldChoices& choices) 
   }
 }
 
-namespace {
-
-// The names whose bare form `equal` accepts, aliases included.
-template <typename Equal>
-std::set<std::string> Meant(const Choices& choices, const Equal& equal) {
-  std::set<std::string> meant;
-  for (const std::string& name : choices.names) {
-    if (equal(Bare(name))) meant.insert(name);
-  }
-  for (const auto& [alias, name] : choices.aliases) {
-    if (equal(Bare(alias))) meant.insert(name);
-  }
-  return meant;
-}
-
-std::string WithoutPlural(std::string text) {
-  if (text.size() > 3 && text.back() == 's') text.pop_back();
-  return text;
-}
-
-}  // namespace
-
 std::string Bare(std::string_view text) {
   std::string bare;
   for (const char c : text) {
@@ -139,27 +210,6 @@ std::optional<std::string> FindChoice(std::string_view text, const Choices& choi
   return *meant.begin();
 }
 
-namespace {
-
-struct UnitName {
-  std::string_view unit;
-  std::string_view name;
-  double factor;
-};
-
-constexpr UnitName kUnits[] = {
-    {"m", "m", 1},         {"m", "metres", 1},   {"m", "meters", 1}, {"m", "cm", 0.01}, {"m", "mm", 0.001},
-    {"deg", "degrees", 1}, {"deg", "degree", 1}, {"deg", "deg", 1},  {"deg", "°", 1},
-};
-
-std::string_view Stripped(std::string_view text) {
-  const size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-}  // namespace
-
 std::optional<double> ReadQuantity(std::string_view written, std::string_view unit) {
   const std::string_view text = Stripped(written);
   double value = 0;
@@ -171,70 +221,6 @@ std::optional<double> ReadQuantity(std::string_view written, std::string_view un
       kUnits, [&](const UnitName& candidate) { return candidate.unit == unit && candidate.name == rest; });
   return found == std::end(kUnits) ? std::nullopt : std::optional(value * found->factor);
 }
-
-namespace {
-
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using Json = nlohmann::ordered_json;
-
-// Servers that turn a schema into a grammar write repetitions out; larger limits are for the reader alone.
-constexpr int kMostItemsToSay = 40;
-
-Json ObjectSchema(const Descriptor& message, const FieldChoices& choices);
-
-// 20 instead of 20.0, so that the schema reads as a person would write it.
-Json Number(double value) {
-  if (value == static_cast<double>(static_cast<int64_t>(value))) return static_cast<int64_t>(value);
-  return value;
-}
-
-Json ValueSchema(const FieldDescriptor& field, const FieldChoices& choices) {
-  const model::v1::FieldFacts& facts = FactsOf(field);
-  Json schema;
-  switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_MESSAGE:
-      if (facts.line()) return {{"type", "string"}};
-      return ObjectSchema(*field.message_type(), choices);
-    case FieldDescriptor::CPPTYPE_BOOL:
-      return {{"type", "boolean"}};
-    case FieldDescriptor::CPPTYPE_STRING:
-      schema["type"] = "string";
-      if (const std::optional<Choices> texts = TextsOf(field, choices)) schema["enum"] = texts->names;
-      return schema;
-    default:
-      schema["type"] = IsWhole(field) ? "integer" : "number";
-      if (facts.has_minimum()) schema["minimum"] = Number(facts.minimum());
-      if (facts.has_maximum()) schema["maximum"] = Number(facts.maximum());
-      return schema;
-  }
-}
-
-Json FieldSchema(const FieldDescriptor& field, const FieldChoices& choices) {
-  const model::v1::FieldFacts& facts = FactsOf(field);
-  Json schema = ValueSchema(field, choices);
-  if (field.is_repeated()) {
-    schema = {{"type", "array"}, {"items", schema}};
-    if (facts.min_items() > 0) schema["minItems"] = facts.min_items();
-    if (facts.max_items() > 0 && facts.max_items() <= kMostItemsToSay) schema["maxItems"] = facts.max_items();
-  } else if (field.has_optional_keyword()) {
-    schema["type"] = {schema["type"], "null"};
-    if (schema.contains("enum")) schema["enum"].push_back(nullptr);
-  }
-  if (!facts.doc().empty()) schema["description"] = facts.doc();
-  return schema;
-}
-
-Json ObjectSchema(const Descriptor& message, const FieldChoices& choices) {
-  Json properties = Json::object(), required = Json::array();
-  for (int i = 0; i < message.field_count(); ++i) {
-    properties[message.field(i)->name()] = FieldSchema(*message.field(i), choices);
-    required.push_back(message.field(i)->name());
-  }
-  return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
-}
-
-}  // namespace
 
 std::string AnswerSchema(const Descriptor& message, const FieldChoices& choices) {
   return ObjectSchema(message, choices).dump(-1, ' ', false, Json::error_handler_t::replace);

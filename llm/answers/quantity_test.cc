@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "llm/answers/field_facts.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::llm {
 namespace {

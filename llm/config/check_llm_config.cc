@@ -2,7 +2,7 @@
 #include "llm/config/check_llm_config.h"
 
 #include "fmt/format.h"
-#include "llm/http/http_request.h"
+#include "llm/http/http_client.h"
 
 namespace flair::llm {
 namespace {
@@ -101,6 +101,15 @@ void CheckPrices(const config::v1::LlmConfig& config, Checker& checker) {
   }
 }
 
+// How well a price's name fits: -1 not at all, else the number of characters that agree; an exact name beats any
+// prefix.
+int Fit(const std::string& pattern, const std::string& model) {
+  if (pattern == model) return static_cast<int>(model.size()) + 1;
+  if (pattern.empty() || pattern.back() != '*') return -1;
+  const size_t length = pattern.size() - 1;
+  return model.compare(0, length, pattern, 0, length) == 0 ? static_cast<int>(length) : -1;
+}
+
 }  // namespace
 
 void CheckLlmConfig(const config::v1::LlmConfig& config, const ConfigReport& report) {
@@ -114,19 +123,6 @@ void CheckLlmConfig(const config::v1::LlmConfig& config, const ConfigReport& rep
   CheckPatience(config, checker);
   CheckPrices(config, checker);
 }
-
-namespace {
-
-// How well a price's name fits: -1 not at all, else the number of characters that agree; an exact name beats any
-// prefix.
-int Fit(const std::string& pattern, const std::string& model) {
-  if (pattern == model) return static_cast<int>(model.size()) + 1;
-  if (pattern.empty() || pattern.back() != '*') return -1;
-  const size_t length = pattern.size() - 1;
-  return model.compare(0, length, pattern, 0, length) == 0 ? static_cast<int>(length) : -1;
-}
-
-}  // namespace
 
 const config::v1::LlmPrice* FindPrice(const std::vector<config::v1::LlmPrice>& prices, const std::string& model) {
   const config::v1::LlmPrice* best = nullptr;

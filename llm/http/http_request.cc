@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/http/http_request.h"
-
 #include <algorithm>
 #include <cctype>
 
 #include "absl/strings/match.h"
+#include "llm/http/http_client.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
@@ -75,9 +74,7 @@ absl::Status CheckRequest(const HttpRequest& request) {
   if (std::ranges::any_of(request.url, [](unsigned char c) { return IsControlByte(c) || c == ' '; })) {
     return absl::InvalidArgumentError("the address holds a space or a control character");
   }
-  for (const HttpHeader& header : request.headers) {
-    RETURN_IF_ERROR(CheckHeader(header));
-  }
+  for (const HttpHeader& header : request.headers) RETURN_IF_ERROR(CheckHeader(header));
   return absl::OkStatus();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/http/http_request.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "llm/http/http_client.h"
 
 namespace flair::llm {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "llm/openai/openai_options.h"
+#include "llm/openai/openai_client.h"
 
 namespace flair::llm {
 namespace {

@@ -7,9 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "llm/openai/json_fields.h"
 #include "llm/openai/reply_reader.h"
-#include "llm/openai/server_error.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/openai/openai_options.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +9,10 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
+#include "llm/openai/openai_client.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
-
 namespace {
 
 // As one segment of a path, or one value of a query.
@@ -37,63 +35,6 @@ const char* NameOf(config::v1::AnswerForm form) {
   if (form == config::v1::ANSWER_FORM_TEXT) return "text";
   return form == config::v1::ANSWER_FORM_JSON_OBJECT ? "json_object" : "json_schema";
 }
-
-}  // namespace
-
-std::string CompletionsUrl(const OpenAiOptions& options) {
-  // Gateways and Azure have addresses with a query, which stays at the end.
-  const size_t query_begin = std::min(options.config.base_url().find('?'), options.config.base_url().size());
-  std::string path = options.config.base_url().substr(0, query_begin);
-  std::string query = options.config.base_url().substr(query_begin);
-  while (path.ends_with('/')) path.pop_back();
-  // The whole address, as it is in many manuals.
-  const bool whole = path.ends_with("/chat/completions");
-  if (options.config.has_azure()) {
-    if (path.ends_with("/openai")) path.resize(path.size() - std::string_view("/openai").size());
-    if (!whole) path += "/openai/deployments/" + Escaped(options.config.azure().deployment());
-    if (query.find("api-version=") == std::string::npos) {
-      query +=
-          fmt::format("{}api-version={}", query.empty() ? "?" : "&", Escaped(options.config.azure().api_version()));
-    }
-  }
-  return path + (whole ? "" : "/chat/completions") + query;
-}
-
-std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
-  std::vector<HttpHeader> headers = {
-      {"Content-Type", "application/json"},
-      {"Accept", options.config.stream() ? "text/event-stream, application/json" : "application/json"},
-      {"User-Agent", "flair"}};
-  if (!options.api_key.empty()) {
-    headers.push_back(options.config.has_azure() ? HttpHeader{"api-key", options.api_key}
-                                                 : HttpHeader{"Authorization", "Bearer " + options.api_key});
-  }
-  // One of the user's own is sent instead: a server may take the first of two, or neither.
-  std::erase_if(headers, [&](const HttpHeader& header) { return HasHeader(options, header.name); });
-  headers.insert(headers.end(), options.headers.begin(), options.headers.end());
-  return headers;
-}
-
-std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
-  std::vector<std::string> secrets = {options.api_key};
-  for (const HttpHeader& header : options.headers) secrets.push_back(header.value);
-  // Nothing so short is a secret, and every error would hold it.
-  std::erase_if(secrets, [](const std::string& secret) { return secret.size() < 4; });
-  return secrets;
-}
-
-std::string IdentityOf(const OpenAiOptions& options) {
-  std::string identity = fmt::format(
-      "openai {} model={} form={} fall_back={} max_output_tokens={}", PublicAddress(CompletionsUrl(options)),
-      options.config.model(), NameOf(options.first_form()), options.falls_back(),
-      options.config.max_output_token_count() > 0 ? options.config.max_output_token_count() : kUsualOutputTokenCount);
-  if (options.config.has_azure()) identity += " api_version=" + options.config.azure().api_version();
-  if (options.config.has_temperature()) identity += fmt::format(" temperature={}", options.config.temperature());
-  if (options.config.has_seed()) identity += fmt::format(" seed={}", options.config.seed());
-  return identity;
-}
-
-namespace {
 
 bool Contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
@@ -157,15 +98,8 @@ std::optional<Dialect> WithWeakerForm(Dialect dialect, bool with_schema, bool fa
 using nlohmann::ordered_json;
 
 const char* NameOf(Role role) {
-  switch (role) {
-    case Role::kSystem:
-      return "system";
-    case Role::kUser:
-      return "user";
-    case Role::kAssistant:
-      return "assistant";
-  }
-  return "user";
+  constexpr const char* kNames[] = {"system", "user", "assistant"};
+  return kNames[static_cast<int>(role)];
 }
 
 // Puts a text behind the first message when that is the system's, and else before all.
@@ -218,9 +152,7 @@ void DropLimits(ordered_json& schema) {
 absl::StatusOr<ordered_json> EncodeFormat(const Dialect& dialect, const ChatRequest& request) {
   if (dialect.form == config::v1::ANSWER_FORM_JSON_OBJECT) return ordered_json{{"type", "json_object"}};
   ordered_json schema = ordered_json::parse(request.schema, nullptr, false);
-  if (!schema.is_object()) {
-    return InvalidArgument("the schema of step '{}' is no JSON object", request.step);
-  }
+  if (!schema.is_object()) return InvalidArgument("the schema of step '{}' is no JSON object", request.step);
   if (!dialect.schema_limits) DropLimits(schema);
   ordered_json format = {{"type", "json_schema"}};
   format["json_schema"] = {{"name", request.schema_name}, {"strict", true}, {"schema", std::move(schema)}};
@@ -234,6 +166,59 @@ int TokenLimit(const OpenAiOptions& options, const Dialect& dialect, const ChatR
 }
 
 }  // namespace
+
+std::string CompletionsUrl(const OpenAiOptions& options) {
+  // Gateways and Azure have addresses with a query, which stays at the end.
+  const size_t query_begin = std::min(options.config.base_url().find('?'), options.config.base_url().size());
+  std::string path = options.config.base_url().substr(0, query_begin);
+  std::string query = options.config.base_url().substr(query_begin);
+  while (path.ends_with('/')) path.pop_back();
+  // The whole address, as it is in many manuals.
+  const bool whole = path.ends_with("/chat/completions");
+  if (options.config.has_azure()) {
+    if (path.ends_with("/openai")) path.resize(path.size() - std::string_view("/openai").size());
+    if (!whole) path += "/openai/deployments/" + Escaped(options.config.azure().deployment());
+    if (query.find("api-version=") == std::string::npos) {
+      query +=
+          fmt::format("{}api-version={}", query.empty() ? "?" : "&", Escaped(options.config.azure().api_version()));
+    }
+  }
+  return path + (whole ? "" : "/chat/completions") + query;
+}
+
+std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
+  std::vector<HttpHeader> headers = {
+      {"Content-Type", "application/json"},
+      {"Accept", options.config.stream() ? "text/event-stream, application/json" : "application/json"},
+      {"User-Agent", "flair"}};
+  if (!options.api_key.empty()) {
+    headers.push_back(options.config.has_azure() ? HttpHeader{"api-key", options.api_key}
+                                                 : HttpHeader{"Authorization", "Bearer " + options.api_key});
+  }
+  // One of the user's own is sent instead: a server may take the first of two, or neither.
+  std::erase_if(headers, [&](const HttpHeader& header) { return HasHeader(options, header.name); });
+  headers.insert(headers.end(), options.headers.begin(), options.headers.end());
+  return headers;
+}
+
+std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
+  std::vector<std::string> secrets = {options.api_key};
+  for (const HttpHeader& header : options.headers) secrets.push_back(header.value);
+  // Nothing so short is a secret, and every error would hold it.
+  std::erase_if(secrets, [](const std::string& secret) { return secret.size() < 4; });
+  return secrets;
+}
+
+std::string IdentityOf(const OpenAiOptions& options) {
+  std::string identity = fmt::format(
+      "openai {} model={} form={} fall_back={} max_output_tokens={}", PublicAddress(CompletionsUrl(options)),
+      options.config.model(), NameOf(options.first_form()), options.falls_back(),
+      options.config.max_output_token_count() > 0 ? options.config.max_output_token_count() : kUsualOutputTokenCount);
+  if (options.config.has_azure()) identity += " api_version=" + options.config.azure().api_version();
+  if (options.config.has_temperature()) identity += fmt::format(" temperature={}", options.config.temperature());
+  if (options.config.has_seed()) identity += fmt::format(" seed={}", options.config.seed());
+  return identity;
+}
 
 std::optional<Dialect> WeakerDialect(const Dialect& dialect, const OpenAiOptions& options, bool with_schema,
                                      int http_status, const ServerError& error) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/openai/openai_options.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
 #include "absl/strings/match.h"
+#include "llm/openai/openai_client.h"
 
 namespace flair::llm {
 namespace {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "absl/strings/ascii.h"
-#include "llm/openai/json_fields.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/openai/server_error.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 
 #include "absl/strings/numbers.h"
 #include "absl/time/time.h"
-#include "llm/openai/json_fields.h"
+#include "llm/openai/reply_reader.h"
 
 namespace flair::llm {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/openai/server_error.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "llm/client/llm_client.h"
+#include "llm/openai/reply_reader.h"
 
 namespace flair::llm {
 namespace {

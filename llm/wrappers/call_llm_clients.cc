@@ -1,21 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/wrappers/call_llm_clients.h"
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "fmt/format.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
-
 namespace {
 
 // Deadlines and tokens are looked at so often; the end of a call and a cancellation wake at once.
 constexpr std::chrono::milliseconds kLookAgain(50);
+
+using runtime::MetricFamily;
+using runtime::MetricKind;
+
+constexpr MetricFamily kCalls{.kind = MetricKind::kCounter,
+                              .name = "flair_llm_calls_total",
+                              .help = "Questions to the language model, by status code.",
+                              .labels = {"code"}};
+constexpr MetricFamily kTokens{.kind = MetricKind::kCounter,
+                               .name = "flair_llm_tokens_total",
+                               .help = "Tokens of answered questions: input, cached_input (part of input), output.",
+                               .labels = {"direction"}};
+constexpr MetricFamily kCost{.kind = MetricKind::kCounter,
+                             .name = "flair_llm_cost_dollars_total",
+                             .help = "US dollars for answered questions, by the configured prices."};
+constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
+                                 .name = "flair_llm_call_duration_seconds",
+                                 .help = "Time from a question to its answer, with waiting and retries.",
+                                 .buckets = runtime::kSecondsBuckets};
+
+// In [0, 1), decided by the text alone.
+double Spread(const std::string& text) {
+  const std::string digest = runtime::Sha256Hex(text);
+  return static_cast<double>(std::stoull(digest.substr(0, 12), nullptr, 16)) / static_cast<double>(1ULL << 48);
+}
+
+absl::Status AfterAttempts(const absl::Status& failure, int attempts) {
+  if (attempts == 1) return failure;
+  return absl::Status(failure.code(), fmt::format("{} (after {} attempts)", std::string(failure.message()), attempts));
+}
 
 }  // namespace
 
@@ -77,29 +105,6 @@ void LimitingLlmClient::Refill() {
   filled_at_ = now;
 }
 
-namespace {
-
-using runtime::MetricFamily;
-using runtime::MetricKind;
-
-constexpr MetricFamily kCalls{.kind = MetricKind::kCounter,
-                              .name = "flair_llm_calls_total",
-                              .help = "Questions to the language model, by status code.",
-                              .labels = {"code"}};
-constexpr MetricFamily kTokens{.kind = MetricKind::kCounter,
-                               .name = "flair_llm_tokens_total",
-                               .help = "Tokens of answered questions: input, cached_input (part of input), output.",
-                               .labels = {"direction"}};
-constexpr MetricFamily kCost{.kind = MetricKind::kCounter,
-                             .name = "flair_llm_cost_dollars_total",
-                             .help = "US dollars for answered questions, by the configured prices."};
-constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
-                                 .name = "flair_llm_call_duration_seconds",
-                                 .help = "Time from a question to its answer, with waiting and retries.",
-                                 .buckets = runtime::kSecondsBuckets};
-
-}  // namespace
-
 MeteredLlmClient::MeteredLlmClient(std::unique_ptr<LlmClient> inner, runtime::Metrics& metrics,
                                    const runtime::Clock& clock)
     : LlmClientWrapper(std::move(inner)),
@@ -140,21 +145,6 @@ absl::StatusOr<ChatAnswer> PricedLlmClient::Ask(const ChatRequest& request, runt
   return answer;
 }
 
-namespace {
-
-// In [0, 1), decided by the text alone.
-double Spread(const std::string& text) {
-  const std::string digest = runtime::Sha256Hex(text);
-  return static_cast<double>(std::stoull(digest.substr(0, 12), nullptr, 16)) / static_cast<double>(1ULL << 48);
-}
-
-absl::Status AfterAttempts(const absl::Status& failure, int attempts) {
-  if (attempts == 1) return failure;
-  return absl::Status(failure.code(), fmt::format("{} (after {} attempts)", std::string(failure.message()), attempts));
-}
-
-}  // namespace
-
 std::optional<absl::Duration> RetryPolicy::DelayAfter(const absl::Status& failure, int attempt,
                                                       const std::string& key) const {
   if (!absl::IsUnavailable(failure) || attempt >= attempt_limit) return std::nullopt;
@@ -187,9 +177,7 @@ absl::StatusOr<ChatAnswer> RetryingLlmClient::Ask(const ChatRequest& request, ru
     if (answer.ok()) return answer;
     const std::optional<absl::Duration> delay =
         policy_.DelayAfter(answer.status(), attempt, call.request_id() + "/" + request.step);
-    if (!delay.has_value() || clock_.Now() + *delay >= call.deadline()) {
-      return AfterAttempts(answer.status(), attempt);
-    }
+    if (!delay.has_value() || clock_.Now() + *delay >= call.deadline()) return AfterAttempts(answer.status(), attempt);
     wait_(*delay, call);
     RETURN_IF_ERROR(call.CheckAlive());
   }

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "llm/wrappers/folder_llm_clients.h"
-
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "fmt/format.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -134,6 +132,48 @@ std::string FileStem(const std::string& step) {
   return stem.empty() || stem.front() == '.' ? "call" + stem : stem;
 }
 
+class FolderLlmClient final : public LlmClient {
+ public:
+  enum class Use { kCache, kRecording, kReplay };
+
+  // `inner` is null for a replay.
+  FolderLlmClient(Use use, std::string path, std::string identity, std::unique_ptr<LlmClient> inner)
+      : use_(use), folder_(std::move(path)), identity_(std::move(identity)), inner_(std::move(inner)) {}
+
+  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext& call) override {
+    RETURN_IF_ERROR(call.CheckAlive());
+    absl::StatusOr<std::optional<ChatAnswer>> known = Find(request);
+    if (!known.ok() && use_ != Use::kCache) return known.status();
+    if (known.ok() && known->has_value()) return **std::move(known);
+    if (use_ == Use::kReplay) {
+      return NotFound("{}: no recorded answer for step \"{}\"{}: expected the file {}", folder_.path(), request.step,
+                      request.seed == 0 ? "" : fmt::format(" with seed {}", request.seed),
+                      AnswerFolder::FileName(request));
+    }
+    ASSIGN_OR_RETURN(ChatAnswer answer, inner_->Ask(request, call));
+    // When two callers asked the same at once, both get what is kept.
+    absl::StatusOr<ChatAnswer> kept = folder_.Put(request, answer);
+    if (!kept.ok() && use_ == Use::kCache) return answer;
+    return kept;
+  }
+  std::string identity() const override { return identity_; }
+  int concurrency() const override { return inner_ == nullptr ? 1 : inner_->concurrency(); }
+
+ private:
+  absl::StatusOr<std::optional<ChatAnswer>> Find(const ChatRequest& request) const {
+    absl::StatusOr<std::optional<ChatAnswer>> known = folder_.Find(request);
+    if (use_ != Use::kReplay || request.seed == 0 || !known.ok() || known->has_value()) return known;
+    ChatRequest of_any_seed = request;
+    of_any_seed.seed = 0;
+    return folder_.Find(of_any_seed);
+  }
+
+  const Use use_;
+  const AnswerFolder folder_;
+  const std::string identity_;
+  const std::unique_ptr<LlmClient> inner_;
+};
+
 }  // namespace
 
 std::string RecordJson(const ChatRequest& request, const ChatAnswer& answer) {
@@ -187,9 +227,7 @@ absl::Status AnswerFolder::ClaimFor(const std::string& identity) const {
 
 absl::StatusOr<std::string> AnswerFolder::Identity() const {
   std::optional<std::string> text = ReadFile(path_ + "/" + kIdentityFile);
-  if (!text.has_value()) {
-    return NotFound("{}: no recorded answers: its file \"{}\" is missing", path_, kIdentityFile);
-  }
+  if (!text.has_value()) return NotFound("{}: no recorded answers: its file \"{}\" is missing", path_, kIdentityFile);
   while (!text->empty() && text->back() == '\n') text->pop_back();
   return *text;
 }
@@ -210,52 +248,6 @@ absl::StatusOr<ChatAnswer> AnswerFolder::Put(const ChatRequest& request, const C
   RETURN_IF_ERROR(runtime::WriteFileAtomically(path_ + "/" + FileName(request), RecordJson(request, answer)));
   return answer;
 }
-
-namespace {
-
-class FolderLlmClient final : public LlmClient {
- public:
-  enum class Use { kCache, kRecording, kReplay };
-
-  // `inner` is null for a replay.
-  FolderLlmClient(Use use, std::string path, std::string identity, std::unique_ptr<LlmClient> inner)
-      : use_(use), folder_(std::move(path)), identity_(std::move(identity)), inner_(std::move(inner)) {}
-
-  absl::StatusOr<ChatAnswer> Ask(const ChatRequest& request, runtime::CallContext& call) override {
-    RETURN_IF_ERROR(call.CheckAlive());
-    absl::StatusOr<std::optional<ChatAnswer>> known = Find(request);
-    if (!known.ok() && use_ != Use::kCache) return known.status();
-    if (known.ok() && known->has_value()) return **std::move(known);
-    if (use_ == Use::kReplay) {
-      return NotFound("{}: no recorded answer for step \"{}\"{}: expected the file {}", folder_.path(), request.step,
-                      request.seed == 0 ? "" : fmt::format(" with seed {}", request.seed),
-                      AnswerFolder::FileName(request));
-    }
-    ASSIGN_OR_RETURN(ChatAnswer answer, inner_->Ask(request, call));
-    // When two callers asked the same at once, both get what is kept.
-    absl::StatusOr<ChatAnswer> kept = folder_.Put(request, answer);
-    if (!kept.ok() && use_ == Use::kCache) return answer;
-    return kept;
-  }
-  std::string identity() const override { return identity_; }
-  int concurrency() const override { return inner_ == nullptr ? 1 : inner_->concurrency(); }
-
- private:
-  absl::StatusOr<std::optional<ChatAnswer>> Find(const ChatRequest& request) const {
-    absl::StatusOr<std::optional<ChatAnswer>> known = folder_.Find(request);
-    if (use_ != Use::kReplay || request.seed == 0 || !known.ok() || known->has_value()) return known;
-    ChatRequest of_any_seed = request;
-    of_any_seed.seed = 0;
-    return folder_.Find(of_any_seed);
-  }
-
-  const Use use_;
-  const AnswerFolder folder_;
-  const std::string identity_;
-  const std::unique_ptr<LlmClient> inner_;
-};
-
-}  // namespace
 
 std::unique_ptr<LlmClient> MakeCachingClient(std::unique_ptr<LlmClient> inner, const std::string& path) {
   const std::string identity = inner->identity();

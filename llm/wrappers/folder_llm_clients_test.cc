@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is kept in folders: the files, and the clients that cache, record and replay.
-#include "llm/wrappers/folder_llm_clients.h"
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "llm/testing/test_llm_client.h"
+#include "llm/wrappers/llm_wrappers.h"
 
 namespace flair::llm {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gtest/gtest.h"
 #include "llm/testing/test_llm_client.h"
-#include "llm/wrappers/call_llm_clients.h"
+#include "llm/wrappers/llm_wrappers.h"
 
 namespace flair::llm {
 namespace {

@@ -4,7 +4,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "llm/testing/test_llm_client.h"
-#include "llm/wrappers/call_llm_clients.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::llm {

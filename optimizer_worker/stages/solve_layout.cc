@@ -2,7 +2,7 @@
 #include "optimizer_worker/stages/solve_layout.h"
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/uses.h"
+#include "evaluation/metrics/measures.h"
 #include "fmt/format.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/infeasible.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/uses.h"
+#include "evaluation/metrics/measures.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/assets/asset_furniture.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "fmt/format.h"
+#include "renderer_worker/assets/asset_library.h"
 
 namespace flair::renderer {
 namespace {
@@ -33,6 +32,18 @@ Bounds BoundsOf(const Mesh& mesh) {
 
 // What brings `from` to `to`; 1 for what has no extent.
 float Ratio(float to, float from) { return from > 1e-9F ? to / from : 1; }
+
+constexpr size_t kTries = 4;
+constexpr size_t kMaxFitted = 4096;
+
+void Tell(v1::Severity severity, const char* code, const v1::Object& object, std::string message,
+          std::vector<v1::Diagnostic>& diagnostics) {
+  v1::Diagnostic& diagnostic = diagnostics.emplace_back();
+  diagnostic.set_severity(severity);
+  diagnostic.set_code(code);
+  diagnostic.set_message(std::move(message));
+  diagnostic.set_subject_id(object.id());
+}
 
 }  // namespace
 
@@ -61,22 +72,6 @@ Mesh Fitted(const Mesh& asset, const v1::Object& object) {
   }
   return fitted;
 }
-
-namespace {
-
-constexpr size_t kTries = 4;
-constexpr size_t kMaxFitted = 4096;
-
-void Tell(v1::Severity severity, const char* code, const v1::Object& object, std::string message,
-          std::vector<v1::Diagnostic>& diagnostics) {
-  v1::Diagnostic& diagnostic = diagnostics.emplace_back();
-  diagnostic.set_severity(severity);
-  diagnostic.set_code(code);
-  diagnostic.set_message(std::move(message));
-  diagnostic.set_subject_id(object.id());
-}
-
-}  // namespace
 
 Furnishing AssetFurniture::FurnishingOf(const v1::Object& object, const v1::ObjectStyle* style,
                                         std::vector<v1::Diagnostic>& diagnostics) const {
@@ -124,9 +119,7 @@ std::shared_ptr<const Mesh> AssetFurniture::FittedMesh(size_t entry, const Asset
   }
   auto mesh = std::make_shared<const Mesh>(Fitted(asset.mesh, object));
   const std::lock_guard lock(mutex_);
-  if (fitted_.size() > kMaxFitted) {
-    std::erase_if(fitted_, [](const auto& item) { return item.second.expired(); });
-  }
+  if (fitted_.size() > kMaxFitted) std::erase_if(fitted_, [](const auto& item) { return item.second.expired(); });
   fitted_[key] = mesh;
   return mesh;
 }

@@ -34,8 +34,6 @@ std::string Singular(std::string word) {
   return word;
 }
 
-}  // namespace
-
 // The words of a text: letters and digits (all bytes beyond ASCII count as letters), lower case in ASCII, without words
 // that tell nothing ("the", "with") and without a plural's s. At most 64, each at most 40 bytes.
 std::vector<std::string> WordsOf(std::string_view text) {
@@ -57,8 +55,6 @@ std::vector<std::string> WordsOf(std::string_view text) {
   finish();
   return words;
 }
-
-namespace {
 
 constexpr int kCandidates = 60;
 constexpr double kUnknownFit = 0.8;

@@ -11,7 +11,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
 
 using Json = nlohmann::json;
@@ -135,6 +134,48 @@ void ReadAnnotations(const Json& json, Reader& reader) {
   }
 }
 
+namespace fs = std::filesystem;
+
+// About 600 MB of positions, normals and texture coordinates.
+constexpr size_t kMaxKeptVertices = size_t{16} << 20;
+constexpr size_t kMaxKeptEntries = 10000;
+
+// A plain file of at most `max_bytes`: never waits for a pipe.
+absl::StatusOr<std::string> ReadFile(const fs::path& path, size_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return NotFound("there is no file {}", path.string());
+  if (!fs::is_regular_file(status)) return NotFound("{} is not a regular file", path.string());
+  const uintmax_t size = fs::file_size(path, error);
+  if (error) return NotFound("{}: {}", path.string(), error.message());
+  if (size > max_bytes) {
+    return ResourceExhausted("{} has {} bytes, {} at most are read", path.string(), size, max_bytes);
+  }
+  std::string bytes(static_cast<size_t>(size), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) return NotFound("{} cannot be read", path.string());
+  return bytes;
+}
+
+// Objaverse tells the files of its annotations apart: {uid: "glbs/000-023/uid.glb"}.
+void TakePaths(const fs::path& folder, Manifest& manifest) {
+  absl::StatusOr<std::string> text = ReadFile(folder / "object-paths.json", kMaxManifestBytes);
+  if (!text.ok()) return;
+  const absl::StatusOr<nlohmann::json> paths = ParseLimitedJson(*text);
+  if (!paths.ok()) return;
+  for (AssetEntry& entry : manifest.entries) {
+    const std::string_view path = TextOf(*paths, entry.id.c_str());
+    if (StaysInFolder(path)) entry.file = std::string(path);
+  }
+}
+
+size_t VerticesOf(const absl::StatusOr<std::shared_ptr<const AssetMesh>>& loaded) {
+  size_t count = 0;
+  if (!loaded.ok()) return count;
+  for (const MeshPart& part : (*loaded)->mesh.parts) count += part.positions.size();
+  return count;
+}
+
 }  // namespace
 
 bool StaysInFolder(std::string_view file) {
@@ -167,59 +208,9 @@ absl::StatusOr<Manifest> ReadManifest(std::string_view text) {
   return reader.Take();
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-// About 600 MB of positions, normals and texture coordinates.
-constexpr size_t kMaxKeptVertices = size_t{16} << 20;
-constexpr size_t kMaxKeptEntries = 10000;
-
-// A plain file of at most `max_bytes`: never waits for a pipe.
-absl::StatusOr<std::string> ReadFile(const fs::path& path, size_t max_bytes) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return NotFound("there is no file {}", path.string());
-  if (!fs::is_regular_file(status)) return NotFound("{} is not a regular file", path.string());
-  const uintmax_t size = fs::file_size(path, error);
-  if (error) return NotFound("{}: {}", path.string(), error.message());
-  if (size > max_bytes) {
-    return ResourceExhausted("{} has {} bytes, {} at most are read", path.string(), size, max_bytes);
-  }
-  std::string bytes(static_cast<size_t>(size), '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) {
-    return NotFound("{} cannot be read", path.string());
-  }
-  return bytes;
-}
-
-// Objaverse tells the files of its annotations apart: {uid: "glbs/000-023/uid.glb"}.
-void TakePaths(const fs::path& folder, Manifest& manifest) {
-  absl::StatusOr<std::string> text = ReadFile(folder / "object-paths.json", kMaxManifestBytes);
-  if (!text.ok()) return;
-  const absl::StatusOr<nlohmann::json> paths = ParseLimitedJson(*text);
-  if (!paths.ok()) return;
-  for (AssetEntry& entry : manifest.entries) {
-    const std::string_view path = TextOf(*paths, entry.id.c_str());
-    if (StaysInFolder(path)) entry.file = std::string(path);
-  }
-}
-
-size_t VerticesOf(const absl::StatusOr<std::shared_ptr<const AssetMesh>>& loaded) {
-  size_t count = 0;
-  if (!loaded.ok()) return count;
-  for (const MeshPart& part : (*loaded)->mesh.parts) count += part.positions.size();
-  return count;
-}
-
-}  // namespace
-
 absl::StatusOr<std::unique_ptr<AssetLibrary>> AssetLibrary::Open(const fs::path& folder) {
   std::error_code error;
-  if (!fs::is_directory(folder, error)) {
-    return NotFound("the asset folder {} is not a folder", folder.string());
-  }
+  if (!fs::is_directory(folder, error)) return NotFound("the asset folder {} is not a folder", folder.string());
   fs::path file = folder / "manifest.json";
   if (!fs::exists(file, error)) file = folder / "annotations.json";
   absl::StatusOr<std::string> text = ReadFile(file, kMaxManifestBytes);

@@ -13,7 +13,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
 
 constexpr double kLeastColumnMm = 88;
@@ -44,8 +43,6 @@ void DrawRow(Canvas& canvas, const PlanChange& change, Point left_mm, double wid
            {left_mm.x + 9 + name_width, y});
 }
 
-}  // namespace
-
 // What the list of all changes takes of paper of that width, millimetres; 0 when there are none.
 double ChangeListHeight(const Comparison& comparison, double width_mm) {
   return comparison.change_count == 0 ? 0 : kAboveMm + kRowMm * RowCount(comparison, width_mm);
@@ -72,8 +69,6 @@ void DrawChangeList(Canvas& canvas, const Comparison& comparison, const Box& box
     }
   }
 }
-
-namespace {
 
 constexpr double kCaptionMm = 15;
 constexpr double kFootMm = 9;
@@ -118,24 +113,6 @@ std::optional<ComparisonSheet> BestAt(const Comparison& comparison, v1::PaperSiz
   }
   return std::nullopt;
 }
-
-}  // namespace
-
-absl::StatusOr<ComparisonSheet> ArrangeComparison(const Comparison& comparison, const v1::RenderOptions& options) {
-  const std::string_view paper = EmptySheet(options.paper(), false, 1000).paper;
-  if (options.has_scale_denominator()) {
-    auto sheet = BestAt(comparison, options.paper(), options.scale_denominator());
-    if (sheet.has_value()) return *std::move(sheet);
-    return InvalidArgument("options.scale_denominator: {} plans do not fit {} at 1:{}", comparison.panels.size(), paper,
-                           options.scale_denominator());
-  }
-  for (const int scale : CommonScales()) {
-    if (auto sheet = BestAt(comparison, options.paper(), scale); sheet.has_value()) return *std::move(sheet);
-  }
-  return InvalidArgument("beside: {} plans do not fit {} at any scale", comparison.panels.size(), paper);
-}
-
-namespace {
 
 // How far what is drawn steps back where something is marked.
 constexpr double kPale = 0.3;
@@ -220,27 +197,6 @@ absl::StatusOr<Made> Make(const v1::RenderRequest& request) {
   return Made{std::move(comparison), std::move(sheet)};
 }
 
-}  // namespace
-
-absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request) {
-  ASSIGN_OR_RETURN(const Made made, Make(request));
-  ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(made.sheet.paper, request.options()));
-  ASSIGN_OR_RETURN(Pixels pixels,
-                   DrawOnPixels(made.sheet.paper, px_per_mm, [&](Canvas& canvas) { made.Draw(canvas); }));
-  return DrawnPlan{.pixels = std::move(pixels),
-                   .title = made.comparison.title,
-                   .scale = made.sheet.paper.scale,
-                   .paper = made.sheet.paper.paper};
-}
-
-absl::StatusOr<std::string> DrawComparisonDocument(const v1::RenderRequest& request, const DrawingMetadata& metadata) {
-  ASSIGN_OR_RETURN(const Made made, Make(request));
-  return DrawInDocument(made.sheet.paper, made.comparison.title, request.options(), metadata,
-                        [&](Canvas& canvas) { made.Draw(canvas); });
-}
-
-namespace {
-
 constexpr double kSameM = 5e-4;
 
 const v1::Object* ObjectOf(const v1::SolvedLayout& layout, const std::string& id) {
@@ -300,6 +256,37 @@ absl::StatusOr<PlanChange> ReadChange(const v1::ObjectChange& change, const std:
 }
 
 }  // namespace
+
+absl::StatusOr<ComparisonSheet> ArrangeComparison(const Comparison& comparison, const v1::RenderOptions& options) {
+  const std::string_view paper = EmptySheet(options.paper(), false, 1000).paper;
+  if (options.has_scale_denominator()) {
+    auto sheet = BestAt(comparison, options.paper(), options.scale_denominator());
+    if (sheet.has_value()) return *std::move(sheet);
+    return InvalidArgument("options.scale_denominator: {} plans do not fit {} at 1:{}", comparison.panels.size(), paper,
+                           options.scale_denominator());
+  }
+  for (const int scale : CommonScales()) {
+    if (auto sheet = BestAt(comparison, options.paper(), scale); sheet.has_value()) return *std::move(sheet);
+  }
+  return InvalidArgument("beside: {} plans do not fit {} at any scale", comparison.panels.size(), paper);
+}
+
+absl::StatusOr<DrawnPlan> DrawComparison(const v1::RenderRequest& request) {
+  ASSIGN_OR_RETURN(const Made made, Make(request));
+  ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(made.sheet.paper, request.options()));
+  ASSIGN_OR_RETURN(Pixels pixels,
+                   DrawOnPixels(made.sheet.paper, px_per_mm, [&](Canvas& canvas) { made.Draw(canvas); }));
+  return DrawnPlan{.pixels = std::move(pixels),
+                   .title = made.comparison.title,
+                   .scale = made.sheet.paper.scale,
+                   .paper = made.sheet.paper.paper};
+}
+
+absl::StatusOr<std::string> DrawComparisonDocument(const v1::RenderRequest& request, const DrawingMetadata& metadata) {
+  ASSIGN_OR_RETURN(const Made made, Make(request));
+  return DrawInDocument(made.sheet.paper, made.comparison.title, request.options(), metadata,
+                        [&](Canvas& canvas) { made.Draw(canvas); });
+}
 
 absl::StatusOr<Comparison> ReadComparison(const v1::RenderRequest& request) {
   ASSIGN_OR_RETURN(const PlanLayers layers, LayersOfComparison(request.options()));

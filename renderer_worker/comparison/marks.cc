@@ -105,70 +105,6 @@ void DrawRemoved(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
   DrawCross(canvas, object, sheet, colour);
 }
 
-}  // namespace
-
-Rgb ColourOf(ChangeKind kind) {
-  switch (kind) {
-    case ChangeKind::kMoved:
-      return Hex(0x1F66B0);
-    case ChangeKind::kResized:
-      return Hex(0x8A3FA0);
-    case ChangeKind::kAdded:
-      return Hex(0x2E8B4F);
-    default:
-      return Hex(0xC62F26);
-  }
-}
-
-void DrawMarks(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet) {
-  // In another room there may be no floor where it was.
-  const auto has_floor = [&panel](const std::optional<PlanObject>& object) {
-    return object.has_value() && PolygonContains(panel.plan.floor, object->centre_m);
-  };
-  for (const PlanChange& change : panel.removed) {
-    if (change.before.has_value()) DrawRemoved(canvas, *change.before, sheet);
-  }
-  for (const PlanChange& change : panel.changes) {
-    if (change.kind == ChangeKind::kRemoved) {
-      if (has_floor(change.before)) DrawRemoved(canvas, *change.before, sheet);
-    } else if (change.kind != ChangeKind::kAdded && change.after.has_value() && has_floor(change.before)) {
-      DrawGhost(canvas, *change.before, sheet, ColourOf(change.kind));
-    }
-  }
-  for (const PlanChange& change : panel.changes) {
-    if (change.after.has_value()) DrawNow(canvas, *change.after, sheet, ColourOf(change.kind));
-  }
-  for (const PlanChange& change : panel.changes) {
-    if (!change.after.has_value() || !has_floor(change.before)) continue;
-    const Point from = sheet.ToSheet(change.before->centre_m), to = sheet.ToSheet(change.after->centre_m);
-    const bool is_far = std::hypot(to.x - from.x, to.y - from.y) >= kLeastArrowMm;
-    if (is_far) DrawArrow(canvas, from, to, ColourOf(change.kind));
-    if (!is_far) DrawTurn(canvas, *change.before, *change.after, sheet, ColourOf(change.kind));
-  }
-}
-
-void DrawMarkSign(Canvas& canvas, ChangeKind kind, const Box& box) {
-  const Rgb colour = ColourOf(kind);
-  const bool has_ghost = kind == ChangeKind::kMoved || kind == ChangeKind::kResized;
-  const Box now = kind == ChangeKind::kMoved ? Box{box.x1 - 4, box.y0, box.x1, box.y1}
-                                             : Box{box.x0 + 2, box.y0, box.x1 - 2, box.y1};
-  const Box was = kind == ChangeKind::kMoved ? Box{box.x0, box.y0, box.x0 + 4, box.y1} : now.Grown(-0.9);
-  if (has_ghost) {
-    canvas.Rectangle(was);
-    canvas.Draw({colour, 0.3, 1, Dash::kDashed});
-  }
-  canvas.Rectangle(now);
-  if (kind == ChangeKind::kRemoved) {
-    canvas.Draw({colour, 0.4, 1, Dash::kDashed});
-    return;
-  }
-  canvas.Fill(colour, 0.14, true);
-  canvas.Draw({colour, 0.6});
-  if (kind == ChangeKind::kMoved) DrawArrow(canvas, was.centre(), now.centre(), colour);
-}
-
-namespace {
-
 const Rgb kInk = Hex(0x2B2926);
 
 TextBlock NameOf(const PlanObject& object) { return {object.name, {.size_mm = 2.9, .colour = kInk}}; }
@@ -254,6 +190,58 @@ class Names {
 };
 
 }  // namespace
+
+Rgb ColourOf(ChangeKind kind) {
+  constexpr unsigned kColours[] = {0x1F66B0, 0x8A3FA0, 0x2E8B4F, 0xC62F26};
+  return Hex(kColours[static_cast<int>(kind)]);
+}
+
+void DrawMarks(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet) {
+  // In another room there may be no floor where it was.
+  const auto has_floor = [&panel](const std::optional<PlanObject>& object) {
+    return object.has_value() && PolygonContains(panel.plan.floor, object->centre_m);
+  };
+  for (const PlanChange& change : panel.removed) {
+    if (change.before.has_value()) DrawRemoved(canvas, *change.before, sheet);
+  }
+  for (const PlanChange& change : panel.changes) {
+    if (change.kind == ChangeKind::kRemoved) {
+      if (has_floor(change.before)) DrawRemoved(canvas, *change.before, sheet);
+    } else if (change.kind != ChangeKind::kAdded && change.after.has_value() && has_floor(change.before)) {
+      DrawGhost(canvas, *change.before, sheet, ColourOf(change.kind));
+    }
+  }
+  for (const PlanChange& change : panel.changes) {
+    if (change.after.has_value()) DrawNow(canvas, *change.after, sheet, ColourOf(change.kind));
+  }
+  for (const PlanChange& change : panel.changes) {
+    if (!change.after.has_value() || !has_floor(change.before)) continue;
+    const Point from = sheet.ToSheet(change.before->centre_m), to = sheet.ToSheet(change.after->centre_m);
+    const bool is_far = std::hypot(to.x - from.x, to.y - from.y) >= kLeastArrowMm;
+    if (is_far) DrawArrow(canvas, from, to, ColourOf(change.kind));
+    if (!is_far) DrawTurn(canvas, *change.before, *change.after, sheet, ColourOf(change.kind));
+  }
+}
+
+void DrawMarkSign(Canvas& canvas, ChangeKind kind, const Box& box) {
+  const Rgb colour = ColourOf(kind);
+  const bool has_ghost = kind == ChangeKind::kMoved || kind == ChangeKind::kResized;
+  const Box now = kind == ChangeKind::kMoved ? Box{box.x1 - 4, box.y0, box.x1, box.y1}
+                                             : Box{box.x0 + 2, box.y0, box.x1 - 2, box.y1};
+  const Box was = kind == ChangeKind::kMoved ? Box{box.x0, box.y0, box.x0 + 4, box.y1} : now.Grown(-0.9);
+  if (has_ghost) {
+    canvas.Rectangle(was);
+    canvas.Draw({colour, 0.3, 1, Dash::kDashed});
+  }
+  canvas.Rectangle(now);
+  if (kind == ChangeKind::kRemoved) {
+    canvas.Draw({colour, 0.4, 1, Dash::kDashed});
+    return;
+  }
+  canvas.Fill(colour, 0.14, true);
+  canvas.Draw({colour, 0.6});
+  if (kind == ChangeKind::kMoved) DrawArrow(canvas, was.centre(), now.centre(), colour);
+}
 
 void DrawNames(Canvas& canvas, const ComparisonPanel& panel, const Sheet& sheet) { Names(canvas, panel, sheet).Draw(); }
 

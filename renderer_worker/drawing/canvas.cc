@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "renderer_worker/drawing/lettering.h"
+#include "renderer_worker/drawing/text.h"
 
 namespace flair::renderer {
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <span>
 
-#include "renderer_worker/drawing/box.h"
 #include "renderer_worker/drawing/colour.h"
+#include "renderer_worker/drawing/box.h"
 
 namespace flair::renderer {
 

@@ -9,13 +9,11 @@
 #include <cmath>
 
 #include "renderer_worker/drawing/layers.h"
-#include "renderer_worker/drawing/lettering.h"
 #include "renderer_worker/drawing/sheet.h"
 #include "renderer_worker/drawing/text.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
 
 void DrawFrame(Canvas& canvas, const Sheet& sheet) {
@@ -24,44 +22,6 @@ void DrawFrame(Canvas& canvas, const Sheet& sheet) {
   canvas.Rectangle(Box{0, 0, sheet.size_mm.width, sheet.size_mm.height}.Grown(-6));
   canvas.Draw({Hex(0x8A8379), 0.25});
 }
-
-}  // namespace
-
-absl::StatusOr<PlanSheet> MakePlanSheet(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
-  ASSIGN_OR_RETURN(const PlanLayers layers, LayersOf(options));
-  ASSIGN_OR_RETURN(Plan plan, ReadPlan(layout, layers));
-  ASSIGN_OR_RETURN(const Sheet sheet, ChooseSheet(plan, options));
-  RETURN_IF_ERROR(CheckFonts());
-  return PlanSheet{std::move(plan), sheet};
-}
-
-void DrawRoom(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  DrawFloor(canvas, plan, sheet);
-  if (plan.layers.zones) DrawZones(canvas, plan, sheet);
-  DrawRugs(canvas, plan, sheet);
-  if (plan.layers.circulation) DrawRoutes(canvas, plan, sheet);
-  DrawFurniture(canvas, plan, sheet);
-  DrawWalls(canvas, plan, sheet);
-  DrawOpenings(canvas, plan, sheet);
-  DrawSockets(canvas, plan, sheet);
-  DrawMounted(canvas, plan, sheet);
-}
-
-std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  DrawFrame(canvas, sheet);
-  canvas.Rectangle(sheet.plan_mm.Grown(4));
-  canvas.Clip();
-  DrawRoom(canvas, plan, sheet);
-  DrawBlocked(canvas, plan, sheet);
-  if (plan.layers.constraints) DrawConstraints(canvas, plan, sheet);
-  DrawDimensions(canvas, plan, sheet);
-  std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
-  canvas.Unclip();
-  DrawSidePanel(canvas, plan, sheet);
-  return labels;
-}
-
-namespace {
 
 constexpr double kMmPerInch = 25.4;
 
@@ -112,81 +72,6 @@ Sheet TileSheet(const Plan& plan, Size size_mm) {
   sheet.origin_mm = {target.x - middle.x * sheet.mm_per_m(), target.y + middle.y * sheet.mm_per_m()};
   return sheet;
 }
-
-}  // namespace
-
-absl::Status StatusOf(cairo_status_t status) {
-  if (status == CAIRO_STATUS_SUCCESS) return absl::OkStatus();
-  const std::string message = fmt::format("drawing failed: {}", cairo_status_to_string(status));
-  return status == CAIRO_STATUS_NO_MEMORY ? absl::ResourceExhaustedError(message) : absl::InternalError(message);
-}
-
-absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& options) {
-  if (!options.has_dpi()) {
-    const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
-    if (size_px < 256 || size_px > 8192) {
-      return InvalidArgument("options.size_px: {}; must be in [256, 8192]", size_px);
-    }
-    return size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
-  }
-  if (options.has_size_px()) return absl::InvalidArgumentError("options.dpi: not together with size_px");
-  if (options.dpi() < 36 || options.dpi() > 1200) {
-    return InvalidArgument("options.dpi: {}; must be in [36, 1200]", options.dpi());
-  }
-  const double most = std::floor(kMmPerInch * std::sqrt(kMostPixels / (sheet.size_mm.width * sheet.size_mm.height)));
-  if (options.dpi() > most) {
-    return InvalidArgument("options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(),
-                           sheet.paper, most);
-  }
-  return options.dpi() / kMmPerInch;
-}
-
-absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_mm, const Drawing& draw) {
-  ASSIGN_OR_RETURN(const SurfacePtr surface, MakeImage(width_px, height_px));
-  const CairoPtr cairo(cairo_create(surface.get()));
-  cairo_scale(cairo.get(), px_per_mm, px_per_mm);
-  Canvas canvas(cairo.get());
-  draw(canvas);
-  RETURN_IF_ERROR(StatusOf(cairo_status(cairo.get())));
-  return ReadPixels(surface.get());
-}
-
-absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const Drawing& draw) {
-  return DrawOnPixels(static_cast<int>(std::lround(sheet.size_mm.width * px_per_mm)),
-                      static_cast<int>(std::lround(sheet.size_mm.height * px_per_mm)), px_per_mm, draw);
-}
-
-absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
-  ASSIGN_OR_RETURN(const PlanSheet made, MakePlanSheet(layout, options));
-  const Sheet& sheet = made.sheet;
-  ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(sheet, options));
-  DrawnPlan drawn;
-  ASSIGN_OR_RETURN(Pixels pixels, DrawOnPixels(sheet, px_per_mm, [&](Canvas& canvas) {
-                     drawn.labels = DrawSheet(canvas, made.plan, sheet);
-                   }));
-  drawn.pixels = std::move(pixels);
-  drawn.title = made.plan.title;
-  drawn.scale = sheet.scale;
-  drawn.paper = sheet.paper;
-  return drawn;
-}
-
-absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px, int height_px) {
-  if (std::min(width_px, height_px) < 16 || std::max(width_px, height_px) > 4096) {
-    return InvalidArgument("tile: {} x {} px; sides must be in [16, 4096]", width_px, height_px);
-  }
-  ASSIGN_OR_RETURN(const Plan plan, ReadPlan(layout, {.dimensions = false}));
-  // As if printed 110 mm wide: line weights are millimetres.
-  const double px_per_mm = std::max(width_px, height_px) / 110.0;
-  const Sheet sheet = TileSheet(plan, {width_px / px_per_mm, height_px / px_per_mm});
-  return DrawOnPixels(width_px, height_px, px_per_mm, [&](Canvas& canvas) {
-    canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
-    canvas.Fill(kWhite);
-    DrawRoom(canvas, plan, sheet);
-  });
-}
-
-namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
 constexpr double kArcToleranceMm = 0.004;  // of curves that stand for arcs: as fine as SVG's coordinates
@@ -296,6 +181,109 @@ About ValidText(About about) {
 }
 
 }  // namespace
+
+absl::StatusOr<PlanSheet> MakePlanSheet(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
+  ASSIGN_OR_RETURN(const PlanLayers layers, LayersOf(options));
+  ASSIGN_OR_RETURN(Plan plan, ReadPlan(layout, layers));
+  ASSIGN_OR_RETURN(const Sheet sheet, ChooseSheet(plan, options));
+  RETURN_IF_ERROR(CheckFonts());
+  return PlanSheet{std::move(plan), sheet};
+}
+
+void DrawRoom(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  DrawFloor(canvas, plan, sheet);
+  if (plan.layers.zones) DrawZones(canvas, plan, sheet);
+  DrawRugs(canvas, plan, sheet);
+  if (plan.layers.circulation) DrawRoutes(canvas, plan, sheet);
+  DrawFurniture(canvas, plan, sheet);
+  DrawWalls(canvas, plan, sheet);
+  DrawOpenings(canvas, plan, sheet);
+  DrawSockets(canvas, plan, sheet);
+  DrawMounted(canvas, plan, sheet);
+}
+
+std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  DrawFrame(canvas, sheet);
+  canvas.Rectangle(sheet.plan_mm.Grown(4));
+  canvas.Clip();
+  DrawRoom(canvas, plan, sheet);
+  DrawBlocked(canvas, plan, sheet);
+  if (plan.layers.constraints) DrawConstraints(canvas, plan, sheet);
+  DrawDimensions(canvas, plan, sheet);
+  std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
+  canvas.Unclip();
+  DrawSidePanel(canvas, plan, sheet);
+  return labels;
+}
+
+absl::Status StatusOf(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return absl::OkStatus();
+  const std::string message = fmt::format("drawing failed: {}", cairo_status_to_string(status));
+  return status == CAIRO_STATUS_NO_MEMORY ? absl::ResourceExhaustedError(message) : absl::InternalError(message);
+}
+
+absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& options) {
+  if (!options.has_dpi()) {
+    const int size_px = options.has_size_px() ? options.size_px() : kDefaultSizePx;
+    if (size_px < 256 || size_px > 8192) return InvalidArgument("options.size_px: {}; must be in [256, 8192]", size_px);
+    return size_px / std::max(sheet.size_mm.width, sheet.size_mm.height);
+  }
+  if (options.has_size_px()) return absl::InvalidArgumentError("options.dpi: not together with size_px");
+  if (options.dpi() < 36 || options.dpi() > 1200) {
+    return InvalidArgument("options.dpi: {}; must be in [36, 1200]", options.dpi());
+  }
+  const double most = std::floor(kMmPerInch * std::sqrt(kMostPixels / (sheet.size_mm.width * sheet.size_mm.height)));
+  if (options.dpi() > most) {
+    return InvalidArgument("options.dpi: {} is more than a picture of {} can have; at most {:.0f}", options.dpi(),
+                           sheet.paper, most);
+  }
+  return options.dpi() / kMmPerInch;
+}
+
+absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_mm, const Drawing& draw) {
+  ASSIGN_OR_RETURN(const SurfacePtr surface, MakeImage(width_px, height_px));
+  const CairoPtr cairo(cairo_create(surface.get()));
+  cairo_scale(cairo.get(), px_per_mm, px_per_mm);
+  Canvas canvas(cairo.get());
+  draw(canvas);
+  RETURN_IF_ERROR(StatusOf(cairo_status(cairo.get())));
+  return ReadPixels(surface.get());
+}
+
+absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const Drawing& draw) {
+  return DrawOnPixels(static_cast<int>(std::lround(sheet.size_mm.width * px_per_mm)),
+                      static_cast<int>(std::lround(sheet.size_mm.height * px_per_mm)), px_per_mm, draw);
+}
+
+absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
+  ASSIGN_OR_RETURN(const PlanSheet made, MakePlanSheet(layout, options));
+  const Sheet& sheet = made.sheet;
+  ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(sheet, options));
+  DrawnPlan drawn;
+  ASSIGN_OR_RETURN(Pixels pixels, DrawOnPixels(sheet, px_per_mm, [&](Canvas& canvas) {
+                     drawn.labels = DrawSheet(canvas, made.plan, sheet);
+                   }));
+  drawn.pixels = std::move(pixels);
+  drawn.title = made.plan.title;
+  drawn.scale = sheet.scale;
+  drawn.paper = sheet.paper;
+  return drawn;
+}
+
+absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px, int height_px) {
+  if (std::min(width_px, height_px) < 16 || std::max(width_px, height_px) > 4096) {
+    return InvalidArgument("tile: {} x {} px; sides must be in [16, 4096]", width_px, height_px);
+  }
+  ASSIGN_OR_RETURN(const Plan plan, ReadPlan(layout, {.dimensions = false}));
+  // As if printed 110 mm wide: line weights are millimetres.
+  const double px_per_mm = std::max(width_px, height_px) / 110.0;
+  const Sheet sheet = TileSheet(plan, {width_px / px_per_mm, height_px / px_per_mm});
+  return DrawOnPixels(width_px, height_px, px_per_mm, [&](Canvas& canvas) {
+    canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
+    canvas.Fill(kWhite);
+    DrawRoom(canvas, plan, sheet);
+  });
+}
 
 absl::StatusOr<std::string> DrawInDocument(const Sheet& sheet, const std::string& title,
                                            const v1::RenderOptions& options, const DrawingMetadata& metadata,

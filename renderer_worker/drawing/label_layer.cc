@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "absl/strings/str_split.h"
-#include "renderer_worker/drawing/dimensions.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/text.h"
 

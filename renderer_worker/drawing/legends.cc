@@ -7,7 +7,6 @@
 #include "renderer_worker/drawing/text.h"
 
 namespace flair::renderer {
-
 namespace {
 
 constexpr double kSignRowMm = 5.2, kSignMm = 9;
@@ -93,29 +92,6 @@ std::vector<Sign> SignsOf(const Plan& plan) {
   return signs;
 }
 
-}  // namespace
-
-double DrawSigns(Canvas& canvas, const Plan& plan, const Box& box, bool draw) {
-  const std::vector<Sign> signs = SignsOf(plan);
-  if (signs.empty()) return 0;
-  const int columns = std::max(1, static_cast<int>(box.width() / 36));
-  const double pitch = box.width() / columns;
-  const int rows = (static_cast<int>(signs.size()) + columns - 1) / columns;
-  if (draw) {
-    const double y0 = Heading(canvas, "SIGNS", box.x0, box.y0);
-    for (size_t i = 0; i < signs.size(); ++i) {
-      const double x = box.x0 + static_cast<double>(i % columns) * pitch,
-                   y = y0 + static_cast<double>(i / columns) * kSignRowMm;
-      signs[i].draw(canvas, {x, y + 0.7, x + kSignMm, y + kSignRowMm - 1});
-      const TextBlock words{signs[i].words, {.size_mm = 2.8, .colour = kPanelInk}, pitch - kSignMm - 3};
-      DrawText(canvas, words, {x + kSignMm + 2, y + kSignRowMm / 2 - Measure(canvas, words).height / 2});
-    }
-  }
-  return 5.2 + rows * kSignRowMm;
-}
-
-namespace {
-
 constexpr double kLineMm = 5;
 
 int Count(const Plan& plan, v1::OutcomeStatus status) {
@@ -191,17 +167,6 @@ void ListWays(Canvas& canvas, const Plan& plan, Column& column) {
                 [&](const Box& box) { DrawRouteSign(canvas, box, true); });
 }
 
-}  // namespace
-
-double DrawOverlayLegend(Canvas& canvas, const Plan& plan, const Box& box, double most_mm, bool draw) {
-  Column column(canvas, box, draw);
-  if (plan.layers.circulation) ListWays(canvas, plan, column);
-  if (plan.layers.constraints) ListConstraints(canvas, plan, most_mm, column);
-  return column.height();
-}
-
-namespace {
-
 struct Row {
   enum Kind { kZone, kKey } kind;
   int index;
@@ -256,6 +221,32 @@ void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, dou
 constexpr double kPitchMm = 5.5, kLeastPitchMm = 3.7;
 
 }  // namespace
+
+double DrawSigns(Canvas& canvas, const Plan& plan, const Box& box, bool draw) {
+  const std::vector<Sign> signs = SignsOf(plan);
+  if (signs.empty()) return 0;
+  const int columns = std::max(1, static_cast<int>(box.width() / 36));
+  const double pitch = box.width() / columns;
+  const int rows = (static_cast<int>(signs.size()) + columns - 1) / columns;
+  if (draw) {
+    const double y0 = Heading(canvas, "SIGNS", box.x0, box.y0);
+    for (size_t i = 0; i < signs.size(); ++i) {
+      const double x = box.x0 + static_cast<double>(i % columns) * pitch,
+                   y = y0 + static_cast<double>(i / columns) * kSignRowMm;
+      signs[i].draw(canvas, {x, y + 0.7, x + kSignMm, y + kSignRowMm - 1});
+      const TextBlock words{signs[i].words, {.size_mm = 2.8, .colour = kPanelInk}, pitch - kSignMm - 3};
+      DrawText(canvas, words, {x + kSignMm + 2, y + kSignRowMm / 2 - Measure(canvas, words).height / 2});
+    }
+  }
+  return 5.2 + rows * kSignRowMm;
+}
+
+double DrawOverlayLegend(Canvas& canvas, const Plan& plan, const Box& box, double most_mm, bool draw) {
+  Column column(canvas, box, draw);
+  if (plan.layers.circulation) ListWays(canvas, plan, column);
+  if (plan.layers.constraints) ListConstraints(canvas, plan, most_mm, column);
+  return column.height();
+}
 
 double LeastKeyHeight(const Plan& plan) { return 5.2 + kLeastPitchMm * static_cast<double>(RowsOf(plan).size() + 2); }
 

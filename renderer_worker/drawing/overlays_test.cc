@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "renderer_worker/drawing/dimensions.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/testing/read_drawing.h"

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "renderer_worker/furniture/classes.h"
-#include "renderer_worker/furniture/materials.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
@@ -32,8 +31,6 @@ absl::StatusOr<PlanLayers> LayersOf(const v1::RenderOptions& options) {
 
 namespace {
 
-absl::Status Invalid(const std::string& message) { return absl::InvalidArgumentError(message); }
-
 bool AllFinite(std::initializer_list<double> values) {
   return std::all_of(values.begin(), values.end(),
                      [](double value) { return std::isfinite(value) && std::abs(value) < 1e6; });
@@ -47,21 +44,20 @@ double SignedArea(const std::vector<Point>& polygon) {
 
 absl::Status ReadFloor(const v1::Room& room, Plan& plan) {
   const int count = room.floor().vertices_size();
-  if (count < 3) return Invalid(fmt::format("room.floor.vertices: {} vertices; at least 3", count));
+  if (count < 3) return InvalidArgument("room.floor.vertices: {} vertices; at least 3", count);
   for (int i = 0; i < count; ++i) {
     const v1::Point2& vertex = room.floor().vertices(i);
-    if (!AllFinite({vertex.x_m(), vertex.y_m()}))
-      return Invalid(fmt::format("room.floor.vertices[{}]: must be finite", i));
+    if (!AllFinite({vertex.x_m(), vertex.y_m()})) return InvalidArgument("room.floor.vertices[{}]: must be finite", i);
     plan.floor.push_back({vertex.x_m(), vertex.y_m()});
   }
   plan.bounds_m = BoundsOf(plan.floor);
   plan.area_m2 = SignedArea(plan.floor);
-  if (plan.area_m2 < 1e-3) return Invalid("room.floor.vertices: must enclose an area, counter-clockwise");
+  if (plan.area_m2 < 1e-3) return InvalidArgument("room.floor.vertices: must enclose an area, counter-clockwise");
   for (int i = 0; i < count; ++i) {
     PlanWall wall{plan.floor[i], plan.floor[(i + 1) % count], {}, {}, 0};
     wall.length_m = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
     if (wall.length_m < 1e-6)
-      return Invalid(fmt::format("room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count));
+      return InvalidArgument("room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count);
     wall.along = (wall.end - wall.start) * (1 / wall.length_m);
     wall.outward = {wall.along.y, -wall.along.x};
     plan.walls.push_back(wall);
@@ -80,9 +76,9 @@ absl::Status ReadOpenings(const v1::Room& room, Plan& plan) {
   for (int i = 0; i < room.openings_size(); ++i) {
     const v1::Opening& opening = room.openings(i);
     const int wall = WallNamed(room, opening.wall());
-    if (wall < 0) return Invalid(fmt::format("room.openings[{}].wall: there is no wall \"{}\"", i, opening.wall()));
+    if (wall < 0) return InvalidArgument("room.openings[{}].wall: there is no wall \"{}\"", i, opening.wall());
     if (!AllFinite({opening.offset_m(), opening.width_m()}) || opening.width_m() <= 0) {
-      return Invalid(fmt::format("room.openings[{}]: offset_m and width_m must be finite, width_m above 0", i));
+      return InvalidArgument("room.openings[{}]: offset_m and width_m must be finite, width_m above 0", i);
     }
     PlanOpening read{wall, opening.offset_m(), opening.width_m(), opening.kind() == v1::OPENING_KIND_DOOR};
     if (read.door) {
@@ -95,10 +91,9 @@ absl::Status ReadOpenings(const v1::Room& room, Plan& plan) {
   }
   for (int i = 0; i < room.sockets_size(); ++i) {
     const int wall = WallNamed(room, room.sockets(i).wall());
-    if (wall < 0)
-      return Invalid(fmt::format("room.sockets[{}].wall: there is no wall \"{}\"", i, room.sockets(i).wall()));
+    if (wall < 0) return InvalidArgument("room.sockets[{}].wall: there is no wall \"{}\"", i, room.sockets(i).wall());
     if (!AllFinite({room.sockets(i).offset_m()}))
-      return Invalid(fmt::format("room.sockets[{}].offset_m: must be finite", i));
+      return InvalidArgument("room.sockets[{}].offset_m: must be finite", i);
     plan.sockets.push_back({wall, room.sockets(i).offset_m()});
   }
   return absl::OkStatus();
@@ -131,7 +126,7 @@ absl::Status ReadZones(const v1::SolvedLayout& layout, Plan& plan) {
         std::vector<Point> vertices;
         for (const v1::Point2& vertex : part.vertices()) {
           if (!AllFinite({vertex.x_m(), vertex.y_m()}))
-            return Invalid(fmt::format("zone_regions[{}].parts: must be finite", r));
+            return InvalidArgument("zone_regions[{}].parts: must be finite", r);
           vertices.push_back({vertex.x_m(), vertex.y_m()});
         }
         if (vertices.size() >= 3) zone.parts.push_back(std::move(vertices));
@@ -207,9 +202,8 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     if (!AllFinite({object.width_m(), object.depth_m(), object.height_m(), pose.x_m(), pose.y_m(), pose.z_m(),
                     pose.theta_rad()}) ||
         object.width_m() <= 0 || object.depth_m() <= 0) {
-      return Invalid(
-          fmt::format("object_list.objects[{}] \"{}\": pose and sizes must be finite, width_m and depth_m above 0", i,
-                      object.id()));
+      return InvalidArgument(
+          "object_list.objects[{}] \"{}\": pose and sizes must be finite, width_m and depth_m above 0", i, object.id());
     }
     // Lying, hanging and standing on something is what the layer of tertiaries shows, whatever their role.
     const bool tertiary = object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over();
@@ -272,9 +266,7 @@ absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& 
   RETURN_IF_ERROR(ReadZones(layout, plan));
   RETURN_IF_ERROR(ReadObjects(layout, plan));
   if (layers.constraints) ReadEdges(layout, plan);
-  if (layers.circulation) {
-    RETURN_IF_ERROR(ReadRoutes(layout, plan));
-  }
+  if (layers.circulation) RETURN_IF_ERROR(ReadRoutes(layout, plan));
   return plan;
 }
 

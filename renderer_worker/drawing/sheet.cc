@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer_worker/drawing/dimensions.h"
+#include "renderer_worker/drawing/layers.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

@@ -60,49 +60,6 @@ std::string NameOfDrawing(const PlanLayers& layers) {
   return layers.floor_pieces || layers.tertiary ? "Furniture plan" : "Room plan";
 }
 
-}  // namespace
-
-double DrawTitle(Canvas& canvas, const Plan& plan, const Box& box) {
-  TextBlock title{
-      Capital(plan.title), {.size_mm = 7.4, .colour = kPanelInk, .serif = true, .condense = 0.94}, box.width(), 3};
-  // Rather smaller than on two lines, rather smaller still than on three.
-  const double line = Measure(canvas, {"A", title.style}).height;
-  for (const auto& [size_mm, lines] : {std::pair{7.4, 1}, {6.2, 1}, {5.6, 1}, {6.6, 2}, {5.2, 3}}) {
-    title.style.size_mm = size_mm;
-    if (Measure(canvas, title).height < (lines + 0.5) * line * size_mm / 7.4) break;
-  }
-  DrawText(canvas, title, {box.x0, box.y0});
-  double y = box.y0 + Measure(canvas, title).height + 1.4;
-  std::string facts =
-      fmt::format("{:.2f} × {:.2f} m   ·   {:.1f} m²", plan.bounds_m.width(), plan.bounds_m.height(), plan.area_m2);
-  if (plan.height_m > 0) facts += fmt::format("   ·   {:.2f} m high", plan.height_m);
-  DrawText(canvas, {facts, {.size_mm = 3.3, .colour = kPanelSoft}, box.width()}, {box.x0, y});
-  return y + 6.5;
-}
-
-void DrawTitleBlock(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Box& box) {
-  constexpr double kCellMm = 9.4;
-  const double cells = box.y1 - kCellMm, north = box.x1 - 22;
-  canvas.Rectangle({box.x0, box.y0, north, cells});
-  canvas.Draw({kPanelSoft, 0.18});
-  canvas.Rectangle({north, box.y0, box.x1, cells});
-  canvas.Draw({kPanelSoft, 0.18});
-  const TextBlock scale{fmt::format("1:{}", sheet.scale), {.size_mm = 5.6, .colour = kPanelInk, .serif = true}};
-  DrawText(canvas, scale, {box.x0 + 1.8, box.y0 + 2.2});
-  DrawText(canvas, {fmt::format("at {}", sheet.paper), {.size_mm = 2.7, .colour = kPanelSoft}},
-           {box.x0 + Measure(canvas, scale).width + 4, box.y0 + 4.8});
-  DrawScaleBar(canvas, sheet, {box.x0 + 3.5, box.y0 + 13});
-  DrawNorthArrow(canvas, {(north + box.x1) / 2, (box.y0 + cells) / 2 + 2.2});
-  const double first = box.x0 + 0.56 * box.width(), second = box.x0 + 0.76 * box.width();
-  DrawCell(canvas, {box.x0, cells, first, box.y1}, "DRAWING", NameOfDrawing(plan.layers));
-  DrawCell(canvas, {first, cells, second, box.y1}, "UNIT", "metre");
-  DrawCell(canvas, {second, cells, box.x1, box.y1}, "PIECES", fmt::format("{}", plan.objects.size()));
-  canvas.Rectangle(box);
-  canvas.Draw({kPanelInk, 0.35});
-}
-
-namespace {
-
 double DrawPalette(Canvas& canvas, const Plan& plan, double x, double y, double width) {
   const size_t count = std::min<size_t>(plan.palette.size(), 6);
   const double pitch = width / static_cast<double>(std::max<size_t>(count, 5));
@@ -116,35 +73,6 @@ double DrawPalette(Canvas& canvas, const Plan& plan, double x, double y, double 
   }
   return y + 15;
 }
-
-}  // namespace
-
-double DrawStyle(Canvas& canvas, const Plan& plan, const Box& box, bool words, bool draw) {
-  if (plan.style_name.empty() && plan.palette.empty() && plan.style_summary.empty()) return 0;
-  double y = box.y0;
-  const auto paragraph = [&](const std::string& text, TextStyle style, int lines) {
-    if (text.empty()) return;
-    const TextBlock block{text, style, box.width(), lines};
-    if (draw) DrawText(canvas, block, {box.x0, y});
-    y += Measure(canvas, block).height + 1.2;
-  };
-  if (draw) Heading(canvas, "STYLE", box.x0, y);
-  y += 5.2;
-  paragraph(Capital(plan.style_name), {.size_mm = 4.2, .colour = kPanelInk, .serif = true}, 1);
-  if (words) paragraph(plan.style_summary, {.size_mm = 2.9, .colour = kPanelSoft, .line_spacing = 1.08}, 4);
-  std::string finishes;
-  if (!plan.floor_material.empty()) finishes += "Floor: " + plan.floor_material;
-  if (!plan.wall_material.empty()) finishes += (finishes.empty() ? "" : "   ·   ") + ("Walls: " + plan.wall_material);
-  if (words) paragraph(finishes, {.size_mm = 2.9, .colour = kPanelInk}, 2);
-  if (!plan.palette.empty()) {
-    y += 0.8;
-    if (draw) DrawPalette(canvas, plan, box.x0, y, box.width());
-    y += 14;
-  }
-  return y - box.y0;
-}
-
-namespace {
 
 std::string UnplacedText(const Plan& plan) {
   std::string text;
@@ -192,6 +120,70 @@ void StackStyle(Canvas& canvas, const Plan& plan, double keep_mm, Box& left) {
 }
 
 }  // namespace
+
+double DrawTitle(Canvas& canvas, const Plan& plan, const Box& box) {
+  TextBlock title{
+      Capital(plan.title), {.size_mm = 7.4, .colour = kPanelInk, .serif = true, .condense = 0.94}, box.width(), 3};
+  // Rather smaller than on two lines, rather smaller still than on three.
+  const double line = Measure(canvas, {"A", title.style}).height;
+  for (const auto& [size_mm, lines] : {std::pair{7.4, 1}, {6.2, 1}, {5.6, 1}, {6.6, 2}, {5.2, 3}}) {
+    title.style.size_mm = size_mm;
+    if (Measure(canvas, title).height < (lines + 0.5) * line * size_mm / 7.4) break;
+  }
+  DrawText(canvas, title, {box.x0, box.y0});
+  double y = box.y0 + Measure(canvas, title).height + 1.4;
+  std::string facts =
+      fmt::format("{:.2f} × {:.2f} m   ·   {:.1f} m²", plan.bounds_m.width(), plan.bounds_m.height(), plan.area_m2);
+  if (plan.height_m > 0) facts += fmt::format("   ·   {:.2f} m high", plan.height_m);
+  DrawText(canvas, {facts, {.size_mm = 3.3, .colour = kPanelSoft}, box.width()}, {box.x0, y});
+  return y + 6.5;
+}
+
+void DrawTitleBlock(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Box& box) {
+  constexpr double kCellMm = 9.4;
+  const double cells = box.y1 - kCellMm, north = box.x1 - 22;
+  canvas.Rectangle({box.x0, box.y0, north, cells});
+  canvas.Draw({kPanelSoft, 0.18});
+  canvas.Rectangle({north, box.y0, box.x1, cells});
+  canvas.Draw({kPanelSoft, 0.18});
+  const TextBlock scale{fmt::format("1:{}", sheet.scale), {.size_mm = 5.6, .colour = kPanelInk, .serif = true}};
+  DrawText(canvas, scale, {box.x0 + 1.8, box.y0 + 2.2});
+  DrawText(canvas, {fmt::format("at {}", sheet.paper), {.size_mm = 2.7, .colour = kPanelSoft}},
+           {box.x0 + Measure(canvas, scale).width + 4, box.y0 + 4.8});
+  DrawScaleBar(canvas, sheet, {box.x0 + 3.5, box.y0 + 13});
+  DrawNorthArrow(canvas, {(north + box.x1) / 2, (box.y0 + cells) / 2 + 2.2});
+  const double first = box.x0 + 0.56 * box.width(), second = box.x0 + 0.76 * box.width();
+  DrawCell(canvas, {box.x0, cells, first, box.y1}, "DRAWING", NameOfDrawing(plan.layers));
+  DrawCell(canvas, {first, cells, second, box.y1}, "UNIT", "metre");
+  DrawCell(canvas, {second, cells, box.x1, box.y1}, "PIECES", fmt::format("{}", plan.objects.size()));
+  canvas.Rectangle(box);
+  canvas.Draw({kPanelInk, 0.35});
+}
+
+double DrawStyle(Canvas& canvas, const Plan& plan, const Box& box, bool words, bool draw) {
+  if (plan.style_name.empty() && plan.palette.empty() && plan.style_summary.empty()) return 0;
+  double y = box.y0;
+  const auto paragraph = [&](const std::string& text, TextStyle style, int lines) {
+    if (text.empty()) return;
+    const TextBlock block{text, style, box.width(), lines};
+    if (draw) DrawText(canvas, block, {box.x0, y});
+    y += Measure(canvas, block).height + 1.2;
+  };
+  if (draw) Heading(canvas, "STYLE", box.x0, y);
+  y += 5.2;
+  paragraph(Capital(plan.style_name), {.size_mm = 4.2, .colour = kPanelInk, .serif = true}, 1);
+  if (words) paragraph(plan.style_summary, {.size_mm = 2.9, .colour = kPanelSoft, .line_spacing = 1.08}, 4);
+  std::string finishes;
+  if (!plan.floor_material.empty()) finishes += "Floor: " + plan.floor_material;
+  if (!plan.wall_material.empty()) finishes += (finishes.empty() ? "" : "   ·   ") + ("Walls: " + plan.wall_material);
+  if (words) paragraph(finishes, {.size_mm = 2.9, .colour = kPanelInk}, 2);
+  if (!plan.palette.empty()) {
+    y += 0.8;
+    if (draw) DrawPalette(canvas, plan, box.x0, y, box.width());
+    y += 14;
+  }
+  return y - box.y0;
+}
 
 std::string Capital(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);

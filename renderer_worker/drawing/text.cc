@@ -3,8 +3,6 @@
 
 #include <memory>
 
-#include "renderer_worker/drawing/lettering.h"
-
 namespace flair::renderer {
 
 Lettering::Lettering()
@@ -125,9 +123,7 @@ void DrawTextAt(Canvas& canvas, const TextBlock& block, Point centre_mm, double 
   pango_layout_get_extents(layout.get(), nullptr, &logical);
   const Point middle{(logical.x + logical.width / 2.0) / PANGO_SCALE, (logical.y + logical.height / 2.0) / PANGO_SCALE};
   TraceOutlines(canvas, layout.get(), block.style, centre_mm, angle_rad, middle);
-  if (halo != nullptr) {
-    canvas.Draw({*halo, 0.32 * block.style.size_mm, 0.85, Dash::kSolid, true}, true);
-  }
+  if (halo != nullptr) canvas.Draw({*halo, 0.32 * block.style.size_mm, 0.85, Dash::kSolid, true}, true);
   canvas.Fill(block.style.colour);
 }
 

@@ -7,7 +7,6 @@
 #include "renderer_worker/drawing/layers.h"
 
 namespace flair::renderer {
-
 namespace {
 
 const Rgb kCut = Hex(0x37332F);  // what the section cuts
@@ -107,61 +106,6 @@ void DrawDoor(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOp
     canvas.Draw({kInk, 0.25});
   }
 }
-
-}  // namespace
-
-DoorLeafGeometry LeafOf(const Plan& plan, const PlanOpening& door) {
-  const PlanWall& wall = plan.walls[door.wall];
-  const Point start = wall.start + wall.along * door.offset_m, end = start + wall.along * door.width_m;
-  const Point hinge = door.hinge_at_start ? start : end, strike = door.hinge_at_start ? end : start;
-  const Point closed = (strike - hinge) * (1 / door.width_m);
-  const Point swing = door.swing == v1::DOOR_SWING_OUTWARD ? wall.outward : wall.outward * -1;
-  const Point open = closed * std::cos(door.swing_angle_rad) + swing * std::sin(door.swing_angle_rad);
-  return {hinge, hinge + open * door.width_m, strike};
-}
-
-void DrawWalls(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  const double thickness_m = WallThicknessMm(sheet) / sheet.mm_per_m();
-  std::vector<Point> outer, inner;
-  for (Point point : OuterFace(plan, thickness_m)) outer.push_back(sheet.ToSheet(point));
-  for (Point point : plan.floor) inner.push_back(sheet.ToSheet(point));
-  canvas.Polygon(outer);
-  canvas.Polygon(inner);
-  canvas.FillEvenOdd(Mix(kCut, plan.wall_tint, 0.18));
-  canvas.Polygon(outer);
-  canvas.Draw({kCut, 0.45});
-  canvas.Polygon(inner);
-  canvas.Draw({kCut, 0.45});
-}
-
-void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  for (const PlanOpening& opening : plan.openings) {
-    opening.door ? DrawDoor(canvas, plan, sheet, opening) : DrawWindow(canvas, plan, sheet, opening);
-  }
-}
-
-void DrawSocketSign(Canvas& canvas, Point at_mm, Point inward) {
-  constexpr double kRadiusMm = 1.3;
-  const Point along{-inward.y, inward.x}, centre = at_mm + inward * (kRadiusMm + 0.9);
-  const double angle = std::atan2(inward.y, inward.x);
-  canvas.Line(at_mm, centre - inward * kRadiusMm);
-  canvas.Draw({kInk, 0.22});
-  canvas.Arc(centre, kRadiusMm, angle + std::numbers::pi / 2, angle + 1.5 * std::numbers::pi);
-  canvas.Close();
-  canvas.Fill(kWhite, 0.9, true);
-  canvas.Draw({kInk, 0.22});
-  canvas.Line(centre - along * kRadiusMm, centre + along * kRadiusMm);
-  canvas.Draw({kInk, 0.35});
-}
-
-void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  for (const PlanSocket& socket : plan.sockets) {
-    const PlanWall& wall = plan.walls[socket.wall];
-    DrawSocketSign(canvas, sheet.ToSheet(wall.start + wall.along * socket.offset_m), {-wall.outward.x, wall.outward.y});
-  }
-}
-
-namespace {
 
 void TraceFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   std::vector<Point> outline;
@@ -291,6 +235,57 @@ class Flooring {
 };
 
 }  // namespace
+
+DoorLeafGeometry LeafOf(const Plan& plan, const PlanOpening& door) {
+  const PlanWall& wall = plan.walls[door.wall];
+  const Point start = wall.start + wall.along * door.offset_m, end = start + wall.along * door.width_m;
+  const Point hinge = door.hinge_at_start ? start : end, strike = door.hinge_at_start ? end : start;
+  const Point closed = (strike - hinge) * (1 / door.width_m);
+  const Point swing = door.swing == v1::DOOR_SWING_OUTWARD ? wall.outward : wall.outward * -1;
+  const Point open = closed * std::cos(door.swing_angle_rad) + swing * std::sin(door.swing_angle_rad);
+  return {hinge, hinge + open * door.width_m, strike};
+}
+
+void DrawWalls(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  const double thickness_m = WallThicknessMm(sheet) / sheet.mm_per_m();
+  std::vector<Point> outer, inner;
+  for (Point point : OuterFace(plan, thickness_m)) outer.push_back(sheet.ToSheet(point));
+  for (Point point : plan.floor) inner.push_back(sheet.ToSheet(point));
+  canvas.Polygon(outer);
+  canvas.Polygon(inner);
+  canvas.FillEvenOdd(Mix(kCut, plan.wall_tint, 0.18));
+  canvas.Polygon(outer);
+  canvas.Draw({kCut, 0.45});
+  canvas.Polygon(inner);
+  canvas.Draw({kCut, 0.45});
+}
+
+void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  for (const PlanOpening& opening : plan.openings) {
+    opening.door ? DrawDoor(canvas, plan, sheet, opening) : DrawWindow(canvas, plan, sheet, opening);
+  }
+}
+
+void DrawSocketSign(Canvas& canvas, Point at_mm, Point inward) {
+  constexpr double kRadiusMm = 1.3;
+  const Point along{-inward.y, inward.x}, centre = at_mm + inward * (kRadiusMm + 0.9);
+  const double angle = std::atan2(inward.y, inward.x);
+  canvas.Line(at_mm, centre - inward * kRadiusMm);
+  canvas.Draw({kInk, 0.22});
+  canvas.Arc(centre, kRadiusMm, angle + std::numbers::pi / 2, angle + 1.5 * std::numbers::pi);
+  canvas.Close();
+  canvas.Fill(kWhite, 0.9, true);
+  canvas.Draw({kInk, 0.22});
+  canvas.Line(centre - along * kRadiusMm, centre + along * kRadiusMm);
+  canvas.Draw({kInk, 0.35});
+}
+
+void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  for (const PlanSocket& socket : plan.sockets) {
+    const PlanWall& wall = plan.walls[socket.wall];
+    DrawSocketSign(canvas, sheet.ToSheet(wall.start + wall.along * socket.offset_m), {-wall.outward.x, wall.outward.y});
+  }
+}
 
 void DrawFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   TraceFloor(canvas, plan, sheet);

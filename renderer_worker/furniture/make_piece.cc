@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "renderer_worker/furniture/classes.h"
-#include "renderer_worker/furniture/materials.h"
 #include "renderer_worker/furniture/modeller.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/furniture/script.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/furniture/materials.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,7 +9,6 @@
 #include "renderer_worker/furniture/classes.h"
 
 namespace flair::renderer {
-
 namespace {
 
 BaseMaterial Read(const FurnitureMaterial& data) {
@@ -51,6 +48,111 @@ bool IsWoodColour(Vec3 c) {
   if (c.x < 0.06F) return c.x >= c.z;                                 // near black: stained
   if (!(c.x >= c.y && c.y >= c.z * 0.98F)) return false;              // orange hues only
   return c.z < 0.72F * c.x && c.y > 0.22F * c.x && c.y < 0.9F * c.x;  // neither grey nor red nor yellow
+}
+
+bool IsHard(const BaseMaterial& m) { return m.kind != FurnitureMaterial::CLOTH; }
+bool IsCloth(const BaseMaterial& m) { return m.kind == FurnitureMaterial::CLOTH; }
+bool IsMetal(const BaseMaterial& m) { return m.kind == FurnitureMaterial::METAL; }
+
+using Materials = std::vector<const BaseMaterial*>;
+
+const BaseMaterial& MaterialOf(const std::string& name, std::string_view usual) {
+  return BaseMaterialOf(name.empty() ? usual : name);
+}
+
+template <typename Predicate>
+const BaseMaterial* First(const Materials& named, Predicate predicate) {
+  const auto at = std::find_if(named.begin(), named.end(), [&](const BaseMaterial* m) { return predicate(*m); });
+  return at != named.end() ? *at : nullptr;
+}
+
+// What the style names, most telling first.
+struct Choice {
+  const BaseMaterial* hard = nullptr;
+  const BaseMaterial* soft = nullptr;
+  const BaseMaterial* metal = nullptr;
+};
+
+Choice Choose(const Materials& named, const ClassMaterials& look) {
+  Choice choice{First(named, IsHard), First(named, IsCloth), First(named, IsMetal)};
+  // "walnut and brass": the metal is for the fittings when there is something else for the body, and where the body
+  // is not of metal by nature.
+  if (choice.hard != nullptr && IsMetal(*choice.hard) && !IsMetal(MaterialOf(look.hard(), "oak"))) {
+    const BaseMaterial* body = First(named, [](const BaseMaterial& m) { return IsHard(m) && !IsMetal(m); });
+    if (body != nullptr) choice.hard = body;
+  }
+  return choice;
+}
+
+// Colours say which part they are of: "dark walnut" is a wood's, "antique brass" a metal's.
+enum class Part { kHard, kSoft, kMetal };
+
+Part PartColoured(const ClassMaterials& look, const Choice& choice, const Materials& named, const v1::Colour& colour) {
+  const Materials said = MaterialsInWords(colour.name());
+  if (!said.empty() && IsCloth(*said.front())) return Part::kSoft;
+  const bool hard_is_metal = IsMetal(choice.hard != nullptr ? *choice.hard : MaterialOf(look.hard(), "oak"));
+  if (!said.empty() && IsMetal(*said.front())) return hard_is_metal ? Part::kHard : Part::kMetal;
+  if (!said.empty()) return Part::kHard;
+  if (look.styled() == ClassMaterials::HARD) {
+    return choice.soft != nullptr && choice.hard == nullptr ? Part::kSoft : Part::kHard;
+  }
+  // Upholstery of which only wood or metal is named, in a brown that suits the wood: the wood's.
+  if (!named.empty() && choice.soft == nullptr && choice.hard != nullptr &&
+      choice.hard->kind == FurnitureMaterial::WOOD) {
+    const Vec3 difference = LinearOf(colour) - choice.hard->look.colour;
+    if (Length(difference) < 0.12F) return Part::kHard;
+  }
+  return Part::kSoft;
+}
+
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+template <typename List>
+bool HasAny(const std::string& text, const List& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const auto& word) { return text.find(word) != std::string::npos; });
+}
+
+float Channel(int value) {
+  const float v = static_cast<float>(std::clamp(value, 0, 255)) / 255;
+  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+}
+
+using Finishes = google::protobuf::RepeatedPtrField<SurfaceFinish>;
+
+void ApplyFinish(const Finishes& finishes, const v1::SurfaceStyle& surface, Material& material) {
+  const std::string words = Lower(surface.material() + " " + surface.description());
+  if (surface.has_colour()) material.colour = LinearOf(surface.colour());
+  material.pattern = Pattern::kPlain;
+  material.second_colour = material.colour;
+  if (!surface.material().empty()) material.name = surface.material();
+  const auto finish = std::find_if(finishes.begin(), finishes.end(),
+                                   [&](const SurfaceFinish& each) { return HasAny(words, each.words()); });
+  if (finish == finishes.end()) return;
+  material.pattern = static_cast<Pattern>(finish->pattern());
+  material.roughness = finish->roughness();
+  material.pattern_size_m = finish->pattern_size_m();
+  material.second_colour = material.colour * finish->second_colour_factor();
+}
+
+constexpr float kDarkWall = 0.36F;  // below, the wall's lightest channel calls for darker ceilings and joinery
+
+// Nothing reflects more than white paint or less than soot: light must get about.
+Vec3 Reflectable(Vec3 colour) {
+  const auto limit = [](float value) { return std::clamp(value, 0.012F, 0.86F); };
+  return {limit(colour.x), limit(colour.y), limit(colour.z)};
+}
+
+Material Plain(std::string name, Vec3 colour, float roughness) {
+  Material material;
+  material.name = std::move(name);
+  material.colour = colour;
+  material.roughness = roughness;
+  return material;
 }
 
 }  // namespace
@@ -143,65 +245,6 @@ Material Shaded(const Material& material, float factor, std::string_view suffix)
   return shaded;
 }
 
-namespace {
-
-bool IsHard(const BaseMaterial& m) { return m.kind != FurnitureMaterial::CLOTH; }
-bool IsCloth(const BaseMaterial& m) { return m.kind == FurnitureMaterial::CLOTH; }
-bool IsMetal(const BaseMaterial& m) { return m.kind == FurnitureMaterial::METAL; }
-
-using Materials = std::vector<const BaseMaterial*>;
-
-const BaseMaterial& MaterialOf(const std::string& name, std::string_view usual) {
-  return BaseMaterialOf(name.empty() ? usual : name);
-}
-
-template <typename Predicate>
-const BaseMaterial* First(const Materials& named, Predicate predicate) {
-  const auto at = std::find_if(named.begin(), named.end(), [&](const BaseMaterial* m) { return predicate(*m); });
-  return at != named.end() ? *at : nullptr;
-}
-
-// What the style names, most telling first.
-struct Choice {
-  const BaseMaterial* hard = nullptr;
-  const BaseMaterial* soft = nullptr;
-  const BaseMaterial* metal = nullptr;
-};
-
-Choice Choose(const Materials& named, const ClassMaterials& look) {
-  Choice choice{First(named, IsHard), First(named, IsCloth), First(named, IsMetal)};
-  // "walnut and brass": the metal is for the fittings when there is something else for the body, and where the body
-  // is not of metal by nature.
-  if (choice.hard != nullptr && IsMetal(*choice.hard) && !IsMetal(MaterialOf(look.hard(), "oak"))) {
-    const BaseMaterial* body = First(named, [](const BaseMaterial& m) { return IsHard(m) && !IsMetal(m); });
-    if (body != nullptr) choice.hard = body;
-  }
-  return choice;
-}
-
-// Colours say which part they are of: "dark walnut" is a wood's, "antique brass" a metal's.
-enum class Part { kHard, kSoft, kMetal };
-
-Part PartColoured(const ClassMaterials& look, const Choice& choice, const Materials& named, const v1::Colour& colour) {
-  const Materials said = MaterialsInWords(colour.name());
-  if (!said.empty() && IsCloth(*said.front())) return Part::kSoft;
-  const bool hard_is_metal = IsMetal(choice.hard != nullptr ? *choice.hard : MaterialOf(look.hard(), "oak"));
-  if (!said.empty() && IsMetal(*said.front())) return hard_is_metal ? Part::kHard : Part::kMetal;
-  if (!said.empty()) return Part::kHard;
-  if (look.styled() == ClassMaterials::HARD) {
-    return choice.soft != nullptr && choice.hard == nullptr ? Part::kSoft : Part::kHard;
-  }
-  // Upholstery of which only wood or metal is named, in a brown that suits the wood: the wood's.
-  if (!named.empty() && choice.soft == nullptr && choice.hard != nullptr &&
-      choice.hard->kind == FurnitureMaterial::WOOD) {
-    const Vec3 difference = LinearOf(colour) - choice.hard->look.colour;
-    if (Length(difference) < 0.12F) return Part::kHard;
-  }
-  return Part::kSoft;
-}
-
-}  // namespace
-
 Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1::ObjectStyle* style) {
   Materials named = style != nullptr ? MaterialsInWords(style->material()) : Materials();
   const Materials by_name = MaterialsInWords(object.name());
@@ -242,60 +285,6 @@ Palette PaletteOf(const ClassMaterials& look, const v1::Object& object, const v1
   palette.accent = Shaded(palette.soft, 0.55F, "deep");
   return palette;
 }
-
-namespace {
-
-std::string Lower(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
-template <typename List>
-bool HasAny(const std::string& text, const List& words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const auto& word) { return text.find(word) != std::string::npos; });
-}
-
-float Channel(int value) {
-  const float v = static_cast<float>(std::clamp(value, 0, 255)) / 255;
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
-
-using Finishes = google::protobuf::RepeatedPtrField<SurfaceFinish>;
-
-void ApplyFinish(const Finishes& finishes, const v1::SurfaceStyle& surface, Material& material) {
-  const std::string words = Lower(surface.material() + " " + surface.description());
-  if (surface.has_colour()) material.colour = LinearOf(surface.colour());
-  material.pattern = Pattern::kPlain;
-  material.second_colour = material.colour;
-  if (!surface.material().empty()) material.name = surface.material();
-  const auto finish = std::find_if(finishes.begin(), finishes.end(),
-                                   [&](const SurfaceFinish& each) { return HasAny(words, each.words()); });
-  if (finish == finishes.end()) return;
-  material.pattern = static_cast<Pattern>(finish->pattern());
-  material.roughness = finish->roughness();
-  material.pattern_size_m = finish->pattern_size_m();
-  material.second_colour = material.colour * finish->second_colour_factor();
-}
-
-constexpr float kDarkWall = 0.36F;  // below, the wall's lightest channel calls for darker ceilings and joinery
-
-// Nothing reflects more than white paint or less than soot: light must get about.
-Vec3 Reflectable(Vec3 colour) {
-  const auto limit = [](float value) { return std::clamp(value, 0.012F, 0.86F); };
-  return {limit(colour.x), limit(colour.y), limit(colour.z)};
-}
-
-Material Plain(std::string name, Vec3 colour, float roughness) {
-  Material material;
-  material.name = std::move(name);
-  material.colour = colour;
-  material.roughness = roughness;
-  return material;
-}
-
-}  // namespace
 
 Vec3 LinearOf(const v1::Colour& colour) {
   return Reflectable({Channel(colour.red()), Channel(colour.green()), Channel(colour.blue())});

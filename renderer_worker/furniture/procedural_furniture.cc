@@ -44,9 +44,7 @@ Furnishing ProceduralFurniture::FurnishingOf(const v1::Object& object, const v1:
   furnishing.class_name = ClassOf(object);
   const std::string key = KeyOf(furnishing.class_name, object, style);
   const std::lock_guard lock(mutex_);
-  if (made_.size() > kTidyAbove) {
-    absl::erase_if(made_, [](const auto& entry) { return entry.second.mesh.expired(); });
-  }
+  if (made_.size() > kTidyAbove) absl::erase_if(made_, [](const auto& entry) { return entry.second.mesh.expired(); });
   Made& made = made_[key];
   furnishing.mesh = made.mesh.lock();
   if (furnishing.mesh == nullptr) {

@@ -71,63 +71,6 @@ void Faces(Patch& patch, Vec3 low, Vec3 high, float bevel, Vec3 grain) {
   }
 }
 
-}  // namespace
-
-void Modeller::Box(const Material& material, Vec3 low, Vec3 high, float bevel) {
-  Sort(low, high);
-  const Vec3 size = high - low;
-  const float thin = std::min({size.x, size.y, size.z});
-  if (thin < 1e-5F) return;
-  bevel = std::min(bevel, 0.3F * thin);
-  const Vec3 grain = Unit(LongestAxis(size));
-  Patch patch(*this, material);
-  Faces(patch, low, high, bevel, grain);
-  if (bevel < 1e-4F) return;
-  for (int axis = 0; axis < 3; ++axis) {  // the four edges along this axis
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (int k = 0; k < 4; ++k) {
-      std::array<bool, 3> from{}, to{};
-      from[static_cast<size_t>(u)] = to[static_cast<size_t>(u)] = (k & 1) != 0;
-      from[static_cast<size_t>(v)] = to[static_cast<size_t>(v)] = (k & 2) != 0;
-      to[static_cast<size_t>(axis)] = true;
-      const Vec3 nu = Unit(u, (k & 1) != 0 ? 1.0F : -1.0F), nv = Unit(v, (k & 2) != 0 ? 1.0F : -1.0F);
-      Cut(patch,
-          std::array{CornerOn(low, high, bevel, from, u), CornerOn(low, high, bevel, to, u),
-                     CornerOn(low, high, bevel, to, v), CornerOn(low, high, bevel, from, v)},
-          std::array{nu, nu, nv, nv}, Unit(axis));
-    }
-  }
-  for (int k = 0; k < 8; ++k) {
-    const std::array<bool, 3> upper{(k & 1) != 0, (k & 2) != 0, (k & 4) != 0};
-    std::array<Vec3, 3> points, normals;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<size_t>(axis);
-      points[i] = CornerOn(low, high, bevel, upper, axis);
-      normals[i] = Unit(axis, upper[i] ? 1.0F : -1.0F);
-    }
-    Cut(patch, points, normals, grain);
-  }
-}
-
-void Modeller::Taper(const Material& material, Vec3 bottom, Vec2 bottom_half, Vec3 top, Vec2 top_half) {
-  if (top.z < bottom.z) std::swap(top, bottom), std::swap(top_half, bottom_half);
-  if (top.z - bottom.z < 1e-5F || std::min({bottom_half.x, bottom_half.y, top_half.x, top_half.y}) < 1e-6F) return;
-  const auto ring = [](Vec3 c, Vec2 h) {
-    return std::array{c + Vec3{-h.x, -h.y, 0}, c + Vec3{h.x, -h.y, 0}, c + Vec3{h.x, h.y, 0}, c + Vec3{-h.x, h.y, 0}};
-  };
-  const auto low = ring(bottom, bottom_half), high = ring(top, top_half);
-  Patch patch(*this, material);
-  const Vec3 grain = Normalized(top - bottom);
-  for (size_t i = 0; i < 4; ++i) {
-    const size_t k = (i + 1) % 4;
-    patch.Flat(std::array{low[i], low[k], high[k], high[i]}, grain);
-  }
-  patch.Flat(high, {1, 0, 0});
-  patch.Flat(std::array{low[3], low[2], low[1], low[0]}, {1, 0, 0});
-}
-
-namespace {
-
 float Cross2(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 Vec2 Minus(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
 float Length2(Vec2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
@@ -228,6 +171,59 @@ void Lid(Patch& patch, std::span<const Vec2> outline, float z, bool upwards, boo
 }
 
 }  // namespace
+
+void Modeller::Box(const Material& material, Vec3 low, Vec3 high, float bevel) {
+  Sort(low, high);
+  const Vec3 size = high - low;
+  const float thin = std::min({size.x, size.y, size.z});
+  if (thin < 1e-5F) return;
+  bevel = std::min(bevel, 0.3F * thin);
+  const Vec3 grain = Unit(LongestAxis(size));
+  Patch patch(*this, material);
+  Faces(patch, low, high, bevel, grain);
+  if (bevel < 1e-4F) return;
+  for (int axis = 0; axis < 3; ++axis) {  // the four edges along this axis
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int k = 0; k < 4; ++k) {
+      std::array<bool, 3> from{}, to{};
+      from[static_cast<size_t>(u)] = to[static_cast<size_t>(u)] = (k & 1) != 0;
+      from[static_cast<size_t>(v)] = to[static_cast<size_t>(v)] = (k & 2) != 0;
+      to[static_cast<size_t>(axis)] = true;
+      const Vec3 nu = Unit(u, (k & 1) != 0 ? 1.0F : -1.0F), nv = Unit(v, (k & 2) != 0 ? 1.0F : -1.0F);
+      Cut(patch,
+          std::array{CornerOn(low, high, bevel, from, u), CornerOn(low, high, bevel, to, u),
+                     CornerOn(low, high, bevel, to, v), CornerOn(low, high, bevel, from, v)},
+          std::array{nu, nu, nv, nv}, Unit(axis));
+    }
+  }
+  for (int k = 0; k < 8; ++k) {
+    const std::array<bool, 3> upper{(k & 1) != 0, (k & 2) != 0, (k & 4) != 0};
+    std::array<Vec3, 3> points, normals;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<size_t>(axis);
+      points[i] = CornerOn(low, high, bevel, upper, axis);
+      normals[i] = Unit(axis, upper[i] ? 1.0F : -1.0F);
+    }
+    Cut(patch, points, normals, grain);
+  }
+}
+
+void Modeller::Taper(const Material& material, Vec3 bottom, Vec2 bottom_half, Vec3 top, Vec2 top_half) {
+  if (top.z < bottom.z) std::swap(top, bottom), std::swap(top_half, bottom_half);
+  if (top.z - bottom.z < 1e-5F || std::min({bottom_half.x, bottom_half.y, top_half.x, top_half.y}) < 1e-6F) return;
+  const auto ring = [](Vec3 c, Vec2 h) {
+    return std::array{c + Vec3{-h.x, -h.y, 0}, c + Vec3{h.x, -h.y, 0}, c + Vec3{h.x, h.y, 0}, c + Vec3{-h.x, h.y, 0}};
+  };
+  const auto low = ring(bottom, bottom_half), high = ring(top, top_half);
+  Patch patch(*this, material);
+  const Vec3 grain = Normalized(top - bottom);
+  for (size_t i = 0; i < 4; ++i) {
+    const size_t k = (i + 1) % 4;
+    patch.Flat(std::array{low[i], low[k], high[k], high[i]}, grain);
+  }
+  patch.Flat(high, {1, 0, 0});
+  patch.Flat(std::array{low[3], low[2], low[1], low[0]}, {1, 0, 0});
+}
 
 void Modeller::Slab(const Material& material, std::span<const Vec2> outline, float bottom, float top, float bevel) {
   if (bottom > top) std::swap(bottom, top);

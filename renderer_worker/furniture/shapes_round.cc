@@ -70,6 +70,33 @@ void Sweep(Patch& patch, Vec3 base, const RingPoint& from, const RingPoint& to, 
   }
 }
 
+// Places between the faces' middle planes where a cushion's surface is sampled: the rounded ends and the flat middle.
+std::vector<float> Stations(float half, float radius, bool crowned) {
+  const float flat = half - radius;
+  std::vector<float> stations{-half, -flat - 0.414F * radius, -flat};
+  if (crowned) stations.push_back(0);
+  stations.insert(stations.end(), {flat, flat + 0.414F * radius, half});
+  return stations;
+}
+
+struct CushionShape {
+  Vec3 half;
+  float radius, crown;
+  // From a point on the box around the cushion to the cushion's surface.
+  Vec3 At(Vec3 p) const {
+    const auto inner = [this](float value, float extent) {
+      return std::clamp(value, radius - extent, extent - radius);
+    };
+    const Vec3 q{inner(p.x, half.x), inner(p.y, half.y), inner(p.z, half.z)};
+    const Vec3 surface = q + Normalized(p - q) * radius;
+    // Thin in the corners, full in the middle, so that nothing leaves the box.
+    const auto hollow = [](float value, float extent) { return std::pow(std::abs(value) / extent, 2.5F); };
+    const float x = hollow(surface.x, half.x), y = hollow(surface.y, half.y), z = hollow(surface.z, half.z);
+    return {surface.x * (1 - crown / half.x * std::max(y, z)), surface.y * (1 - crown / half.y * std::max(x, z)),
+            surface.z * (1 - crown / half.z * std::max(x, y))};
+  }
+};
+
 }  // namespace
 
 void Modeller::Lathe(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides, Vec2 stretch) {
@@ -159,37 +186,6 @@ void Modeller::Bar(const Material& material, Vec3 from, Vec3 to, float from_radi
   if (Length(to - from) < 1e-5F) return;
   Tube(material, std::array{from, to}, std::array{from_radius, to_radius}, sides);
 }
-
-namespace {
-
-// Places between the faces' middle planes where a cushion's surface is sampled: the rounded ends and the flat middle.
-std::vector<float> Stations(float half, float radius, bool crowned) {
-  const float flat = half - radius;
-  std::vector<float> stations{-half, -flat - 0.414F * radius, -flat};
-  if (crowned) stations.push_back(0);
-  stations.insert(stations.end(), {flat, flat + 0.414F * radius, half});
-  return stations;
-}
-
-struct CushionShape {
-  Vec3 half;
-  float radius, crown;
-  // From a point on the box around the cushion to the cushion's surface.
-  Vec3 At(Vec3 p) const {
-    const auto inner = [this](float value, float extent) {
-      return std::clamp(value, radius - extent, extent - radius);
-    };
-    const Vec3 q{inner(p.x, half.x), inner(p.y, half.y), inner(p.z, half.z)};
-    const Vec3 surface = q + Normalized(p - q) * radius;
-    // Thin in the corners, full in the middle, so that nothing leaves the box.
-    const auto hollow = [](float value, float extent) { return std::pow(std::abs(value) / extent, 2.5F); };
-    const float x = hollow(surface.x, half.x), y = hollow(surface.y, half.y), z = hollow(surface.z, half.z);
-    return {surface.x * (1 - crown / half.x * std::max(y, z)), surface.y * (1 - crown / half.y * std::max(x, z)),
-            surface.z * (1 - crown / half.z * std::max(x, y))};
-  }
-};
-
-}  // namespace
 
 void Modeller::Cushion(const Material& material, Vec3 low, Vec3 high, float radius, float crown) {
   const Vec3 centre = 0.5F * (low + high), size = high - low;

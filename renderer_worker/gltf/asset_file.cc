@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/asset_file.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "fmt/format.h"
+#include "renderer_worker/gltf/asset_primitive.h"
 #include "renderer_worker/gltf/limited_json.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -25,8 +24,6 @@ constexpr size_t kMaxJsonBytes = size_t{32} << 20;
 constexpr std::array<std::string_view, 4> kReadable = {"KHR_lights_punctual", "KHR_mesh_quantization",
                                                        "KHR_texture_transform", "KHR_xmp_json_ld"};
 
-absl::Status Wrong(std::string text) { return absl::InvalidArgumentError(std::move(text)); }
-
 uint32_t WordAt(std::string_view bytes, size_t offset) {
   uint32_t word = 0;
   std::memcpy(&word, bytes.data() + offset, sizeof word);
@@ -34,19 +31,8 @@ uint32_t WordAt(std::string_view bytes, size_t offset) {
 }
 
 size_t SizeOf(int component_type) {
-  switch (component_type) {
-    case 5120:
-    case 5121:
-      return 1;
-    case 5122:
-    case 5123:
-      return 2;
-    case 5125:
-    case 5126:
-      return 4;
-    default:
-      return 0;
-  }
+  constexpr size_t kSizes[] = {1, 1, 2, 2, 0, 4, 4};  // from 5120 on: int8, uint8, int16, uint16, none, uint32, float
+  return component_type < 5120 || component_type > 5126 ? 0 : kSizes[component_type - 5120];
 }
 
 template <typename T>
@@ -90,14 +76,14 @@ absl::Status CheckRequired(const nlohmann::json& json) {
 }  // namespace
 
 absl::StatusOr<AssetFile> AssetFile::Open(std::string_view bytes) {
-  if (bytes.size() < 20 || WordAt(bytes, 0) != kMagic) return Wrong("it is no GLB file");
-  if (WordAt(bytes, 4) != 2) return Wrong(fmt::format("it is glTF {}, must be 2", WordAt(bytes, 4)));
+  if (bytes.size() < 20 || WordAt(bytes, 0) != kMagic) return InvalidArgument("it is no GLB file");
+  if (WordAt(bytes, 4) != 2) return InvalidArgument("it is glTF {}, must be 2", WordAt(bytes, 4));
   const size_t length = WordAt(bytes, 8);
-  if (length > bytes.size()) return Wrong(fmt::format("it says it has {} bytes, there are {}", length, bytes.size()));
+  if (length > bytes.size()) return InvalidArgument("it says it has {} bytes, there are {}", length, bytes.size());
   bytes = bytes.substr(0, std::max<size_t>(length, 20));
   const size_t json_size = WordAt(bytes, 12);
   if (WordAt(bytes, 16) != kJsonChunk || json_size > bytes.size() - 20) {
-    return Wrong(fmt::format("its JSON of {} bytes is not in the file", json_size));
+    return InvalidArgument("its JSON of {} bytes is not in the file", json_size);
   }
   if (json_size > kMaxJsonBytes) {
     return ResourceExhausted("its JSON has {} bytes, {} at most are read", json_size, kMaxJsonBytes);
@@ -108,7 +94,7 @@ absl::StatusOr<AssetFile> AssetFile::Open(std::string_view bytes) {
   const size_t binary = 20 + (json_size + 3) / 4 * 4;
   if (bytes.size() >= binary + 8 && WordAt(bytes, binary + 4) == kBinaryChunk) {
     const size_t size = WordAt(bytes, binary);
-    if (size > bytes.size() - binary - 8) return Wrong(fmt::format("its {} binary bytes are not in the file", size));
+    if (size > bytes.size() - binary - 8) return InvalidArgument("its {} binary bytes are not in the file", size);
     file.binary_ = bytes.substr(binary + 8, size);
   }
   return file;
@@ -121,14 +107,14 @@ const nlohmann::json* AssetFile::Item(const char* array, size_t index) const {
 
 absl::StatusOr<std::string_view> AssetFile::View(size_t index) const {
   const nlohmann::json* view = Item("bufferViews", index);
-  if (view == nullptr) return Wrong(fmt::format("there is no buffer view {}", index));
-  if (CountOf(*view, "buffer") != 0) return Wrong(fmt::format("buffer view {} is of another file", index));
+  if (view == nullptr) return InvalidArgument("there is no buffer view {}", index);
+  if (CountOf(*view, "buffer") != 0) return InvalidArgument("buffer view {} is of another file", index);
   const nlohmann::json* buffer = Item("buffers", 0);
-  if (buffer == nullptr || Find(*buffer, "uri") != nullptr) return Wrong("its buffer is in another file");
+  if (buffer == nullptr || Find(*buffer, "uri") != nullptr) return InvalidArgument("its buffer is in another file");
   const size_t offset = CountOf(*view, "byteOffset").value_or(0);
   const std::optional<size_t> length = CountOf(*view, "byteLength");
   if (!length.has_value() || offset > binary_.size() || *length > binary_.size() - offset) {
-    return Wrong(fmt::format("buffer view {} leaves the {} bytes of the file", index, binary_.size()));
+    return InvalidArgument("buffer view {} leaves the {} bytes of the file", index, binary_.size());
   }
   return binary_.substr(offset, *length);
 }
@@ -136,30 +122,30 @@ absl::StatusOr<std::string_view> AssetFile::View(size_t index) const {
 absl::StatusOr<AssetFile::Elements> AssetFile::ElementsOf(size_t accessor, std::string_view type, size_t components,
                                                           size_t max_count) const {
   const nlohmann::json* json = Item("accessors", accessor);
-  if (json == nullptr) return Wrong(fmt::format("there is no accessor {}", accessor));
-  if (TextOf(*json, "type") != type) return Wrong(fmt::format("accessor {} must be {}", accessor, type));
+  if (json == nullptr) return InvalidArgument("there is no accessor {}", accessor);
+  if (TextOf(*json, "type") != type) return InvalidArgument("accessor {} must be {}", accessor, type);
   if (Find(*json, "sparse") != nullptr) return absl::UnimplementedError("sparse accessors are not read");
   Elements elements;
   elements.component_type = static_cast<int>(std::min<size_t>(CountOf(*json, "componentType").value_or(0), 9999));
   const size_t size = SizeOf(elements.component_type) * components;
-  if (size == 0) return Wrong(fmt::format("accessor {} has components of no known type", accessor));
+  if (size == 0) return InvalidArgument("accessor {} has components of no known type", accessor);
   const nlohmann::json* normalized = Find(*json, "normalized");
   elements.normalized = normalized != nullptr && normalized->is_boolean() && normalized->get<bool>();
   const std::optional<size_t> count = CountOf(*json, "count");
-  if (!count.has_value() || *count == 0) return Wrong(fmt::format("accessor {} has no count", accessor));
+  if (!count.has_value() || *count == 0) return InvalidArgument("accessor {} has no count", accessor);
   if (*count > max_count) {
     return ResourceExhausted("accessor {} has {} elements, {} at most are read here", accessor, *count, max_count);
   }
   elements.count = *count;
   const std::optional<size_t> view_index = CountOf(*json, "bufferView");
-  if (!view_index.has_value()) return Wrong(fmt::format("accessor {} has no buffer view", accessor));
+  if (!view_index.has_value()) return InvalidArgument("accessor {} has no buffer view", accessor);
   ASSIGN_OR_RETURN(std::string_view view, View(*view_index));
   elements.stride = CountOf(*Item("bufferViews", *view_index), "byteStride").value_or(size);
   const size_t offset = CountOf(*json, "byteOffset").value_or(0);
   // `count` is bounded and so is a stride that fits the view: no product overflows.
   if (elements.stride < size || elements.stride > 252 + size || offset > view.size() ||
       (elements.count - 1) * elements.stride + size > view.size() - offset) {
-    return Wrong(fmt::format("accessor {} leaves its buffer view", accessor));
+    return InvalidArgument("accessor {} leaves its buffer view", accessor);
   }
   elements.bytes = view.substr(offset);
   return elements;
@@ -183,7 +169,7 @@ absl::StatusOr<std::vector<float>> AssetFile::Numbers(size_t accessor, std::stri
 absl::StatusOr<std::vector<uint32_t>> AssetFile::Indices(size_t accessor, size_t bound, size_t max_count) const {
   ASSIGN_OR_RETURN(Elements elements, ElementsOf(accessor, "SCALAR", 1, max_count));
   const int type = elements.component_type;
-  if (type != 5121 && type != 5123 && type != 5125) return Wrong(fmt::format("accessor {} holds no indices", accessor));
+  if (type != 5121 && type != 5123 && type != 5125) return InvalidArgument("accessor {} holds no indices", accessor);
   std::vector<uint32_t> indices;
   indices.reserve(elements.count);
   for (size_t i = 0; i < elements.count; ++i) {
@@ -192,7 +178,7 @@ absl::StatusOr<std::vector<uint32_t>> AssetFile::Indices(size_t accessor, size_t
                            : type == 5123 ? ValueAt<uint16_t>(elements.bytes, at)
                                           : ValueAt<uint32_t>(elements.bytes, at);
     if (index >= bound)
-      return Wrong(fmt::format("index {} of accessor {} is not a vertex, there are {}", index, accessor, bound));
+      return InvalidArgument("index {} of accessor {} is not a vertex, there are {}", index, accessor, bound);
     indices.push_back(index);
   }
   return indices;

@@ -14,7 +14,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer::gltf {
-
 namespace {
 
 // All of an array's numbers, or nothing.
@@ -40,31 +39,6 @@ std::array<Vec3, 3> Rotation(std::array<float, 4> q) {
           Vec3{2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
           Vec3{2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
 }
-
-}  // namespace
-
-Affine operator*(const Affine& outer, const Affine& inner) {
-  Affine both;
-  for (size_t i = 0; i < 3; ++i) both.columns[i] = outer.Direction(inner.columns[i]);
-  both.columns[3] = outer.Point(inner.columns[3]);
-  return both;
-}
-
-Affine TransformOf(const nlohmann::json& node) {
-  Affine transform;
-  if (const auto m = Numbers<16>(node, "matrix")) {
-    for (size_t i = 0; i < 4; ++i) transform.columns[i] = {(*m)[4 * i], (*m)[4 * i + 1], (*m)[4 * i + 2]};
-    return transform;
-  }
-  const std::array<Vec3, 3> turned = Rotation(Numbers<4>(node, "rotation").value_or(std::array<float, 4>{0, 0, 0, 1}));
-  const auto scale = Numbers<3>(node, "scale").value_or(std::array<float, 3>{1, 1, 1});
-  for (size_t i = 0; i < 3; ++i) transform.columns[i] = turned[i] * scale[i];
-  const auto moved = Numbers<3>(node, "translation").value_or(std::array<float, 3>{});
-  transform.columns[3] = {moved[0], moved[1], moved[2]};
-  return transform;
-}
-
-namespace {
 
 using Json = nlohmann::json;
 
@@ -95,14 +69,63 @@ std::optional<Vec3> MeanColour(const AssetFile& file, size_t accessor, size_t ve
   return std::nullopt;
 }
 
+constexpr int kMaxImageSide_px = 4096;
+constexpr size_t kMaxImageBytes = size_t{32} << 20;
+constexpr size_t kMaxNameBytes = 80;
+
+float Limited(std::optional<double> value, float low, float high, float otherwise) {
+  return value.has_value() ? std::clamp(static_cast<float>(*value), low, high) : otherwise;
+}
+
+// The first `kCount` numbers of an array, `otherwise` where there are none.
+template <size_t kCount>
+std::array<float, kCount> NumbersOf(const Json& json, const char* name, std::array<float, kCount> otherwise, float low,
+                                    float high) {
+  const Json& items = ArrayOf(json, name);
+  for (size_t i = 0; i < kCount && i < items.size(); ++i) {
+    if (!items[i].is_number()) continue;
+    const auto value = static_cast<float>(items[i].get<double>());
+    if (std::isfinite(value)) otherwise[i] = std::clamp(value, low, high);
+  }
+  return otherwise;
+}
+
+const Json& MemberOf(const Json& json, const char* name) {
+  static const Json& nothing = *new Json(Json::object());
+  const Json* found = Find(json, name);
+  return found != nullptr && found->is_object() ? *found : nothing;
+}
+
+// No surface is a perfect mirror or swallows all light.
+constexpr float kLeastRoughness = 0.04F;
+
 }  // namespace
+
+Affine operator*(const Affine& outer, const Affine& inner) {
+  Affine both;
+  for (size_t i = 0; i < 3; ++i) both.columns[i] = outer.Direction(inner.columns[i]);
+  both.columns[3] = outer.Point(inner.columns[3]);
+  return both;
+}
+
+Affine TransformOf(const nlohmann::json& node) {
+  Affine transform;
+  if (const auto m = Numbers<16>(node, "matrix")) {
+    for (size_t i = 0; i < 4; ++i) transform.columns[i] = {(*m)[4 * i], (*m)[4 * i + 1], (*m)[4 * i + 2]};
+    return transform;
+  }
+  const std::array<Vec3, 3> turned = Rotation(Numbers<4>(node, "rotation").value_or(std::array<float, 4>{0, 0, 0, 1}));
+  const auto scale = Numbers<3>(node, "scale").value_or(std::array<float, 3>{1, 1, 1});
+  for (size_t i = 0; i < 3; ++i) transform.columns[i] = turned[i] * scale[i];
+  const auto moved = Numbers<3>(node, "translation").value_or(std::array<float, 3>{});
+  transform.columns[3] = {moved[0], moved[1], moved[2]};
+  return transform;
+}
 
 absl::Status PrimitiveReader::AddMesh(size_t index, const Affine& transform) {
   const Json* mesh = file_.Item("meshes", index);
   if (mesh == nullptr) return InvalidArgument("there is no mesh {}", index);
-  for (const Json& primitive : ArrayOf(*mesh, "primitives")) {
-    RETURN_IF_ERROR(AddPrimitive(primitive, transform));
-  }
+  for (const Json& primitive : ArrayOf(*mesh, "primitives")) RETURN_IF_ERROR(AddPrimitive(primitive, transform));
   return absl::OkStatus();
 }
 
@@ -222,47 +245,9 @@ absl::Status PrimitiveReader::AddPrimitive(const Json& json, const Affine& trans
     }
   }
   vertex_count_ += flat ? read.indices.size() : read.positions.size();
-  if (vertex_count_ > kMaxAssetVertices) {
-    return ResourceExhausted("it has more than {} vertices", kMaxAssetVertices);
-  }
+  if (vertex_count_ > kMaxAssetVertices) return ResourceExhausted("it has more than {} vertices", kMaxAssetVertices);
   return absl::OkStatus();
 }
-
-namespace {
-
-using Json = nlohmann::json;
-
-constexpr int kMaxImageSide_px = 4096;
-constexpr size_t kMaxImageBytes = size_t{32} << 20;
-constexpr size_t kMaxNameBytes = 80;
-
-float Limited(std::optional<double> value, float low, float high, float otherwise) {
-  return value.has_value() ? std::clamp(static_cast<float>(*value), low, high) : otherwise;
-}
-
-// The first `kCount` numbers of an array, `otherwise` where there are none.
-template <size_t kCount>
-std::array<float, kCount> NumbersOf(const Json& json, const char* name, std::array<float, kCount> otherwise, float low,
-                                    float high) {
-  const Json& items = ArrayOf(json, name);
-  for (size_t i = 0; i < kCount && i < items.size(); ++i) {
-    if (!items[i].is_number()) continue;
-    const auto value = static_cast<float>(items[i].get<double>());
-    if (std::isfinite(value)) otherwise[i] = std::clamp(value, low, high);
-  }
-  return otherwise;
-}
-
-const Json& MemberOf(const Json& json, const char* name) {
-  static const Json& nothing = *new Json(Json::object());
-  const Json* found = Find(json, name);
-  return found != nullptr && found->is_object() ? *found : nothing;
-}
-
-// No surface is a perfect mirror or swallows all light.
-constexpr float kLeastRoughness = 0.04F;
-
-}  // namespace
 
 Vec2 UvUse::Of(Vec2 uv) const {
   const float s = std::sin(rotation_rad);

@@ -5,7 +5,6 @@
 
 #include "absl/strings/ascii.h"
 #include "fmt/format.h"
-#include "renderer_worker/gltf/frame.h"
 #include "renderer_worker/gltf/mesh_book.h"
 
 namespace flair::renderer::gltf {

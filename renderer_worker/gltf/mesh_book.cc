@@ -8,8 +8,6 @@
 #include <sstream>
 #include <utility>
 
-#include "renderer_worker/gltf/frame.h"
-#include "renderer_worker/gltf/pattern_image.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer::gltf {
@@ -18,13 +16,109 @@ namespace {
 // The header counts bytes in 32 bits; this leaves room for the JSON.
 constexpr size_t kMaxBinaryBytes = (size_t{1} << 32) - (size_t{256} << 20);
 
+static_assert(std::endian::native == std::endian::little, "glTF is little-endian and so are the machines we build for");
+
+template <typename T>
+void Append(std::vector<unsigned char>& bytes, const T& value) {
+  const auto* first = reinterpret_cast<const unsigned char*>(&value);
+  bytes.insert(bytes.end(), first, first + sizeof(T));
+}
+
+void Pad(std::vector<unsigned char>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
+
+constexpr char kEmissiveStrength[] = "KHR_materials_emissive_strength";
+
+void Use(tinygltf::Model& model, const std::string& extension) {
+  auto& used = model.extensionsUsed;
+  if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+}
+
+double Share(float value) { return Rounded(std::clamp(value, 0.0F, 1.0F)); }
+
+absl::Status Check(const MeshPart& part, const std::string& name) {
+  const size_t count = part.positions.size();
+  if (part.normals.size() != count || (!part.uvs.empty() && part.uvs.size() != count) || part.indices.size() % 3 != 0) {
+    return Internal("the mesh of {} has {} positions, {} normals, {} uvs and {} indices", name, count,
+                    part.normals.size(), part.uvs.size(), part.indices.size());
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (!IsFinite(part.positions[i]) || !IsFinite(part.normals[i])) {
+      return Internal("vertex {} of the mesh of {} is not finite", i, name);
+    }
+  }
+  for (const uint32_t index : part.indices) {
+    if (index >= count) return Internal("the mesh of {} names vertex {} of {}", name, index, count);
+  }
+  return absl::OkStatus();
+}
+
+// FNV-1a over words.
+class Digest {
+ public:
+  template <typename T>
+  void Add(const std::vector<T>& values) {
+    const auto* words = reinterpret_cast<const uint32_t*>(values.data());
+    for (size_t i = 0; i < values.size() * sizeof(T) / 4; ++i) Add(words[i]);
+    Add(static_cast<uint32_t>(values.size()));
+  }
+  void Add(uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3U; }
+  uint64_t value() const { return value_; }
+
+ private:
+  uint64_t value_ = 0xCBF29CE484222325U;
+};
+
+uint64_t DigestOf(const Mesh& mesh, MeshFrame frame) {
+  Digest digest;
+  digest.Add(static_cast<uint32_t>(frame));
+  for (const MeshPart& part : mesh.parts) {
+    digest.Add(part.positions);
+    digest.Add(part.indices);
+  }
+  return digest.value();
+}
+
+bool Equal(const Mesh& a, const Mesh& b) {
+  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
+                    [](const MeshPart& p, const MeshPart& q) {
+                      return p.material == q.material && p.positions == q.positions && p.normals == q.normals &&
+                             p.uvs == q.uvs && p.indices == q.indices;
+                    });
+}
+
+// The part in glTF's frame, without triangles that have lost a corner, vertices that no triangle has, and uvs that
+// nothing uses.
+Vertices Converted(const MeshPart& part, MeshFrame frame) {
+  Vertices out;
+  const Vec2 scale = MaterialBook::UvScale(part.material);
+  constexpr uint32_t kUnseen = ~uint32_t{0};
+  std::vector<uint32_t> moved(part.positions.size(), kUnseen);
+  const auto convert = [&](Vec3 v) { return frame == MeshFrame::kRoom ? FromRoom(v) : FromObject(v); };
+  const auto vertex = [&](uint32_t index) {
+    if (moved[index] == kUnseen) {
+      moved[index] = static_cast<uint32_t>(out.positions.size());
+      out.positions.push_back(convert(part.positions[index]));
+      out.normals.push_back(Normalized(convert(part.normals[index])));
+      const Vec2 uv = index < part.uvs.size() ? part.uvs[index] : Vec2{};
+      if (scale.x > 0) out.uvs.push_back({uv.x * scale.x, uv.y * scale.y});
+    }
+    return moved[index];
+  };
+  out.indices.reserve(part.indices.size());
+  for (size_t i = 0; i < part.indices.size(); i += 3) {
+    const uint32_t a = part.indices[i];
+    const uint32_t b = part.indices[i + 1];
+    const uint32_t c = part.indices[i + 2];
+    if (a != b && b != c && c != a) out.indices.insert(out.indices.end(), {vertex(a), vertex(b), vertex(c)});
+  }
+  return out;
+}
+
 }  // namespace
 
 absl::StatusOr<std::string> GlbText(const tinygltf::Model& model) {
   const size_t size = model.buffers.front().data.size();
-  if (size > kMaxBinaryBytes) {
-    return ResourceExhausted("the room's meshes take {} bytes, GLB holds 4 GiB", size);
-  }
+  if (size > kMaxBinaryBytes) return ResourceExhausted("the room's meshes take {} bytes, GLB holds 4 GiB", size);
   // tinygltf's JSON throws, at what is no UTF-8 for one.
   try {
     std::ostringstream stream;
@@ -37,20 +131,6 @@ absl::StatusOr<std::string> GlbText(const tinygltf::Model& model) {
     return Internal("the GLB could not be written: {}", failure.what());
   }
 }
-
-namespace {
-
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian and so are the machines we build for");
-
-template <typename T>
-void Append(std::vector<unsigned char>& bytes, const T& value) {
-  const auto* first = reinterpret_cast<const unsigned char*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof(T));
-}
-
-void Pad(std::vector<unsigned char>& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4); }
-
-}  // namespace
 
 int GlbBuffer::AddAccessor(Section& section, size_t offset, int component_type, int type, size_t count) {
   tinygltf::Accessor accessor;
@@ -149,19 +229,6 @@ void GlbBuffer::Finish() {
   Pad(model_.buffers.front().data);
 }
 
-namespace {
-
-constexpr char kEmissiveStrength[] = "KHR_materials_emissive_strength";
-
-void Use(tinygltf::Model& model, const std::string& extension) {
-  auto& used = model.extensionsUsed;
-  if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
-}
-
-double Share(float value) { return Rounded(std::clamp(value, 0.0F, 1.0F)); }
-
-}  // namespace
-
 Vec2 MaterialBook::UvScale(const Material& material) {
   if (material.image != nullptr) return {1, 1};
   const Vec2 period = PeriodOf(FigureOf(material));
@@ -239,99 +306,12 @@ int MaterialBook::SamplerNumber() {
   return 0;
 }
 
-namespace {
-
-absl::Status Check(const MeshPart& part, const std::string& name) {
-  const size_t count = part.positions.size();
-  if (part.normals.size() != count || (!part.uvs.empty() && part.uvs.size() != count) || part.indices.size() % 3 != 0) {
-    return Internal("the mesh of {} has {} positions, {} normals, {} uvs and {} indices", name, count,
-                    part.normals.size(), part.uvs.size(), part.indices.size());
-  }
-  for (size_t i = 0; i < count; ++i) {
-    if (!IsFinite(part.positions[i]) || !IsFinite(part.normals[i])) {
-      return Internal("vertex {} of the mesh of {} is not finite", i, name);
-    }
-  }
-  for (const uint32_t index : part.indices) {
-    if (index >= count) {
-      return Internal("the mesh of {} names vertex {} of {}", name, index, count);
-    }
-  }
-  return absl::OkStatus();
-}
-
-// FNV-1a over words.
-class Digest {
- public:
-  template <typename T>
-  void Add(const std::vector<T>& values) {
-    const auto* words = reinterpret_cast<const uint32_t*>(values.data());
-    for (size_t i = 0; i < values.size() * sizeof(T) / 4; ++i) Add(words[i]);
-    Add(static_cast<uint32_t>(values.size()));
-  }
-  void Add(uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3U; }
-  uint64_t value() const { return value_; }
-
- private:
-  uint64_t value_ = 0xCBF29CE484222325U;
-};
-
-uint64_t DigestOf(const Mesh& mesh, MeshFrame frame) {
-  Digest digest;
-  digest.Add(static_cast<uint32_t>(frame));
-  for (const MeshPart& part : mesh.parts) {
-    digest.Add(part.positions);
-    digest.Add(part.indices);
-  }
-  return digest.value();
-}
-
-bool Equal(const Mesh& a, const Mesh& b) {
-  return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
-                    [](const MeshPart& p, const MeshPart& q) {
-                      return p.material == q.material && p.positions == q.positions && p.normals == q.normals &&
-                             p.uvs == q.uvs && p.indices == q.indices;
-                    });
-}
-
-// The part in glTF's frame, without triangles that have lost a corner, vertices that no triangle has, and uvs that
-// nothing uses.
-Vertices Converted(const MeshPart& part, MeshFrame frame) {
-  Vertices out;
-  const Vec2 scale = MaterialBook::UvScale(part.material);
-  constexpr uint32_t kUnseen = ~uint32_t{0};
-  std::vector<uint32_t> moved(part.positions.size(), kUnseen);
-  const auto convert = [&](Vec3 v) { return frame == MeshFrame::kRoom ? FromRoom(v) : FromObject(v); };
-  const auto vertex = [&](uint32_t index) {
-    if (moved[index] == kUnseen) {
-      moved[index] = static_cast<uint32_t>(out.positions.size());
-      out.positions.push_back(convert(part.positions[index]));
-      out.normals.push_back(Normalized(convert(part.normals[index])));
-      const Vec2 uv = index < part.uvs.size() ? part.uvs[index] : Vec2{};
-      if (scale.x > 0) out.uvs.push_back({uv.x * scale.x, uv.y * scale.y});
-    }
-    return moved[index];
-  };
-  out.indices.reserve(part.indices.size());
-  for (size_t i = 0; i < part.indices.size(); i += 3) {
-    const uint32_t a = part.indices[i];
-    const uint32_t b = part.indices[i + 1];
-    const uint32_t c = part.indices[i + 2];
-    if (a != b && b != c && c != a) out.indices.insert(out.indices.end(), {vertex(a), vertex(b), vertex(c)});
-  }
-  return out;
-}
-
-}  // namespace
-
 absl::StatusOr<int> MeshBook::NumberOf(const Mesh& mesh, MeshFrame frame, const std::string& name) {
   auto& namesakes = written_[DigestOf(mesh, frame)];
   for (const Written& known : namesakes) {
     if (known.frame == frame && (known.mesh == &mesh || Equal(*known.mesh, mesh))) return known.number;
   }
-  for (const MeshPart& part : mesh.parts) {
-    RETURN_IF_ERROR(Check(part, name));
-  }
+  for (const MeshPart& part : mesh.parts) RETURN_IF_ERROR(Check(part, name));
   namesakes.push_back({&mesh, frame, Write(mesh, frame, name)});
   return namesakes.back().number;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -15,6 +17,66 @@
 #include "renderer_worker/scene/scene.h"
 
 namespace flair::renderer::gltf {
+
+// How our frames become glTF's, which is right-handed, y up, metres, and wants the front of an asset to look along +z.
+//
+// Room frame R (x east, y north, z up):      g = (x, z, -y)      north is -z
+// Object frame O (y to the front, z up):     g = (-x, z, y)      the front is +z, as glTF asks of assets
+//
+// Both are rotations, so triangles keep their winding. A node of heading theta turns by theta + pi about +y.
+
+constexpr Vec3 FromRoom(Vec3 p) { return {p.x, p.z, -p.y}; }
+constexpr Vec3 FromObject(Vec3 p) { return {-p.x, p.z, p.y}; }
+constexpr Vec3 ToObject(Vec3 g) { return {-g.x, g.z, g.y}; }
+
+// x, y, z, w.
+using Quaternion = std::array<double, 4>;
+
+// Of a node whose mesh is in FromObject form and whose heading in R is `theta_rad`.
+inline Quaternion NodeRotation(double theta_rad) { return {0, std::cos(theta_rad / 2), 0, -std::sin(theta_rad / 2)}; }
+
+// To six decimals, so that files hold 0.8 and not 0.800000011920929. Zero is positive.
+inline double Rounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
+
+// What a pattern does to a material's colour at one point: (1 - mix) colour + mix second_colour, times shade.
+struct Tone {
+  float mix = 0;    // [0, 1]
+  float shade = 1;  // [kDarkestShade, kLightestShade]
+};
+
+inline constexpr float kDarkestShade = 0.78F;
+inline constexpr float kLightestShade = 1.12F;
+
+// What is drawn for a material: its pattern, but stone that is laid in stones apart from stone in one piece.
+enum class Figure {
+  kPlain,
+  kWood,
+  kPlanks,
+  kHerringbone,
+  kTiles,
+  kBricks,
+  kStone,
+  kCarpet,
+  kFabric,
+  kWallpaper,
+  kStones
+};
+inline constexpr int kFigureCount = 11;
+
+// Stone of a size below a metre is laid, as flags or rubble.
+Figure FigureOf(const Material& material);
+
+// The rectangle after which a pattern repeats, in units of pattern_size_m: a board's or stave's width, a tile's side, a
+// brick's length, a stone or cloud, a tuft, a thread, a repeat of wallpaper. (0, 0) for kPlain.
+Vec2 PeriodOf(Figure figure);
+
+// The tone at (u, v), units of pattern_size_m, within the period. Grain and boards run along u.
+Tone ToneAt(Figure figure, float u, float v);
+
+// One period of a material's pattern as a PNG that tiles, row 0 at v = 0. Its pixels are numbers of tones, which depend
+// on the pattern alone and are computed once per process; the palette gives them the material's colours. Empty for
+// kPlain. Thread-safe, the same bytes for the same material.
+std::string PatternPng(const Material& material);
 
 // Vertices and indices of one primitive, in glTF's frame. `uvs` may be empty.
 struct Vertices {

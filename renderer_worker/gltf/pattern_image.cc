@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/pattern_image.h"
-
 #include <zlib.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <mutex>
+
+#include "renderer_worker/gltf/mesh_book.h"
 
 namespace flair::renderer::gltf {
 namespace {
@@ -82,9 +82,7 @@ Tone Herringbone(float u, float v) {
   const float fu = u - static_cast<float>(i);
   const float fv = v - static_cast<float>(j);
   const int step = Wrapped(i - j, 8);
-  if (step < 4) {
-    return Board(static_cast<float>(step) + fu, fv, 4, 1, 0.03F, Wrapped(i - step, 8) * 8 + j);
-  }
+  if (step < 4) return Board(static_cast<float>(step) + fu, fv, 4, 1, 0.03F, Wrapped(i - step, 8) * 8 + j);
   const int below = 7 - step;  // cells of the same stave below this one
   return Board(static_cast<float>(below) + fv, fu, 4, 1, 0.03F, 64 + i * 8 + Wrapped(j - below, 8));
 }
@@ -167,15 +165,6 @@ Tone Wallpaper(float u, float v) {
   return {figure && !heart ? 1.0F : 0.0F, 1};
 }
 
-}  // namespace
-
-Figure FigureOf(const Material& material) {
-  if (material.pattern == Pattern::kStone && material.pattern_size_m < 1) return Figure::kStones;
-  return static_cast<Figure>(material.pattern);
-}
-
-namespace {
-
 struct FigureFacts {
   Vec2 period;
   Tone (*tone)(float u, float v);
@@ -193,14 +182,6 @@ constexpr FigureFacts kFigures[kFigureCount] = {{{0, 0}, [](float, float) { retu
                                                 {{64, 64}, Fabric},
                                                 {{1, 1}, Wallpaper},
                                                 {{8, 8}, Stones}};
-
-}  // namespace
-
-Vec2 PeriodOf(Figure figure) { return kFigures[static_cast<int>(figure)].period; }
-
-Tone ToneAt(Figure figure, float u, float v) { return kFigures[static_cast<int>(figure)].tone(u, v); }
-
-namespace {
 
 // A tone's number: 16 shades of 16 mixtures.
 constexpr int kLevels = 16;
@@ -280,6 +261,15 @@ std::string PaletteOf(const Material& material) {
 }
 
 }  // namespace
+
+Figure FigureOf(const Material& material) {
+  if (material.pattern == Pattern::kStone && material.pattern_size_m < 1) return Figure::kStones;
+  return static_cast<Figure>(material.pattern);
+}
+
+Vec2 PeriodOf(Figure figure) { return kFigures[static_cast<int>(figure)].period; }
+
+Tone ToneAt(Figure figure, float u, float v) { return kFigures[static_cast<int>(figure)].tone(u, v); }
 
 std::string PatternPng(const Material& material) {
   if (material.pattern == Pattern::kPlain) return {};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/pattern_image.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "renderer_worker/gltf/mesh_book.h"
 
 namespace flair::renderer::gltf {
 namespace {

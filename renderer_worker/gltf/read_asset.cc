@@ -4,7 +4,6 @@
 #include <optional>
 #include <set>
 
-#include "renderer_worker/gltf/asset_file.h"
 #include "renderer_worker/gltf/asset_primitive.h"
 #include "renderer_worker/gltf/limited_json.h"
 #include "worker_runtime/status/status_macros.h"
@@ -62,9 +61,7 @@ class Walk {
 
   absl::Status VisitAll(const Affine& turn) {
     const std::vector<size_t> roots = Roots();
-    for (const size_t root : roots) {
-      RETURN_IF_ERROR(Visit(root, turn, 0));
-    }
+    for (const size_t root : roots) RETURN_IF_ERROR(Visit(root, turn, 0));
     return absl::OkStatus();
   }
 

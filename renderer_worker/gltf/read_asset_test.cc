@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "renderer_worker/gltf/pattern_image.h"
+#include "renderer_worker/gltf/mesh_book.h"
 #include "renderer_worker/gltf/testing/glb_files.h"
 #include "renderer_worker/gltf/write_glb.h"
 

@@ -11,7 +11,6 @@
 #include "absl/status/status.h"
 #include "flair/v1/room.pb.h"
 #include "fmt/format.h"
-#include "renderer_worker/gltf/frame.h"
 #include "renderer_worker/gltf/mesh_book.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -306,9 +305,7 @@ absl::Status SceneWriter::AddCamera(const SceneCamera& camera, Group& group) {
 absl::StatusOr<tinygltf::Model> SceneWriter::Write(const GlbMetadata& metadata) {
   Group shell, furniture, lights, cameras;
   RETURN_IF_ERROR(AddShell(shell));
-  for (const SceneObject& object : scene_.objects) {
-    RETURN_IF_ERROR(AddObject(object, furniture));
-  }
+  for (const SceneObject& object : scene_.objects) RETURN_IF_ERROR(AddObject(object, furniture));
   AddDaylight(lights);
   for (const SceneCamera* camera : {&scene_.birdseye, &scene_.perspective}) {
     RETURN_IF_ERROR(AddCamera(*camera, cameras));

@@ -13,7 +13,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
 
 constexpr char kFileName[] = "libflair_image_writer.so";
@@ -51,17 +50,6 @@ absl::StatusOr<const ImageModule*> LoadModule() {
   }
   return Unavailable("cannot find {}; looked in {}; FLAIR_MODULE_DIR may name its folder", kFileName, tried);
 }
-
-}  // namespace
-
-absl::StatusOr<const ImageModule*> LoadImageModule() {
-  static std::once_flag once;
-  static absl::StatusOr<const ImageModule*> module = absl::UnavailableError("not loaded");
-  std::call_once(once, [] { module = LoadModule(); });
-  return module;
-}
-
-namespace {
 
 const char* FileNameOf(v1::PreviewFormat format) {
   switch (format) {
@@ -136,12 +124,6 @@ class ModuleImageWriter final : public ImageWriter {
   }
 };
 
-}  // namespace
-
-std::unique_ptr<ImageWriter> MakeImageWriter() { return std::make_unique<ModuleImageWriter>(); }
-
-namespace {
-
 constexpr uint64_t kMostDecodedBytes = uint64_t{256} << 20;
 
 // Shrinks rows as they come: every pixel of the result is the mean of the source pixels whose middle it covers.
@@ -195,6 +177,15 @@ class Shrinker final : public RowSink {
 };
 
 }  // namespace
+
+absl::StatusOr<const ImageModule*> LoadImageModule() {
+  static std::once_flag once;
+  static absl::StatusOr<const ImageModule*> module = absl::UnavailableError("not loaded");
+  std::call_once(once, [] { module = LoadModule(); });
+  return module;
+}
+
+std::unique_ptr<ImageWriter> MakeImageWriter() { return std::make_unique<ModuleImageWriter>(); }
 
 absl::StatusOr<Pixels> ReadImage(std::string_view bytes, int box_width_px, int box_height_px) {
   ASSIGN_OR_RETURN(const FileHeader header, ReadFileHeader(bytes));

@@ -81,15 +81,8 @@ bool IsFlat(const EncoderRequest& request) {
 }
 
 OIIO::TypeDesc TypeOf(ChannelStorage storage) {
-  switch (storage) {
-    case ChannelStorage::kHalf:
-      return OIIO::TypeDesc::HALF;
-    case ChannelStorage::kFloat:
-      return OIIO::TypeDesc::FLOAT;
-    case ChannelStorage::kUint32:
-      return OIIO::TypeDesc::UINT32;
-  }
-  return OIIO::TypeDesc::UNKNOWN;
+  constexpr OIIO::TypeDesc::BASETYPE kTypes[] = {OIIO::TypeDesc::HALF, OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::UINT32};
+  return kTypes[static_cast<int>(storage)];
 }
 
 OIIO::ImageSpec SpecOf(const EncoderRequest& request, std::string_view format) {

@@ -5,8 +5,8 @@
 
 #include "renderer_worker/furniture/classes.h"
 #include "renderer_worker/scene/cameras.h"
+#include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/scene.h"
-#include "renderer_worker/scene/shell.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer_worker/scene/shell.h"
+#include "renderer_worker/scene/room_shape.h"
 
 namespace flair::renderer {
 namespace {
@@ -47,58 +47,6 @@ std::vector<SightBox> LeavesOf(const RoomShape& shape) {
   }
   return leaves;
 }
-
-}  // namespace
-
-Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects)
-    : shape_(shape), leaves_(LeavesOf(shape)) {
-  for (const SceneObject& o : objects) {
-    if (o.object->walk_over()) continue;
-    const float theta = static_cast<float>(o.placement.theta_rad());
-    SightBox box;
-    box.half = Vec3{static_cast<float>(o.object->width_m()), static_cast<float>(o.object->depth_m()),
-                    static_cast<float>(o.object->height_m())} *
-               0.5F;
-    box.centre = {static_cast<float>(o.placement.x_m()), static_cast<float>(o.placement.y_m()),
-                  static_cast<float>(o.placement.z_m()) + box.half.z};
-    box.right = {std::cos(theta), std::sin(theta), 0};
-    box.front = {-std::sin(theta), std::cos(theta), 0};
-    box.high = o.object->kind() == v1::OBJECT_KIND_CEILING;
-    box.wall = o.wall;
-    boxes_.push_back(box);
-  }
-  if (boxes_.size() > kMaxBoxes) {
-    std::stable_sort(boxes_.begin(), boxes_.end(),
-                     [](const SightBox& a, const SightBox& b) { return Volume(a) > Volume(b); });
-    boxes_.resize(kMaxBoxes);
-  }
-}
-
-float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but, const CutAway& cut) const {
-  float first = miss;
-  for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
-    if (i != but && !boxes_[i].GoneIn(cut)) first = std::min(first, Enter(boxes_[i], eye, direction, first));
-  }
-  for (const SightBox& leaf : leaves_) first = std::min(first, Enter(leaf, eye, direction, first));
-  return first;
-}
-
-bool Sight::WallBetween(Vec3 eye, Vec3 point, const CutAway& cut) const {
-  for (size_t i = 0; i < shape_.walls.size(); ++i) {
-    if (cut.walls[i] != WallCut::kWhole) continue;
-    const ShapedWall& wall = shape_.walls[i];
-    const float from = Dot(eye - wall.axes.origin, wall.axes.outward);
-    const float to = Dot(point - wall.axes.origin, wall.axes.outward);
-    // What hangs on a wall may reach into it.
-    if (from > 0 ? to > -0.02F : to < 0.05F) continue;
-    const Vec3 at = eye + (point - eye) * (from / (from - to));
-    const float along = Dot(at - wall.axes.origin, wall.axes.along);
-    if (along > 0 && along < wall.length_m && at.z < shape_.height_m) return true;
-  }
-  return false;
-}
-
-namespace {
 
 constexpr float kBirdseyeFov_rad = 0.52F;
 constexpr float kBirdseyeElevation_rad = 0.90F;
@@ -273,6 +221,54 @@ double PerspectiveScore(const RoomShape& shape, const Sight& sight, const SceneC
 }
 
 }  // namespace
+
+Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects)
+    : shape_(shape), leaves_(LeavesOf(shape)) {
+  for (const SceneObject& o : objects) {
+    if (o.object->walk_over()) continue;
+    const float theta = static_cast<float>(o.placement.theta_rad());
+    SightBox box;
+    box.half = Vec3{static_cast<float>(o.object->width_m()), static_cast<float>(o.object->depth_m()),
+                    static_cast<float>(o.object->height_m())} *
+               0.5F;
+    box.centre = {static_cast<float>(o.placement.x_m()), static_cast<float>(o.placement.y_m()),
+                  static_cast<float>(o.placement.z_m()) + box.half.z};
+    box.right = {std::cos(theta), std::sin(theta), 0};
+    box.front = {-std::sin(theta), std::cos(theta), 0};
+    box.high = o.object->kind() == v1::OBJECT_KIND_CEILING;
+    box.wall = o.wall;
+    boxes_.push_back(box);
+  }
+  if (boxes_.size() > kMaxBoxes) {
+    std::stable_sort(boxes_.begin(), boxes_.end(),
+                     [](const SightBox& a, const SightBox& b) { return Volume(a) > Volume(b); });
+    boxes_.resize(kMaxBoxes);
+  }
+}
+
+float Sight::FirstBox(Vec3 eye, Vec3 direction, float miss, int but, const CutAway& cut) const {
+  float first = miss;
+  for (int i = 0; i < static_cast<int>(boxes_.size()); ++i) {
+    if (i != but && !boxes_[i].GoneIn(cut)) first = std::min(first, Enter(boxes_[i], eye, direction, first));
+  }
+  for (const SightBox& leaf : leaves_) first = std::min(first, Enter(leaf, eye, direction, first));
+  return first;
+}
+
+bool Sight::WallBetween(Vec3 eye, Vec3 point, const CutAway& cut) const {
+  for (size_t i = 0; i < shape_.walls.size(); ++i) {
+    if (cut.walls[i] != WallCut::kWhole) continue;
+    const ShapedWall& wall = shape_.walls[i];
+    const float from = Dot(eye - wall.axes.origin, wall.axes.outward);
+    const float to = Dot(point - wall.axes.origin, wall.axes.outward);
+    // What hangs on a wall may reach into it.
+    if (from > 0 ? to > -0.02F : to < 0.05F) continue;
+    const Vec3 at = eye + (point - eye) * (from / (from - to));
+    const float along = Dot(at - wall.axes.origin, wall.axes.along);
+    if (along > 0 && along < wall.length_m && at.z < shape_.height_m) return true;
+  }
+  return false;
+}
 
 SceneCamera BirdseyeCamera(const RoomShape& shape, const Sight& sight) {
   const float main = MainDirection(shape);

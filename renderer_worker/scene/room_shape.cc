@@ -11,29 +11,24 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
-
-absl::Status Invalid(std::string message) { return absl::InvalidArgumentError(std::move(message)); }
 
 bool Plausible(double value) { return std::isfinite(value) && std::abs(value) <= 1e4; }
 
 absl::Status ReadFloor(const v1::Room& room, RoomShape& shape) {
   const int count = room.floor().vertices_size();
-  if (count < 3) return Invalid(fmt::format("graph.room.floor.vertices: {} vertices; at least 3", count));
+  if (count < 3) return InvalidArgument("graph.room.floor.vertices: {} vertices; at least 3", count);
   double twice_area = 0;
   for (int i = 0; i < count; ++i) {
     const v1::Point2 &p = room.floor().vertices(i), &q = room.floor().vertices((i + 1) % count);
     if (!Plausible(p.x_m()) || !Plausible(p.y_m())) {
-      return Invalid(
-          fmt::format("graph.room.floor.vertices[{}]: ({}, {}) is not a point of a room", i, p.x_m(), p.y_m()));
+      return InvalidArgument("graph.room.floor.vertices[{}]: ({}, {}) is not a point of a room", i, p.x_m(), p.y_m());
     }
     twice_area += p.x_m() * q.y_m() - q.x_m() * p.y_m();
     shape.floor.push_back({static_cast<float>(p.x_m()), static_cast<float>(p.y_m())});
   }
-  if (!(twice_area > 2e-3)) {
-    return Invalid("graph.room.floor.vertices: must run counter-clockwise around an area");
-  }
+  if (!(twice_area > 2e-3))
+    return InvalidArgument("graph.room.floor.vertices: must run counter-clockwise around an area");
   return absl::OkStatus();
 }
 
@@ -53,7 +48,7 @@ absl::Status ReadWalls(const v1::Room& room, RoomShape& shape) {
                                                         : fmt::format("wall_{}", i + 1);
     wall.length_m = std::hypot(b.x - a.x, b.y - a.y);
     if (!(wall.length_m > 1e-5F)) {
-      return Invalid(fmt::format("graph.room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count));
+      return InvalidArgument("graph.room.floor.vertices[{}]: repeats the vertex before it", (i + 1) % count);
     }
     const Vec3 along{(b.x - a.x) / wall.length_m, (b.y - a.y) / wall.length_m, 0};
     wall.axes = {{a.x, a.y, 0}, along, {along.y, -along.x, 0}, {0, 0, 1}};
@@ -74,10 +69,10 @@ absl::Status ReadOpenings(const v1::Room& room, RoomShape& shape) {
     const auto wall = std::find_if(shape.walls.begin(), shape.walls.end(),
                                    [&](const ShapedWall& w) { return w.name == opening.wall(); });
     if (wall == shape.walls.end()) {
-      return Invalid(fmt::format("graph.room.openings[{}].wall: there is no wall \"{}\"", i, opening.wall()));
+      return InvalidArgument("graph.room.openings[{}].wall: there is no wall \"{}\"", i, opening.wall());
     }
     for (double value : {opening.offset_m(), opening.width_m(), opening.sill_height_m(), opening.head_height_m()}) {
-      if (!Plausible(value)) return Invalid(fmt::format("graph.room.openings[{}]: sizes must be finite", i));
+      if (!Plausible(value)) return InvalidArgument("graph.room.openings[{}]: sizes must be finite", i);
     }
     ShapedOpening shaped;
     shaped.opening = &opening;
@@ -92,13 +87,49 @@ absl::Status ReadOpenings(const v1::Room& room, RoomShape& shape) {
   return absl::OkStatus();
 }
 
+// Points all over the floor, a little off the walls.
+std::vector<Vec3> FloorSamples(const RoomShape& shape) {
+  constexpr int kPerSide = 24;
+  Vec2 low = shape.floor[0], high = shape.floor[0];
+  for (const Vec2& p : shape.floor) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  std::vector<Vec3> samples;
+  for (int i = 0; i < kPerSide; ++i) {
+    for (int k = 0; k < kPerSide; ++k) {
+      const float x = low.x + (high.x - low.x) * (static_cast<float>(i) + 0.5F) / kPerSide;
+      const float y = low.y + (high.y - low.y) * (static_cast<float>(k) + 0.5F) / kPerSide;
+      if (Inside(shape, x, y)) samples.push_back({x, y, 0});
+    }
+  }
+  return samples;
+}
+
+// Whether the wall, up to the ceiling, stands between the eye and the point.
+bool Hides(const ShapedWall& wall, float height_m, Vec3 eye, Vec3 point) {
+  const float from = Dot(eye - wall.axes.origin, wall.axes.outward),
+              to = Dot(point - wall.axes.origin, wall.axes.outward);
+  if ((from > 0) == (to > 0) || std::abs(from - to) < 1e-6F) return false;
+  const Vec3 at = eye + (point - eye) * (from / (from - to));
+  const float along = Dot(at - wall.axes.origin, wall.axes.along);
+  return along > 0 && along < wall.length_m && at.z < height_m;
+}
+
+// Newell's normal: twice the area long, whatever corners fall together.
+Vec3 AreaNormal(std::span<const Vec3> corners) {
+  Vec3 sum;
+  for (size_t i = 0; i < corners.size(); ++i) sum = sum + Cross(corners[i], corners[(i + 1) % corners.size()]);
+  return sum;
+}
+
 }  // namespace
 
 absl::StatusOr<RoomShape> ShapeOf(const v1::Room& room) {
   RoomShape shape;
   const double height = room.height_m() == 0 ? 3 : room.height_m();
   if (!Plausible(height) || height < 0.5) {
-    return Invalid(fmt::format("graph.room.height_m: {} is not a height of a room", room.height_m()));
+    return InvalidArgument("graph.room.height_m: {} is not a height of a room", room.height_m());
   }
   shape.height_m = static_cast<float>(height);
   RETURN_IF_ERROR(ReadFloor(room, shape));
@@ -131,39 +162,6 @@ float WayIn(const RoomShape& shape, Vec3 eye, Vec3 direction) {
   return first;
 }
 
-namespace {
-
-// Points all over the floor, a little off the walls.
-std::vector<Vec3> FloorSamples(const RoomShape& shape) {
-  constexpr int kPerSide = 24;
-  Vec2 low = shape.floor[0], high = shape.floor[0];
-  for (const Vec2& p : shape.floor) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  std::vector<Vec3> samples;
-  for (int i = 0; i < kPerSide; ++i) {
-    for (int k = 0; k < kPerSide; ++k) {
-      const float x = low.x + (high.x - low.x) * (static_cast<float>(i) + 0.5F) / kPerSide;
-      const float y = low.y + (high.y - low.y) * (static_cast<float>(k) + 0.5F) / kPerSide;
-      if (Inside(shape, x, y)) samples.push_back({x, y, 0});
-    }
-  }
-  return samples;
-}
-
-// Whether the wall, up to the ceiling, stands between the eye and the point.
-bool Hides(const ShapedWall& wall, float height_m, Vec3 eye, Vec3 point) {
-  const float from = Dot(eye - wall.axes.origin, wall.axes.outward),
-              to = Dot(point - wall.axes.origin, wall.axes.outward);
-  if ((from > 0) == (to > 0) || std::abs(from - to) < 1e-6F) return false;
-  const Vec3 at = eye + (point - eye) * (from / (from - to));
-  const float along = Dot(at - wall.axes.origin, wall.axes.along);
-  return along > 0 && along < wall.length_m && at.z < height_m;
-}
-
-}  // namespace
-
 CutAway CutAwayFor(const RoomShape& shape, Vec3 eye) {
   CutAway cut;
   cut.ceiling = eye.z >= shape.height_m;
@@ -182,17 +180,6 @@ CutAway CutAwayFor(const RoomShape& shape, Vec3 eye) {
   }
   return cut;
 }
-
-namespace {
-
-// Newell's normal: twice the area long, whatever corners fall together.
-Vec3 AreaNormal(std::span<const Vec3> corners) {
-  Vec3 sum;
-  for (size_t i = 0; i < corners.size(); ++i) sum = sum + Cross(corners[i], corners[(i + 1) % corners.size()]);
-  return sum;
-}
-
-}  // namespace
 
 MeshPart& MeshBuilder::PartOf(const Material& material) {
   for (MeshPart& part : mesh_.parts) {

@@ -19,6 +19,7 @@
 #include "room/validation/validate.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/logging/log.h"
 #include "worker_runtime/metrics/metrics.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <utility>
 
-#include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_glb.h"
@@ -50,22 +49,6 @@ std::string RevisionOf(const std::filesystem::path& folder) {
   return "";
 }
 
-}  // namespace
-
-absl::StatusOr<FurnishingChoice> ChooseFurnishing(const std::string& asset_folder) {
-  if (asset_folder.empty()) return FurnishingChoice{std::make_unique<ProceduralFurniture>(), "", {}};
-  absl::StatusOr<std::unique_ptr<AssetLibrary>> library = AssetLibrary::Open(asset_folder);
-  if (!library.ok()) {
-    return absl::Status(library.status().code(),
-                        fmt::format("folder of assets: {}", std::string(library.status().message())));
-  }
-  std::vector<v1::Diagnostic> diagnostics = (*library)->manifest().diagnostics;
-  return FurnishingChoice{std::make_unique<LibraryFurniture>(*std::move(library)), RevisionOf(asset_folder),
-                          std::move(diagnostics)};
-}
-
-namespace {
-
 // Raise whenever equal requests would give another scene.
 constexpr char kGlbVersion[] = "2";
 constexpr char kSceneStateVersion[] = "1";
@@ -80,6 +63,18 @@ GlbMetadata MetadataOf(const v1::ExportSceneRequest& request, const std::string&
 }
 
 }  // namespace
+
+absl::StatusOr<FurnishingChoice> ChooseFurnishing(const std::string& asset_folder) {
+  if (asset_folder.empty()) return FurnishingChoice{std::make_unique<ProceduralFurniture>(), "", {}};
+  absl::StatusOr<std::unique_ptr<AssetLibrary>> library = AssetLibrary::Open(asset_folder);
+  if (!library.ok()) {
+    return absl::Status(library.status().code(),
+                        fmt::format("folder of assets: {}", std::string(library.status().message())));
+  }
+  std::vector<v1::Diagnostic> diagnostics = (*library)->manifest().diagnostics;
+  return FurnishingChoice{std::make_unique<LibraryFurniture>(*std::move(library)), RevisionOf(asset_folder),
+                          std::move(diagnostics)};
+}
 
 absl::StatusOr<v1::ExportSceneResponse> ExportSceneHandler::Handle(const v1::ExportSceneRequest& request,
                                                                    runtime::CallContext& call) const {

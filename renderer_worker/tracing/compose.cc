@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lighting.h"
-#include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/trace_view.h"
 #include "worker_runtime/executor/parallel.h"
@@ -255,21 +255,6 @@ void Composer::Row(int y, std::span<Vec3> colour) const {
   }
 }
 
-}  // namespace
-
-absl::Status ComposeColour(const Setting& setting, const SampleSeeds& seeds, const Frame& frame,
-                           const runtime::Workers& workers, TracedView& view) {
-  Composer composer(setting, seeds, frame, view);
-  RETURN_IF_ERROR(composer.Expose(workers));
-  view.colour.resize(frame.direct.size());
-  const size_t width = static_cast<size_t>(view.width_px);
-  return runtime::ForEach(workers, view.height_px, [&](int y) {
-    composer.Row(y, std::span(view.colour).subspan(static_cast<size_t>(y) * width, width));
-  });
-}
-
-namespace {
-
 // A filmic curve that leaves colours as they are up to a shoulder, then bends towards white and pales, as film does;
 // after the PBR Neutral curve of Khronos (2024), with a gentler shoulder.
 Vec3 Filmic(Vec3 c) {
@@ -306,6 +291,17 @@ const std::array<uint8_t, 4097>& SrgbTable() {
 
 }  // namespace
 
+absl::Status ComposeColour(const Setting& setting, const SampleSeeds& seeds, const Frame& frame,
+                           const runtime::Workers& workers, TracedView& view) {
+  Composer composer(setting, seeds, frame, view);
+  RETURN_IF_ERROR(composer.Expose(workers));
+  view.colour.resize(frame.direct.size());
+  const size_t width = static_cast<size_t>(view.width_px);
+  return runtime::ForEach(workers, view.height_px, [&](int y) {
+    composer.Row(y, std::span(view.colour).subspan(static_cast<size_t>(y) * width, width));
+  });
+}
+
 Pixels ToneMapped(const TracedView& view, int thread_count) {
   Pixels pixels{view.width_px, view.height_px, {}};
   pixels.rgb.resize(3 * view.colour.size());
@@ -315,9 +311,7 @@ Pixels ToneMapped(const TracedView& view, int thread_count) {
     for (size_t i = row; i < row + view.width_px; ++i) {
       const Vec3 c = Filmic(view.colour[i]);
       uint8_t* rgb = &pixels.rgb[3 * i];
-      for (const float v : {c.x, c.y, c.z}) {
-        *rgb++ = table[std::lround(4096 * std::sqrt(std::clamp(v, 0.0F, 1.0F)))];
-      }
+      for (const float v : {c.x, c.y, c.z}) *rgb++ = table[std::lround(4096 * std::sqrt(std::clamp(v, 0.0F, 1.0F)))];
     }
   });
   status.IgnoreError();  // nobody is asked whether to go on

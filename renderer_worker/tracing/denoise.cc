@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lighting.h"
-#include "renderer_worker/tracing/plane.h"
 #include "renderer_worker/tracing/sampling.h"
 
 namespace flair::renderer {

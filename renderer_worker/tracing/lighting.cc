@@ -57,28 +57,6 @@ Vec3 GlossOf(const Setting& setting, const Seen& seen, Vec2 sample) {
   return most > kMostGloss ? gloss * (kMostGloss / most) : gloss;
 }
 
-}  // namespace
-
-LightMean IndirectLight(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count) {
-  if (seen.lit_instance == -1) return {};
-  LightSum sum;
-  for (int i = first; i < first + count; ++i) {
-    const Vec3 direction = CosineDirection(seen.normal, random.At(i, Purpose::kBounce));
-    sum.Add(Arriving(setting, seen.position, direction));
-  }
-  return sum.Mean();
-}
-
-Vec3 Gloss(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count) {
-  const float metal = std::max({seen.specular.x, seen.specular.y, seen.specular.z});
-  if (seen.lit_instance < 0 || (seen.roughness > 0.65F && metal < 0.1F)) return {};
-  Vec3 gloss;
-  for (int i = first; i < first + count; ++i) gloss = gloss + GlossOf(setting, seen, random.At(i, Purpose::kGloss));
-  return gloss * (1 / static_cast<float>(count));
-}
-
-namespace {
-
 constexpr size_t kPixels = kBlockSide * kBlockSide;
 constexpr int kFewPixels = 5;  // of a surface: they prove nothing
 
@@ -175,6 +153,24 @@ class Block {
 };
 
 }  // namespace
+
+LightMean IndirectLight(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count) {
+  if (seen.lit_instance == -1) return {};
+  LightSum sum;
+  for (int i = first; i < first + count; ++i) {
+    const Vec3 direction = CosineDirection(seen.normal, random.At(i, Purpose::kBounce));
+    sum.Add(Arriving(setting, seen.position, direction));
+  }
+  return sum.Mean();
+}
+
+Vec3 Gloss(const Setting& setting, const Seen& seen, const PixelSamples& random, int first, int count) {
+  const float metal = std::max({seen.specular.x, seen.specular.y, seen.specular.z});
+  if (seen.lit_instance < 0 || (seen.roughness > 0.65F && metal < 0.1F)) return {};
+  Vec3 gloss;
+  for (int i = first; i < first + count; ++i) gloss = gloss + GlossOf(setting, seen, random.At(i, Purpose::kGloss));
+  return gloss * (1 / static_cast<float>(count));
+}
 
 BlockLight DirectLightOn(const Setting& setting, const SampleSeeds& seeds, const PixelBlock& pixels, int column,
                          int row, int round_count) {

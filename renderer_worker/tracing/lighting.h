@@ -7,7 +7,6 @@
 #include "absl/status/status.h"
 #include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lights.h"
-#include "renderer_worker/tracing/radiosity.h"
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/trace_view.h"
 #include "renderer_worker/tracing/world.h"

@@ -78,6 +78,28 @@ LightSample TowardsSun(const Lights& lights, Vec3 normal, Vec2 place) {
   return sample;
 }
 
+void AddLamps(const Scene& scene, float scale, Lights& lights) {
+  for (const SceneObject& object : scene.objects) {
+    const float theta = static_cast<float>(object.placement.theta_rad());
+    for (const LampLight& lamp : object.furnishing.lights) {
+      const Vec3 p = lamp.position;
+      BallLight ball;
+      ball.centre = {p.x * std::cos(theta) - p.y * std::sin(theta) + static_cast<float>(object.placement.x_m()),
+                     p.x * std::sin(theta) + p.y * std::cos(theta) + static_cast<float>(object.placement.y_m()),
+                     p.z + static_cast<float>(object.placement.z_m())};
+      ball.intensity = lamp.colour * (lamp.intensity_cd * scale);
+      ball.radius_m = std::clamp(lamp.radius_m, 0.02F, 0.5F);
+      const float power = Luminance(ball.intensity);
+      if (std::isfinite(power) && power > 0 && power < 1e6F) lights.balls.push_back(ball);
+    }
+  }
+  if (lights.balls.size() + lights.rects.size() <= kMostLights) return;
+  std::stable_sort(lights.balls.begin(), lights.balls.end(), [](const BallLight& a, const BallLight& b) {
+    return Luminance(a.intensity) > Luminance(b.intensity);
+  });
+  lights.balls.resize(kMostLights - std::min(kMostLights, lights.rects.size()));
+}
+
 }  // namespace
 
 Vec3 Lights::SkyRadiance(Vec3 direction) const {
@@ -144,32 +166,6 @@ LightSample LightChoice::SampleSun(Vec2 place) const {
   if (!lights_.open_sky && lights_.WindowThrough(position_, sample.direction) < 0) sample.irradiance = {};
   return sample;
 }
-
-namespace {
-
-void AddLamps(const Scene& scene, float scale, Lights& lights) {
-  for (const SceneObject& object : scene.objects) {
-    const float theta = static_cast<float>(object.placement.theta_rad());
-    for (const LampLight& lamp : object.furnishing.lights) {
-      const Vec3 p = lamp.position;
-      BallLight ball;
-      ball.centre = {p.x * std::cos(theta) - p.y * std::sin(theta) + static_cast<float>(object.placement.x_m()),
-                     p.x * std::sin(theta) + p.y * std::cos(theta) + static_cast<float>(object.placement.y_m()),
-                     p.z + static_cast<float>(object.placement.z_m())};
-      ball.intensity = lamp.colour * (lamp.intensity_cd * scale);
-      ball.radius_m = std::clamp(lamp.radius_m, 0.02F, 0.5F);
-      const float power = Luminance(ball.intensity);
-      if (std::isfinite(power) && power > 0 && power < 1e6F) lights.balls.push_back(ball);
-    }
-  }
-  if (lights.balls.size() + lights.rects.size() <= kMostLights) return;
-  std::stable_sort(lights.balls.begin(), lights.balls.end(), [](const BallLight& a, const BallLight& b) {
-    return Luminance(a.intensity) > Luminance(b.intensity);
-  });
-  lights.balls.resize(kMostLights - std::min(kMostLights, lights.rects.size()));
-}
-
-}  // namespace
 
 Lights LightsOf(const Scene& scene, bool open_sky) {
   Lights lights;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/tracing/radiosity.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "renderer_worker/tracing/lights.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
@@ -48,6 +47,24 @@ void AddPoints(const WorldInstance& instance, int index, double step, std::vecto
   }
 }
 
+constexpr int kRaysPerPoint = 40;
+constexpr int kLightSamples = 10;
+constexpr int kBounces = 7;
+constexpr int kPointsPerTask = 64;
+
+// What a ray from a point met.
+struct Link {
+  int cell = -1;  // -1: nothing that sends light on
+  Vec3 colour;
+};
+
+int SideOf(Vec3 normal) {
+  const float x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  if (z >= x && z >= y) return normal.z > 0 ? 4 : 5;
+  if (x >= y) return normal.x > 0 ? 0 : 1;
+  return normal.y > 0 ? 2 : 3;
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> SpreadPoints(const World& world, int count) {
@@ -71,9 +88,7 @@ Vec3 DirectLight(const World& world, const LightChoice& choice, Vec3 position, c
   const auto add = [&](const LightSample& from) {
     if (Luminance(from.irradiance) > 0 && !IsShaded(world, position, from)) light = light + from.irradiance;
   };
-  if (choice.any()) {
-    add(choice.Sample(random.At(sample, Purpose::kLight).x, random.At(sample, Purpose::kPlaceOnLight)));
-  }
+  if (choice.any()) add(choice.Sample(random.At(sample, Purpose::kLight).x, random.At(sample, Purpose::kPlaceOnLight)));
   if (choice.sun()) add(choice.SampleSun(random.At(sample, Purpose::kSun)));
   return light;
 }
@@ -134,28 +149,6 @@ void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, 
   fill.radiance = fill.radiance * ((lamps ? kFillBesideLamps : kFill) / filled);
   lights.rects = {fill};
 }
-
-namespace {
-
-constexpr int kRaysPerPoint = 40;
-constexpr int kLightSamples = 10;
-constexpr int kBounces = 7;
-constexpr int kPointsPerTask = 64;
-
-// What a ray from a point met.
-struct Link {
-  int cell = -1;  // -1: nothing that sends light on
-  Vec3 colour;
-};
-
-int SideOf(Vec3 normal) {
-  const float x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-  if (z >= x && z >= y) return normal.z > 0 ? 4 : 5;
-  if (x >= y) return normal.x > 0 ? 0 : 1;
-  return normal.y > 0 ? 2 : 3;
-}
-
-}  // namespace
 
 uint64_t Radiosity::KeyOf(int instance, Vec3 position, int side) const {
   // Truncation is rounding down here: nothing lies 8,192 cells off.

@@ -10,7 +10,7 @@
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lighting.h"
-#include "renderer_worker/tracing/radiosity.h"
+#include "renderer_worker/tracing/lights.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
@@ -274,9 +274,7 @@ absl::StatusOr<TracedView> Trace(const Scene& scene, const SceneCamera& scene_ca
   ASSIGN_OR_RETURN(RoomShape shape, ShapeOf(scene.layout->graph().room()));
   ASSIGN_OR_RETURN(PinholeCamera camera, PinholeCamera::Make(scene_camera, options.width_px, options.height_px));
   const runtime::Workers workers{options.thread_count, options.check_alive};
-  if (workers.check_alive) {
-    RETURN_IF_ERROR(workers.check_alive());
-  }
+  if (workers.check_alive) RETURN_IF_ERROR(workers.check_alive());
   const CutAway cut = CutAwayFor(shape, scene_camera.eye);
   ASSIGN_OR_RETURN(std::unique_ptr<World> world, World::Make(scene, cut));
   Lights lights = LightsOf(scene, cut.ceiling);

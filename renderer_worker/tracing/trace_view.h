@@ -9,7 +9,7 @@
 #include "flair/v1/view_annotations.pb.h"
 #include "renderer_worker/drawing/draw_plan.h"
 #include "renderer_worker/scene/scene.h"
-#include "renderer_worker/tracing/plane.h"
+#include "renderer_worker/tracing/frame.h"
 
 namespace flair::renderer {
 

@@ -11,9 +11,9 @@
 #include <memory>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/pathway.h"
+#include "evaluation/metrics/measures.h"
 #include "evaluation/metrics/routes.h"
-#include "evaluation/readers/flairgpt_room.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "optimizer_worker/stages/stage.h"
@@ -111,9 +111,7 @@ void PrimaryRestart(benchmark::State& state, const Bench& bench) {
 void RestartsOnThreads(benchmark::State& state, const Bench& bench) {
   const SolveInput input =
       MakeSolveInput(bench.graph, Threads(static_cast<int>(state.range(0))), bench.solver, nullptr).value();
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(RunRestarts(input, bench.primary, PartialLayout(input.scene), 0, 32));
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(RunRestarts(input, bench.primary, PartialLayout(input.scene), 0, 32));
 }
 
 void WholeSolve(benchmark::State& state, const Bench& bench) {

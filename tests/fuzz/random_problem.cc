@@ -17,22 +17,10 @@
 #include "tests/fuzz/targets.h"
 
 namespace flair::fuzz {
-
 namespace {
 
 constexpr int kMostObjects = 7;
 constexpr int kMostEdges = 10;
-
-}  // namespace
-
-double Nasty(ByteSource& bytes) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kNumbers[] = {0, -0.0, -1, 1e-300, 1e-9, 1e9, 1e300, kInfinity, -kInfinity, kNan};
-  return kNumbers[bytes.Below(std::size(kNumbers))];
-}
-
-namespace {
 
 double Length(ByteSource& bytes, double least, double most) {
   return bytes.Rarely(64) ? Nasty(bytes) : bytes.Between(least, most);
@@ -90,27 +78,6 @@ void AddOpening(ByteSource& bytes, v1::Room& room) {
   opening.mutable_leaf()->set_swing_angle_rad(bytes.Between(0.01, 3.14));
 }
 
-}  // namespace
-
-void AddRandomObject(ByteSource& bytes, v1::LayoutGraph& graph) {
-  v1::Object& object = *graph.mutable_object_list()->add_objects();
-  const int number = graph.object_list().objects_size();
-  object.set_id(fmt::format("object_{}", bytes.Rarely(100) ? 1 : number));
-  object.set_name(object.id());
-  object.set_role(static_cast<v1::ObjectRole>(1 + bytes.Below(3)));
-  const bool tertiary = object.role() == v1::OBJECT_ROLE_TERTIARY;
-  object.set_kind(tertiary ? static_cast<v1::ObjectKind>(1 + bytes.Below(4)) : v1::OBJECT_KIND_FLOOR);
-  object.set_walk_over(object.kind() == v1::OBJECT_KIND_FLOOR && bytes.Rarely(6));
-  object.set_zone_id(graph.zone_plan().zones(bytes.Below(graph.zone_plan().zones_size())).id());
-  object.set_width_m(Length(bytes, 0.01, 3));
-  object.set_depth_m(Length(bytes, 0.01, 2));
-  object.set_height_m(Length(bytes, 0.01, 2.5));
-  if (object.kind() == v1::OBJECT_KIND_WALL) object.set_elevation_m(bytes.Between(0, 2.5));
-  if (bytes.Rarely(5)) object.set_host_id(fmt::format("object_{}", 1 + bytes.Below(number)));
-}
-
-namespace {
-
 // A name that an argument may hold: of an object, opening, wall, zone, side or nothing at all.
 std::string Name(ByteSource& bytes, const v1::LayoutGraph& graph, v1::ParameterKind kind) {
   if (bytes.Rarely(40)) return "nobody";
@@ -157,25 +124,6 @@ void SetValue(ByteSource& bytes, const v1::LayoutGraph& graph, const v1::Paramet
   }
 }
 
-}  // namespace
-
-void AddRandomEdge(ByteSource& bytes, v1::LayoutGraph& graph) {
-  const v1::ConstraintCatalog& catalog = optimizer::MakeCatalog();
-  const v1::ConstraintType& type = catalog.types(bytes.Below(catalog.types_size()));
-  v1::ConstraintEdge& edge = *graph.add_edges();
-  edge.set_id(fmt::format("edge_{}", graph.edges_size()));
-  edge.set_type(bytes.Rarely(50) ? "no_such_type" : type.name());
-  edge.set_weight(Length(bytes, 0.01, 100));
-  for (const v1::ParameterSpec& parameter : type.parameters()) {
-    if (parameter.required() ? bytes.Rarely(50) : bytes.Below(2) == 0) continue;
-    v1::Argument& argument = *edge.add_arguments();
-    argument.set_name(parameter.name());
-    SetValue(bytes, graph, parameter, *argument.mutable_value());
-  }
-}
-
-namespace {
-
 void AddPin(ByteSource& bytes, v1::LayoutGraph& graph) {
   v1::Placement& pin = *graph.add_pinned_placements();
   pin.set_object_id(fmt::format("object_{}", 1 + bytes.Below(kMostObjects)));
@@ -183,47 +131,6 @@ void AddPin(ByteSource& bytes, v1::LayoutGraph& graph) {
   pin.set_y_m(Length(bytes, -1, 7));
   pin.set_theta_rad(bytes.Between(0, 6.28));
 }
-
-}  // namespace
-
-v1::LayoutGraph RandomGraph(ByteSource& bytes) {
-  v1::LayoutGraph graph;
-  graph.mutable_room()->set_room_type("room");
-  graph.mutable_room()->set_height_m(bytes.Between(2, 4));
-  AddFloor(bytes, *graph.mutable_room());
-  for (int i = bytes.Below(4); i > 0; --i) AddOpening(bytes, *graph.mutable_room());
-  for (int i = bytes.Below(3); i >= 0; --i) {
-    v1::Zone& zone = *graph.mutable_zone_plan()->add_zones();
-    zone.set_id(fmt::format("zone_{}", i));
-    zone.set_name(zone.id());
-  }
-  for (int i = bytes.Below(kMostObjects); i >= 0; --i) AddRandomObject(bytes, graph);
-  for (int i = bytes.Below(kMostEdges + 1); i > 0; --i) AddRandomEdge(bytes, graph);
-  if (bytes.Rarely(3)) AddPin(bytes, graph);
-  return graph;
-}
-
-v1::SolveOptions RandomOptions(ByteSource& bytes) {
-  v1::SolveOptions options;
-  options.set_seed(bytes.Byte());
-  options.set_max_restart_count(1 + bytes.Below(2));
-  options.set_thread_count(1);
-  options.set_path_width_m(bytes.Rarely(4) ? bytes.Between(0, 2) : 0.6);
-  options.mutable_tolerances()->set_max_evaluation_count(2 + bytes.Below(20));
-  if (bytes.Rarely(4)) options.set_variant_count(1 + bytes.Below(3));
-  if (bytes.Rarely(3)) options.set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
-  if (bytes.Rarely(8)) options.set_find_contradictions(true);
-  if (bytes.Rarely(8)) options.mutable_lambdas()->set_no_overlap(bytes.Between(0, 1e6));
-  return options;
-}
-
-// The solver's entry on small problems. What must hold of every result:
-//   a refusal is INVALID_ARGUMENT with a reason, and comes exactly when graph or options do not validate;
-//   every number is finite, and the layout passes its own validation;
-//   every object is placed or named in the diagnostics;
-//   what overlaps or lies out of the room according to the metrics is named in the diagnostics.
-
-namespace {
 
 // What the metrics may see of shapes that touch: rounding over some metres.
 constexpr double kTouching_m = 2e-6;
@@ -263,6 +170,82 @@ void CheckLayout(const v1::LayoutGraph& graph, const v1::SolvedLayout& layout) {
 }
 
 }  // namespace
+
+double Nasty(ByteSource& bytes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNumbers[] = {0, -0.0, -1, 1e-300, 1e-9, 1e9, 1e300, kInfinity, -kInfinity, kNan};
+  return kNumbers[bytes.Below(std::size(kNumbers))];
+}
+
+void AddRandomObject(ByteSource& bytes, v1::LayoutGraph& graph) {
+  v1::Object& object = *graph.mutable_object_list()->add_objects();
+  const int number = graph.object_list().objects_size();
+  object.set_id(fmt::format("object_{}", bytes.Rarely(100) ? 1 : number));
+  object.set_name(object.id());
+  object.set_role(static_cast<v1::ObjectRole>(1 + bytes.Below(3)));
+  const bool tertiary = object.role() == v1::OBJECT_ROLE_TERTIARY;
+  object.set_kind(tertiary ? static_cast<v1::ObjectKind>(1 + bytes.Below(4)) : v1::OBJECT_KIND_FLOOR);
+  object.set_walk_over(object.kind() == v1::OBJECT_KIND_FLOOR && bytes.Rarely(6));
+  object.set_zone_id(graph.zone_plan().zones(bytes.Below(graph.zone_plan().zones_size())).id());
+  object.set_width_m(Length(bytes, 0.01, 3));
+  object.set_depth_m(Length(bytes, 0.01, 2));
+  object.set_height_m(Length(bytes, 0.01, 2.5));
+  if (object.kind() == v1::OBJECT_KIND_WALL) object.set_elevation_m(bytes.Between(0, 2.5));
+  if (bytes.Rarely(5)) object.set_host_id(fmt::format("object_{}", 1 + bytes.Below(number)));
+}
+
+void AddRandomEdge(ByteSource& bytes, v1::LayoutGraph& graph) {
+  const v1::ConstraintCatalog& catalog = optimizer::MakeCatalog();
+  const v1::ConstraintType& type = catalog.types(bytes.Below(catalog.types_size()));
+  v1::ConstraintEdge& edge = *graph.add_edges();
+  edge.set_id(fmt::format("edge_{}", graph.edges_size()));
+  edge.set_type(bytes.Rarely(50) ? "no_such_type" : type.name());
+  edge.set_weight(Length(bytes, 0.01, 100));
+  for (const v1::ParameterSpec& parameter : type.parameters()) {
+    if (parameter.required() ? bytes.Rarely(50) : bytes.Below(2) == 0) continue;
+    v1::Argument& argument = *edge.add_arguments();
+    argument.set_name(parameter.name());
+    SetValue(bytes, graph, parameter, *argument.mutable_value());
+  }
+}
+
+v1::LayoutGraph RandomGraph(ByteSource& bytes) {
+  v1::LayoutGraph graph;
+  graph.mutable_room()->set_room_type("room");
+  graph.mutable_room()->set_height_m(bytes.Between(2, 4));
+  AddFloor(bytes, *graph.mutable_room());
+  for (int i = bytes.Below(4); i > 0; --i) AddOpening(bytes, *graph.mutable_room());
+  for (int i = bytes.Below(3); i >= 0; --i) {
+    v1::Zone& zone = *graph.mutable_zone_plan()->add_zones();
+    zone.set_id(fmt::format("zone_{}", i));
+    zone.set_name(zone.id());
+  }
+  for (int i = bytes.Below(kMostObjects); i >= 0; --i) AddRandomObject(bytes, graph);
+  for (int i = bytes.Below(kMostEdges + 1); i > 0; --i) AddRandomEdge(bytes, graph);
+  if (bytes.Rarely(3)) AddPin(bytes, graph);
+  return graph;
+}
+
+v1::SolveOptions RandomOptions(ByteSource& bytes) {
+  v1::SolveOptions options;
+  options.set_seed(bytes.Byte());
+  options.set_max_restart_count(1 + bytes.Below(2));
+  options.set_thread_count(1);
+  options.set_path_width_m(bytes.Rarely(4) ? bytes.Between(0, 2) : 0.6);
+  options.mutable_tolerances()->set_max_evaluation_count(2 + bytes.Below(20));
+  if (bytes.Rarely(4)) options.set_variant_count(1 + bytes.Below(3));
+  if (bytes.Rarely(3)) options.set_misfit_policy(v1::MISFIT_POLICY_LEAVE_OUT);
+  if (bytes.Rarely(8)) options.set_find_contradictions(true);
+  if (bytes.Rarely(8)) options.mutable_lambdas()->set_no_overlap(bytes.Between(0, 1e6));
+  return options;
+}
+
+// The solver's entry on small problems. What must hold of every result:
+//   a refusal is INVALID_ARGUMENT with a reason, and comes exactly when graph or options do not validate;
+//   every number is finite, and the layout passes its own validation;
+//   every object is placed or named in the diagnostics;
+//   what overlaps or lies out of the room according to the metrics is named in the diagnostics.
 
 void SolveProblem(std::string_view bytes) {
   ByteSource source(bytes);

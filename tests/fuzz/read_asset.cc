@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "renderer_worker/assets/asset_furniture.h"
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/gltf/write_glb.h"
 #include "tests/fuzz/targets.h"

@@ -16,11 +16,10 @@
 #include "flair/model/v1/object_answers.pb.h"
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
-#include "llm/answers/field_facts.h"
 #include "llm/answers/read_answer.h"
 #include "llm/answers/utf8.h"
 #include "llm/openai/reply_reader.h"
-#include "llm/wrappers/folder_llm_clients.h"
+#include "llm/wrappers/llm_wrappers.h"
 #include "tests/fuzz/targets.h"
 
 namespace flair::fuzz {
@@ -207,6 +206,13 @@ void ReadRecord(std::string_view bytes) {
   Require(again.ok() && again->text == answer->text, "a record that was read is written the same");
 }
 
+constexpr char kSecret[] = "sk-secret-key";
+
+void CheckFailure(const absl::Status& status) {
+  Require(!status.message().empty(), "a refusal says why");
+  Require(status.ToString().find(kSecret) == std::string::npos, "no error holds a key");
+}
+
 }  // namespace
 
 void ReadModelAnswer(std::string_view bytes) {
@@ -222,17 +228,6 @@ void ReadModelAnswer(std::string_view bytes) {
 }
 
 // ---- A reply of the chat protocol from whoever passes for a server, streamed or at once.
-
-namespace {
-
-constexpr char kSecret[] = "sk-secret-key";
-
-void CheckFailure(const absl::Status& status) {
-  Require(!status.message().empty(), "a refusal says why");
-  Require(status.ToString().find(kSecret) == std::string::npos, "no error holds a key");
-}
-
-}  // namespace
 
 void ReadReply(std::string_view bytes) {
   if (bytes.empty()) return;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "evaluation/readers/flairgpt_room.h"
+#include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/artifact.pb.h"
 #include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "renderer_worker/assets/asset_furniture.h"
+#include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
 #include "renderer_worker/gltf/write_glb.h"

@@ -45,6 +45,14 @@ bool SendTo(int file, const std::string& bytes) {
   return ::send(file, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) == static_cast<ssize_t>(bytes.size());
 }
 
+constexpr int kMostConnections = 10000;
+// For everything else that this process has open.
+constexpr int kOtherFiles = 500;
+constexpr int kSlowCallers = 200;
+constexpr size_t kLargeMib = 64;
+
+std::string SourceOf(int caller) { return caller % 2 == 0 ? "127.0.0.2" : "127.0.0.3"; }
+
 }  // namespace
 
 Sockets::~Sockets() {
@@ -103,18 +111,6 @@ int RaiseFileLimit() {
   ::getrlimit(RLIMIT_NOFILE, &limit);
   return static_cast<int>(std::min<rlim_t>(limit.rlim_cur, 1 << 20));
 }
-
-namespace {
-
-constexpr int kMostConnections = 10000;
-// For everything else that this process has open.
-constexpr int kOtherFiles = 500;
-constexpr int kSlowCallers = 200;
-constexpr size_t kLargeMib = 64;
-
-std::string SourceOf(int caller) { return caller % 2 == 0 ? "127.0.0.2" : "127.0.0.3"; }
-
-}  // namespace
 
 const std::string kPreface = std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n") + std::string("\0\0\0\4\0\0\0\0\0", 9);
 const std::string kEndlessHeaders = std::string("\0\0\1\1\0\0\0\0\1\x82", 10);

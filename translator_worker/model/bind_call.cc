@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/model/bind_call.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,8 +7,9 @@
 #include <utility>
 
 #include "fmt/format.h"
-#include "llm/answers/fault.h"
+#include "llm/answers/read_answer.h"
 #include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/model/prompt_texts.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {
@@ -55,9 +54,7 @@ class Binder {
       if (given == given_.end()) continue;
       const v1::ParameterSpec& parameter = type_.parameters(i);
       absl::StatusOr<v1::ArgumentValue> value = reader_.Read(parameter, given->second);
-      if (!value.ok()) {
-        return InvalidArgument("{}.{}: {}", type_.name(), parameter.name(), value.status().message());
-      }
+      if (!value.ok()) return InvalidArgument("{}.{}: {}", type_.name(), parameter.name(), value.status().message());
       v1::Argument& argument = arguments.emplace_back();
       argument.set_name(parameter.name());
       *argument.mutable_value() = *std::move(value);
@@ -174,18 +171,14 @@ absl::StatusOr<double> ReadNumber(const v1::ParameterSpec& parameter, const std:
 absl::StatusOr<Call> BindCall(const WrittenCall& written, const v1::ConstraintType& type, const ArgumentReader& reader,
                               std::vector<std::string>& remarks) {
   Binder binder(type, reader);
-  for (const WrittenArgument& argument : written.arguments) {
-    RETURN_IF_ERROR(binder.Add(argument));
-  }
+  for (const WrittenArgument& argument : written.arguments) RETURN_IF_ERROR(binder.Add(argument));
   Call call(type.name());
   ASSIGN_OR_RETURN(call.arguments, binder.Read());
   RETURN_IF_ERROR(CatalogIndex::Fit(type, call.arguments, remarks));
   Values objects = ObjectsOf(type, call);
   std::sort(objects.begin(), objects.end());
   const auto twice = std::adjacent_find(objects.begin(), objects.end());
-  if (twice != objects.end()) {
-    return InvalidArgument("{} relates \"{}\" to itself", type.name(), *twice);
-  }
+  if (twice != objects.end()) return InvalidArgument("{} relates \"{}\" to itself", type.name(), *twice);
   return call;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/model/call_text.h"
-
 #include <algorithm>
 #include <array>
 
-#include "llm/answers/fault.h"
-#include "llm/answers/field_facts.h"
+#include "llm/answers/read_answer.h"
+#include "translator_worker/model/prompt_texts.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/model/call_text.h"
-
 #include <string>
 
 #include "fmt/format.h"
 #include "gtest/gtest.h"
+#include "translator_worker/model/prompt_texts.h"
 
 namespace flair::translator {
 namespace {

@@ -6,39 +6,20 @@
 #include <set>
 #include <utility>
 
+#include "absl/strings/ascii.h"
 #include "fmt/format.h"
-#include "llm/answers/field_facts.h"
 #include "llm/answers/prompt_library.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::translator {
 namespace {
 
 // As the prompt explains the kinds.
-const char* KindText(v1::ParameterKind kind) {
-  switch (kind) {
-    case v1::PARAMETER_KIND_OBJECT:
-      return "object";
-    case v1::PARAMETER_KIND_OBJECTS:
-      return "objects";
-    case v1::PARAMETER_KIND_ZONE:
-      return "zone";
-    case v1::PARAMETER_KIND_FEATURE:
-      return "feature";
-    case v1::PARAMETER_KIND_WALL:
-      return "wall";
-    case v1::PARAMETER_KIND_SIDE:
-      return "side";
-    case v1::PARAMETER_KIND_SIDES:
-      return "sides";
-    case v1::PARAMETER_KIND_CORNER:
-      return "corner";
-    case v1::PARAMETER_KIND_NUMBER:
-      return "number";
-    case v1::PARAMETER_KIND_BOOLEAN:
-      return "true|false";
-    default:
-      return "text";
-  }
+std::string KindText(v1::ParameterKind kind) {
+  constexpr size_t kPrefix = sizeof("PARAMETER_KIND_") - 1;
+  if (kind == v1::PARAMETER_KIND_BOOLEAN) return "true|false";
+  if (!v1::ParameterKind_IsValid(kind) || kind == v1::PARAMETER_KIND_UNSPECIFIED) return "text";
+  return absl::AsciiStrToLower(v1::ParameterKind_Name(kind).substr(kPrefix));
 }
 
 // "target", "side?", "max_distance_m? = 0.5", "others: objects": what the name says already is not said again.
