@@ -94,7 +94,8 @@ class WishMaker {
       std::erase_if(program_.floor_items, is_another);
       // No more desks than chairs.
       for (ProgramItem& host : program_.floor_items) {
-        if (!host.requested && SeatOf(*host.furniture, handbook_) == wish.furniture) host.count = std::min(host.count, wish.count);
+        if (!host.requested && SeatOf(*host.furniture, handbook_) == wish.furniture)
+          host.count = std::min(host.count, wish.count);
       }
     }
   }
@@ -301,6 +302,11 @@ class WishMaker {
   bool SeatPeopleAtKin(const std::string& name) {
     const hb::Furniture* usual = handbook_.FindFurniture(name);
     if (usual == nullptr || usual->category() == "box") return false;
+    // Who says how many sit at how many tables has seated them.
+    const bool seated = std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
+      return wish.counted && wish.seats > 0 && SeatOf(*wish.furniture, handbook_) == usual;
+    });
+    if (seated) return true;
     const bool without_seats = IsSeat(*usual) && !Lists(program_.floor_items, name);
     const auto kin = std::ranges::find_if(facts_.wishes, [&](const Wish& wish) {
       if (!wish.counted || wish.count < 2 || wish.furniture == usual || !IsFloorPiece(*wish.furniture)) return false;
