@@ -19,6 +19,7 @@ class WishMaker {
 
   void Apply() {
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
+    KeepAskedSeats();
     RemoveRefusals();
     CountPeople();
     KeepCounts();
@@ -98,6 +99,21 @@ class WishMaker {
           host.count = std::min(host.count, wish.count);
       }
     }
+  }
+
+  // Six recliners seat whoever comes: no sofa of ours stands before them.
+  void KeepAskedSeats() {
+    constexpr int kEnough = 4;
+    const auto is_easy = [](const hb::Furniture& furniture) {
+      const std::string& category = furniture.category();
+      return category == "armchair" || category == "sofa" || category == "corner_sofa";
+    };
+    int asked = 0;
+    for (const Wish& wish : facts_.wishes) {
+      if (wish.counted && is_easy(*wish.furniture)) asked += wish.count * PlacesOn(*wish.furniture);
+    }
+    if (asked < kEnough) return;
+    EraseUnasked([&](const ProgramItem& item) { return is_easy(*item.furniture); });
   }
 
   bool IsSeatOfAnother(const ProgramItem& seat) const {
