@@ -42,7 +42,7 @@ TEST(RoomKind, WhatComesBeforeWithIsTheRoom) {
       {"Master suite: bedroom, walk-in closet, bathroom", "bedroom; dressing room; bathroom"},
       {"A large family bathroom with dressing room", "bathroom; dressing room"},
       {"Bedroom with an en-suite door on the west wall", "bedroom"},
-      {"A hotel room that has a balcony", "bedroom; conservatory"},
+      {"A hotel room that has a balcony", "hotel bedroom; conservatory"},
       {"Garage conversion into a guest room for my in-laws", "guest room"},
       {"Turning the garage into a bedroom for my father", "bedroom"},
       {"The entrance is in the middle of the south wall.", ""},
