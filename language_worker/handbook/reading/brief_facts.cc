@@ -117,7 +117,8 @@ class BriefReader {
     }
     // Where in the room one of its uses lies: "kitchen at the east end".
     for (const NamedRoom& one : kind_.placed) {
-      const bool piece = std::ranges::any_of(pieces, [&](const Mention& mention) { return mention.begin == one.begin; });
+      const bool piece =
+          std::ranges::any_of(pieces, [&](const Mention& mention) { return mention.begin == one.begin; });
       if (!piece) facts_.places_not_known.push_back(Quote(one));
     }
   }
@@ -228,7 +229,7 @@ class BriefReader {
       if (!theme.fallback() && OccursUnused(theme.keywords(), of_its_time)) AddOnce(facts_.themes, &theme);
     }
     for (const hb::Style& style : handbook_.contents().styles()) {
-      if (Phrase(style.name()).Occurs(tokens_)) AddOnce(facts_.styles, &style);
+      if (OccursUnused(style.name())) AddOnce(facts_.styles, &style);
     }
     const BriefText text(tokens_);
     const auto& colours = handbook_.vocabulary().colours;
@@ -320,8 +321,10 @@ class BriefReader {
     return false;
   }
 
-  // "A painting" is a piece, and makes nobody a painter.
+  // "A painting" is a piece and "white paint" on the walls: neither makes anybody a painter.
   bool IsAWish(std::size_t i, std::size_t length) const {
+    if (std::ranges::any_of(facts_.finishes, [&](const auto& one) { return one.begin <= i && i < one.end; }))
+      return true;
     return used_[i] && std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
              return Phrase(wish.furniture->name()).MatchAt(tokens_, i) == length;
            });
@@ -329,13 +332,16 @@ class BriefReader {
 
   // As OccursAny, but not within words that name the room or its furniture: a king bed makes no king.
   bool OccursUnused(const google::protobuf::RepeatedPtrField<std::string>& phrases, bool of_the_room) const {
-    for (const std::string& text : phrases) {
-      const Phrase phrase(text);
-      for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        const std::size_t length = phrase.MatchAt(tokens_, i);
-        for (std::size_t k = i; k < i + length; ++k) {
-          if (!used_[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
-        }
+    return std::ranges::any_of(phrases, [&](const std::string& text) { return OccursUnused(text, of_the_room); });
+  }
+
+  // Fairy lights make no fairy's room.
+  bool OccursUnused(const std::string& text, bool of_the_room = false) const {
+    const Phrase phrase(text);
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const std::size_t length = phrase.MatchAt(tokens_, i);
+      for (std::size_t k = i; k < i + length; ++k) {
+        if (!used_[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
       }
     }
     return false;

@@ -171,6 +171,13 @@ TEST(BriefFacts, FinishesAreReadFromEitherSide) {
   EXPECT_EQ(FinishesOf("A room with a floor lamp of brass and a desk at the white wall."), "");
 }
 
+TEST(BriefFacts, PaintOnTheWallsAndFairyLightsMakeNobodyAnArtistOrAFairy) {
+  const BriefFacts office = FactsOf("A home office with two desks, warm white paint and a cork floor.");
+  EXPECT_EQ(FinishesOf("A home office with two desks, warm white paint and a cork floor."), "walls  white; floor cork");
+  EXPECT_TRUE(office.needs.empty());
+  EXPECT_TRUE(FactsOf("A bedroom with a loft bed and fairy lights.").styles.empty());
+}
+
 TEST(BriefFacts, RefusedColoursAreNotTheRooms) {
   const BriefFacts facts = FactsOf("A nursery in mustard and white, NO pink.");
   ASSERT_EQ(facts.refused_colours.size(), 1u);

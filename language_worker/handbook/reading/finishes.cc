@@ -40,6 +40,8 @@ class FinishReader {
       if (finish.material.empty() && finish.colour == nullptr) continue;
       std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
                 true);
+      finish.begin = begin;
+      finish.end = end;
       found_.push_back(std::move(finish));
     }
     return std::move(found_);
@@ -50,7 +52,7 @@ class FinishReader {
   std::optional<Surface> SurfaceAt(std::size_t i) const {
     const bool on_the_floor = text_.At(i + 1) == "underfoot" || (text_.At(i + 1) == "on" && text_.Is(i + 3, "floors"));
     if (text_.Is(i, "wall_finishes") && on_the_floor) return Surface::kFloor;
-    if (text_.At(i) == "walls" || text_.Is(i, "wall_finishes")) return Surface::kWalls;
+    if (text_.At(i) == "walls" || text_.Is(i, "wall_finishes") || text_.Is(i, "paints")) return Surface::kWalls;
     const bool part = text_.Says(i + 1, {"lamp", "cushion", "plan", "plant", "mirror", "space", "area", "to", "light"});
     if ((text_.Is(i, "floors") && !part) || text_.Is(i, "floor_finishes")) return Surface::kFloor;
     if (text_.Says(i, {"ceiling", "ceilings"}) && !part) return Surface::kCeiling;

@@ -15,6 +15,7 @@ struct AskedFinish {
   Surface surface = Surface::kWalls;
   std::string material;                     // as said; empty where only the colour is
   const hb::NamedColour* colour = nullptr;  // null where only the material is said
+  std::size_t begin = 0, end = 0;           // the tokens that say it
 };
 
 // Reads them and marks the tokens that it has used. Words in `used` belong to something else. One finish a surface: the

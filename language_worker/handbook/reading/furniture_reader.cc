@@ -133,7 +133,8 @@ class FurnitureReader {
   const hb::Furniture* SeatsAt(std::size_t i) const {
     const std::size_t begin = text_.PhraseBegin(i);
     bool counted = false;
-    for (std::size_t k = begin; k < i; ++k) counted = counted || text_.IsNumber(k) || NumberWord(text_.At(k)).value_or(0) > 1;
+    for (std::size_t k = begin; k < i; ++k)
+      counted = counted || text_.IsNumber(k) || NumberWord(text_.At(k)).value_or(0) > 1;
     if (!counted || !text_.Is(i, "places_of_people")) return nullptr;
     if (last_ && !last_->seat && OnlyWordsBetween(last_->end, i, /*around=*/false)) {
       return SeatOf(*facts_.wishes[last_->wish].furniture, handbook_);
@@ -241,7 +242,8 @@ class FurnitureReader {
       if ((text_.IsNumber(k) || NumberWord(text_.At(k))) && measure && measure->unit == 0) counts_.push_back(k);
     }
     const Groups groups = GroupsAround(text_, i, length);
-    if (groups.count > 0 && groups.in_each > 0 && !(count.said && groups.begin > i)) count = {groups.count * groups.in_each};
+    if (groups.count > 0 && groups.in_each > 0 && !(count.said && groups.begin > i))
+      count = {groups.count * groups.in_each};
     Use(groups.begin, groups.end - groups.begin);
     if (SeatsTheLast(furniture, count, i, length)) return;
     // "Mismatched wooden chairs": those of the tables, which are counted already.
@@ -335,13 +337,14 @@ class FurnitureReader {
     return joined;
   }
 
-  // "A green armchair", "two sage green velvet armchairs", "an oak and steel desk": colour and material are the piece's,
-  // not the room's; of several the first.
+  // "A green armchair", "two sage green velvet armchairs", "an oak and steel desk": colour and material are the
+  // piece's, not the room's; of several the first.
   void TakeLooks(std::size_t i, const hb::Furniture& furniture) {
     bool coloured = false, made = false;
     std::size_t begin = text_.PhraseBegin(i);
     // "An oak and steel desk".
-    while (begin > 2 && text_.At(begin - 1) == "and" && begin < i && text_.Is(begin - 2, "materials")) begin = text_.PhraseBegin(begin - 2);
+    while (begin > 2 && text_.At(begin - 1) == "and" && begin < i && text_.Is(begin - 2, "materials"))
+      begin = text_.PhraseBegin(begin - 2);
     for (std::size_t k = begin; k < i; ++k) {
       if (used_[k]) continue;
       const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, k, /*plural=*/false);

@@ -103,7 +103,8 @@ SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length) 
   const std::size_t begin = text.PhraseBegin(i);
   for (std::size_t at = begin; at < i; ++at) {
     const std::size_t noun = text.IsHyphen(at + 1) ? at + 2 : at + 1;
-    if (CountAt(text, at) > 0 && noun < i && text.Is(noun, "seats_of_a_piece")) return {CountAt(text, at), at, noun + 1};
+    if (CountAt(text, at) > 0 && noun < i && text.Is(noun, "seats_of_a_piece"))
+      return {CountAt(text, at), at, noun + 1};
   }
   // "That'll sit ten round one long table."
   if (begin < 2 || !text.Is(begin - 1, "around_a_table")) return {};
@@ -118,10 +119,12 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
   const auto number = [&](std::size_t k) { return std::min(CountAt(text, k), kMost); };
   const auto is_group = [&](std::size_t k) { return IsFormIn("groups_of_pieces", text.At(k)); };
   const std::size_t end = i + length;
-  for (std::size_t at = end; at < end + kMostBehind && !text.EndsSentence(at) && !text.Says(at, {"and", "with"}); ++at) {
+  for (std::size_t at = end; at < end + kMostBehind && !text.EndsSentence(at) && !text.Says(at, {"and", "with"});
+       ++at) {
     if (!text.Says(at, {"in", "into"})) continue;
     std::size_t group = at + (number(at + 1) > 0 ? 2 : 1);
-    while (group < at + kMostWords && !is_group(group) && text.IsWord(group) && !text.Is(group, "thing_articles")) ++group;
+    while (group < at + kMostWords && !is_group(group) && text.IsWord(group) && !text.Is(group, "thing_articles"))
+      ++group;
     if (!is_group(group) || number(at + 1) == 1 || (number(at + 1) == 0 && !text.At(group).ends_with('s'))) continue;
     Groups groups{number(at + 1), 0, at, group + 1};
     if (text.At(group + 1) == "of" && number(group + 2) > 0) groups.in_each = number(group + 2), groups.end = group + 3;
@@ -179,7 +182,8 @@ std::string LastWord(const std::string& name) { return name.substr(name.rfind(' 
 bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, BriefFacts& facts) {
   bool any = false;
   for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
-    if (std::ranges::none_of(head.words, [&](const Phrase& word) { return word.MatchAt(text.tokens(), i) == 1; })) continue;
+    if (std::ranges::none_of(head.words, [&](const Phrase& word) { return word.MatchAt(text.tokens(), i) == 1; }))
+      continue;
     for (const hb::Furniture* option : head.options) AddOnce(facts.refusals, option);
     any = true;
   }
@@ -199,7 +203,8 @@ bool IsRefused(const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostBehind = 3;
   for (std::size_t at = i + 1; at <= i + kMostBehind && at < text.size() && !text.EndsSentence(at); ++at) {
     if (text.BehindPhrase(at, "refused_behind")) return true;
-    if (text.At(at) == "out" && i >= 1 && (text.At(i - 1) == "leave" || (i >= 2 && text.At(i - 2) == "leave"))) return true;
+    if (text.At(at) == "out" && i >= 1 && (text.At(i - 1) == "leave" || (i >= 2 && text.At(i - 2) == "leave")))
+      return true;
     if (text.IsSign(at) && !text.IsHyphen(at)) break;
   }
   for (const std::size_t back : {1, 2, 3}) {

@@ -301,8 +301,9 @@ absl::Status Check(const SizeRequest& size) {
         "brief.text: a floor of {:g} m2 cannot be furnished; write an area between 1.5 and 2000 m2", *size.area_m2));
   }
   if (size.height_m && (*size.height_m < kLowestM || *size.height_m > 12)) {
-    return absl::InvalidArgumentError(fmt::format(
-        "brief.text: a ceiling at {:g} m is not possible; write a height between {:g} and 12 m", *size.height_m, kLowestM));
+    return absl::InvalidArgumentError(
+        fmt::format("brief.text: a ceiling at {:g} m is not possible; write a height between {:g} and 12 m",
+                    *size.height_m, kLowestM));
   }
   return absl::OkStatus();
 }
