@@ -68,7 +68,7 @@ absl::StatusOr<ordered_json> JsonOf(ResultsFile& results, const char* query) {
 bool IsMeasure(const ResultColumn& column) { return column.type == "REAL" && column.name != "cost_usd"; }
 
 ordered_json SpreadOf(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const auto at = [&](double share) {
     return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
   };

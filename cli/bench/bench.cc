@@ -89,7 +89,7 @@ absl::StatusOr<std::vector<ProblemFile>> ListProblemFiles(const fs::path& path) 
   }
   if (error) return NotFound("{}: {}", path.string(), error.message());
   if (files.empty()) return NotFound("{}: no .json or .pb files in it", path.string());
-  std::sort(files.begin(), files.end(), [](const ProblemFile& a, const ProblemFile& b) { return a.path < b.path; });
+  std::ranges::sort(files, [](const ProblemFile& a, const ProblemFile& b) { return a.path < b.path; });
   return files;
 }
 
@@ -136,7 +136,7 @@ double PeakMemory_MiB() {
 
 double Quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
 }
 

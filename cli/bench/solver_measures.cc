@@ -18,8 +18,8 @@ namespace flair::cli {
 namespace {
 
 int Held(const v1::SolvedLayout& layout) {
-  return static_cast<int>(std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
-                                        [](const auto& e) { return e.status() == v1::OUTCOME_STATUS_SATISFIED; }));
+  return static_cast<int>(std::ranges::count_if(
+      layout.edge_outcomes(), [](const auto& e) { return e.status() == v1::OUTCOME_STATUS_SATISFIED; }));
 }
 
 const v1::Placement* PlacementOf(const v1::SolvedLayout& layout, const std::string& id) {
@@ -139,7 +139,7 @@ std::string ResolveTable(const std::vector<Record>& edits) {
   return text + table.Row(Cells("all", edits));
 }
 
-double RestartsMeasure::Best() const { return *std::min_element(scores.begin(), scores.end()); }
+double RestartsMeasure::Best() const { return *std::ranges::min_element(scores); }
 
 bool RestartsMeasure::Hits(size_t k) const {
   const double best = Best();

@@ -47,7 +47,7 @@ bool SameValue(const v1::ArgumentValue& made, const v1::ArgumentValue& wanted) {
 }
 
 bool SameArguments(const v1::ConstraintEdge& made, const v1::ConstraintEdge& gold) {
-  return std::all_of(gold.arguments().begin(), gold.arguments().end(), [&](const v1::Argument& wanted) {
+  return std::ranges::all_of(gold.arguments(), [&](const v1::Argument& wanted) {
     const v1::ArgumentValue* value = Find(made, wanted.name());
     if (value != nullptr) return SameValue(*value, wanted.value());
     const bool front_only = wanted.name() == "sides" && SetOf(wanted.value()) == std::set<std::string>{"front"};
@@ -77,12 +77,12 @@ bool MeansTheSameBothWays(const v1::ConstraintEdge& gold) {
 using Alternatives = std::vector<std::vector<v1::ConstraintEdge>>;
 
 bool IsMade(const v1::ConstraintEdge& gold, const std::vector<v1::ConstraintEdge>& made) {
-  return std::any_of(made.begin(), made.end(), [&](const v1::ConstraintEdge& edge) { return MeetsGold(edge, gold); });
+  return std::ranges::any_of(made, [&](const v1::ConstraintEdge& edge) { return MeetsGold(edge, gold); });
 }
 
 bool IsMet(const Alternatives& alternatives, const std::vector<v1::ConstraintEdge>& made) {
-  return alternatives.empty() || std::any_of(alternatives.begin(), alternatives.end(), [&](const auto& calls) {
-           return std::all_of(calls.begin(), calls.end(), [&](const auto& gold) { return IsMade(gold, made); });
+  return alternatives.empty() || std::ranges::any_of(alternatives, [&](const auto& calls) {
+           return std::ranges::all_of(calls, [&](const auto& gold) { return IsMade(gold, made); });
          });
 }
 
@@ -176,7 +176,7 @@ std::vector<TranslateOutcome> OutcomesOf(const LabelledBullet& bullet, const std
       blamed = i;
     }
   }
-  const bool stray = std::any_of(made.begin(), made.end(), [&](const auto& edge) { return !IsNamed(edge, bullet); });
+  const bool stray = std::ranges::any_of(made, [&](const auto& edge) { return !IsNamed(edge, bullet); });
   if (stray) outcomes[blamed] = TranslateOutcome::kWrong;
   return outcomes;
 }
@@ -187,9 +187,9 @@ void AddToScore(const LabelledRoom& room, const v1::LayoutGraph& translated, Tra
     for (const v1::ConstraintEdge& edge : translated.edges()) {
       if (edge.sentence_id() == bullet.sentence.id()) made.push_back(edge);
     }
-    const bool remarked =
-        std::any_of(translated.diagnostics().begin(), translated.diagnostics().end(),
-                    [&](const v1::Diagnostic& remark) { return remark.subject_id() == bullet.sentence.id(); });
+    const bool remarked = std::ranges::any_of(translated.diagnostics(), [&](const v1::Diagnostic& remark) {
+      return remark.subject_id() == bullet.sentence.id();
+    });
     score.silent += made.empty() && !remarked;
     const std::vector<TranslateOutcome> outcomes = OutcomesOf(bullet, made);
     bool right = true;
@@ -212,8 +212,7 @@ v1::ConstraintCatalog TypesOfTheReference(const v1::ConstraintCatalog& catalog) 
     const auto known_there = [](const std::string& name) {
       return evaluation::FindFlairGptFunction(evaluation::CanonicalFlairGptName(name)) != nullptr;
     };
-    const bool named =
-        known_there(type.name()) || std::any_of(type.aliases().begin(), type.aliases().end(), known_there);
+    const bool named = known_there(type.name()) || std::ranges::any_of(type.aliases(), known_there);
     if (named || type.built_in()) *known.add_types() = type;
   }
   return known;

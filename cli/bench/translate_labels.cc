@@ -73,7 +73,7 @@ absl::StatusOr<std::vector<fs::path>> LabelFiles(const fs::path& path) {
   }
   if (error) return NotFound("{}: {}", path.string(), error.message());
   if (files.empty()) return NotFound("{}: no .jsonl files in it", path.string());
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -213,7 +213,7 @@ absl::StatusOr<std::string> ReadGoldObject(const json& index, const v1::LayoutGr
   if (index.is_string() && index.get<std::string>().rfind('t', 0) == 0)
     id = "item_" + index.get<std::string>().substr(1);
   const auto& objects = room.object_list().objects();
-  const bool known = std::any_of(objects.begin(), objects.end(), [&](const auto& object) { return object.id() == id; });
+  const bool known = std::ranges::any_of(objects, [&](const auto& object) { return object.id() == id; });
   if (known) return id;
   return NotFound("the room has no object {}; expected an index such as 3 or \"t3\"", Text(index));
 }

@@ -115,7 +115,7 @@ class WorkFolder {
       ASSIGN_OR_RETURN(std::string content, ReadFile(entry.path()));
       files.push_back({entry.path().filename().string(), std::move(content)});
     }
-    std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
+    std::ranges::sort(files, [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
     return files;
   }
 

@@ -84,8 +84,7 @@ absl::Status AddFolder(const fs::path& folder, std::vector<OutputFile>& files) {
     if (entry.path().extension() != ".txt") continue;
     ASSIGN_OR_RETURN(std::string text, ReadFile(entry.path()));
     const std::string name = entry.path().filename().string();
-    const auto same =
-        std::find_if(files.begin(), files.end(), [&](const OutputFile& file) { return file.name == name; });
+    const auto same = std::ranges::find_if(files, [&](const OutputFile& file) { return file.name == name; });
     if (same == files.end()) {
       files.push_back({name, std::move(text)});
     } else if (same->content != text) {
@@ -101,7 +100,7 @@ absl::Status WritePrompts(const PromptsArguments& arguments) {
   for (const fs::path& folder : {language::DefaultPromptsFolder(), translator::DefaultPromptFolder()}) {
     RETURN_IF_ERROR(AddFolder(folder, files));
   }
-  std::sort(files.begin(), files.end(), [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
+  std::ranges::sort(files, [](const OutputFile& a, const OutputFile& b) { return a.name < b.name; });
   std::vector<std::string> names;
   for (const OutputFile& file : files) {
     names.push_back(file.name);

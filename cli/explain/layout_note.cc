@@ -47,7 +47,7 @@ std::string RoomInWords(const v1::Room& message, const Room& room) {
 
 void Append(const std::vector<int>& from, std::vector<int>& to) {
   for (const int object : from) {
-    if (std::find(to.begin(), to.end(), object) == to.end()) to.push_back(object);
+    if (std::ranges::find(to, object) == to.end()) to.push_back(object);
   }
 }
 
@@ -290,7 +290,7 @@ absl::StatusOr<Note> MakeLayoutNote(const v1::SolvedLayout& layout, const v1::Co
   RETURN_IF_ERROR(Validate(layout));
   ASSIGN_OR_RETURN(Scene scene, SceneFromProto(layout.graph()));
   // Names are read by people here: "towel_rack" is written "towel rack".
-  for (Object& object : scene.objects) std::replace(object.name.begin(), object.name.end(), '_', ' ');
+  for (Object& object : scene.objects) std::ranges::replace(object.name, '_', ' ');
   ASSIGN_OR_RETURN(const PartialLayout where, PosesFromPlacements(scene, layout.placements()));
   return NoteMaker(layout, catalog, scene, where).Make();
 }

@@ -207,7 +207,7 @@ std::string ValueInWords(const v1::ParameterSpec& spec, const Arguments& argumen
     }
     case v1::PARAMETER_KIND_CORNER: {
       std::string corner(CornerName(arguments.OneCorner(name)));
-      std::replace(corner.begin(), corner.end(), '_', ' ');
+      std::ranges::replace(corner, '_', ' ');
       return corner;
     }
     case v1::PARAMETER_KIND_BOOLEAN:

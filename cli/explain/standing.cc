@@ -115,7 +115,7 @@ class Place {
     const WallContact& first = contacts.front();
     const bool flank = first.side == Side::kLeft || first.side == Side::kRight;
     const std::string side = fmt::format("{}{}", SideName(first.side), flank ? " side" : "");
-    const auto second = std::find_if(contacts.begin(), contacts.end(), [&](const WallContact& contact) {
+    const auto second = std::ranges::find_if(contacts, [&](const WallContact& contact) {
       return std::abs(Dot(contact.wall->inward_normal, first.wall->inward_normal)) < 0.5;
     });
     std::string words;

@@ -29,7 +29,7 @@ bool IsText(std::string_view bytes) {
   // Not in the middle of a character.
   while (end > 0 && end < bytes.size() && (static_cast<unsigned char>(bytes[end]) & 0xC0) == 0x80) --end;
   const std::string_view begin = bytes.substr(0, end);
-  const bool has_control = std::any_of(begin.begin(), begin.end(), [](char c) {
+  const bool has_control = std::ranges::any_of(begin, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t') || byte == 0x7f;
   });

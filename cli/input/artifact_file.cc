@@ -124,7 +124,7 @@ bool IsEdited(const v1::Artifact& artifact) {
 void MarkEdited(v1::Artifact& artifact) {
   const std::string before = artifact.id();
   auto& made_from = *artifact.mutable_made_from_ids();
-  const bool has_parent = std::find(made_from.begin(), made_from.end(), before) != made_from.end();
+  const bool has_parent = std::ranges::find(made_from, before) != made_from.end();
   if (orchestrator::IsArtifactId(before) && !has_parent) {
     *made_from.Add() = before;
     std::rotate(made_from.pointer_begin(), made_from.pointer_end() - 1, made_from.pointer_end());

@@ -75,11 +75,11 @@ std::vector<fs::path> FilesIn(const fs::path& folder, const std::vector<std::str
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     std::error_code unreadable;
     const std::string ending = entry.path().extension().string();
-    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) continue;
+    if (std::ranges::find(endings, ending) == endings.end()) continue;
     if (entry.is_regular_file(unreadable)) files.push_back(entry.path());
     if (files.size() == most) break;
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

@@ -24,8 +24,8 @@ constexpr size_t kIdDigits = 64;
 constexpr size_t kDateDigits = 8;
 
 bool IsHex(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(),
-                                      [](char c) { return absl::ascii_isxdigit(static_cast<unsigned char>(c)); });
+  return !text.empty() &&
+         std::ranges::all_of(text, [](char c) { return absl::ascii_isxdigit(static_cast<unsigned char>(c)); });
 }
 
 bool LooksLikeJob(const std::string& text) {

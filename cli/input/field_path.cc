@@ -225,7 +225,7 @@ size_t FindJsonField(std::string_view json, const std::vector<PathStep>& path) {
 
 int LineAt(std::string_view text, size_t offset) {
   const std::string_view before = text.substr(0, offset);
-  return static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+  return static_cast<int>(std::ranges::count(before, '\n')) + 1;
 }
 
 bool HoldsOptions(const FieldDescriptor& field) {

@@ -182,7 +182,7 @@ absl::StatusOr<std::vector<fs::path>> FindFoldersWith(const fs::path& root, cons
   if (found.size() > most) {
     return InvalidArgument("{}: holds more than {} designs; give a part of them", root.string(), most);
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 template <typename Layout>  // SolvedLayout or RunnerUp
 int CountOf(const Layout& layout, v1::OutcomeStatus status) {
-  return static_cast<int>(std::count_if(layout.edge_outcomes().begin(), layout.edge_outcomes().end(),
-                                        [status](const v1::EdgeOutcome& edge) { return edge.status() == status; }));
+  return static_cast<int>(std::ranges::count_if(
+      layout.edge_outcomes(), [status](const v1::EdgeOutcome& edge) { return edge.status() == status; }));
 }
 
 template <typename Layout>
@@ -153,8 +153,8 @@ v1::ModelUsage UsageOf(const ArtifactsByKind& artifacts) {
 }
 
 std::string ModelsSection(const v1::Report& report, const ArtifactsByKind& artifacts) {
-  const bool asked = std::any_of(artifacts.begin(), artifacts.end(),
-                                 [](const auto& entry) { return !entry.second.model_calls().empty(); });
+  const bool asked =
+      std::ranges::any_of(artifacts, [](const auto& entry) { return !entry.second.model_calls().empty(); });
   std::vector<std::string> stand_ins, faults;
   for (const v1::Diagnostic& remark : report.diagnostics()) {
     if (remark.code() == "stand_in") stand_ins.push_back(remark.message());

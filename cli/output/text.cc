@@ -150,7 +150,7 @@ Columns::Columns(std::vector<std::string> titles) : titles_(std::move(titles)) {
 }
 
 void Columns::Add(std::vector<std::string> cells) {
-  for (std::string& cell : cells) std::replace(cell.begin(), cell.end(), '\n', ' ');
+  for (std::string& cell : cells) std::ranges::replace(cell, '\n', ' ');
   cells.resize(titles_.size());
   rows_.push_back(std::move(cells));
 }

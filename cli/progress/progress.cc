@@ -44,7 +44,7 @@ class Lines : public Progress {
 
   void See(const v1::JobEvent& event) override {
     Erase();
-    const auto running = std::find(running_.begin(), running_.end(), event.stage());
+    const auto running = std::ranges::find(running_, event.stage());
     switch (event.kind()) {
       case v1::JOB_EVENT_KIND_STAGE_STARTED:
         if (running == running_.end()) running_.push_back(event.stage());

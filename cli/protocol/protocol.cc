@@ -164,7 +164,7 @@ bool IsReference(std::string_view word) {
                                                             : nullptr;
   if (exact == nullptr || *exact != name) return false;
   return name.size() < word.size() ||
-         std::count_if(name.begin(), name.end(), [](unsigned char c) { return std::isupper(c) != 0; }) > 1;
+         std::ranges::count_if(name, [](unsigned char c) { return std::isupper(c) != 0; }) > 1;
 }
 
 // A comment's words with links, and with what Markdown would take for its own escaped.

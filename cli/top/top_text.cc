@@ -208,8 +208,8 @@ class TopPage {
     std::vector<int> shown;
     int total = 0;
     for (const Section& section : sections) total += shown.emplace_back(static_cast<int>(section.rows.size()));
-    while (total > room && *std::max_element(shown.begin(), shown.end()) > 0) {
-      --*std::max_element(shown.begin(), shown.end());
+    while (total > room && *std::ranges::max_element(shown) > 0) {
+      --*std::ranges::max_element(shown);
       --total;
     }
     for (size_t i = 0; i < sections.size(); ++i) {

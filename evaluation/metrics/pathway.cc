@@ -55,7 +55,7 @@ void SampleWall(const Room& room, int index, std::vector<Point>& samples) {
     if (opening.kind != OpeningKind::kDoor || opening.wall != index) continue;
     doors.emplace_back(std::max(0.0, opening.offset_m), std::min(wall.length_m, opening.offset_m + opening.width_m));
   }
-  std::sort(doors.begin(), doors.end());
+  std::ranges::sort(doors);
   double from = 0;
   for (const auto& [low, high] : doors) {
     if (low > from) SampleSegment(wall.PointAt(from), wall.PointAt(low), samples);
@@ -106,7 +106,7 @@ void AddRidge(const Vec2<double>& from, const Vec2<double>& to, const Vec2<doubl
     const double radius = Distance(p, a);
     const double opposite = Ramp(width * width / (4 * radius * radius), kCorner, kOpposite);
     if (opposite == 0 || !Contains(floor, p)) continue;
-    if (std::any_of(solids.begin(), solids.end(), [&p](const Solid& solid) { return solid.Covers(p); })) continue;
+    if (std::ranges::any_of(solids, [&p](const Solid& solid) { return solid.Covers(p); })) continue;
     pieces.push_back({p, (1 / width) * (b - a), slit * opposite * length / steps, radius});
   }
 }

@@ -40,7 +40,7 @@ class Ways {
   std::vector<Vec2<double>> To(size_t cell) const {
     std::vector<size_t> cells{cell};
     while (before_[cells.back()] >= 0) cells.push_back(static_cast<size_t>(before_[cells.back()]));
-    std::reverse(cells.begin(), cells.end());
+    std::ranges::reverse(cells);
     std::vector<Vec2<double>> points{doors_[static_cast<size_t>(kNone - 1 - before_[cells.front()])],
                                      Center(cells.front())};
     for (size_t at = 0; at + 1 < cells.size();) {

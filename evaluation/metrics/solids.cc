@@ -67,7 +67,7 @@ class Measurer {
       CheckSupport(prism);
       CheckHeadroom(prism);
     }
-    std::stable_sort(result_.findings.begin(), result_.findings.end(), [](const auto& a, const auto& b) {
+    std::ranges::stable_sort(result_.findings, [](const auto& a, const auto& b) {
       return a.kind() != b.kind() ? a.kind() < b.kind() : a.amount() > b.amount();
     });
     return std::move(result_);

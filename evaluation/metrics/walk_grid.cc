@@ -262,8 +262,8 @@ double WalkGrid::SweptShare() {
 WalkResult WalkGrid::Measure(std::span<const Obstacle> obstacles) {
   free_ = inside_;
   open_ = roomy_;
-  std::fill(reached_.begin(), reached_.end(), 0);
-  std::fill(swept_.begin(), swept_.end(), 0);
+  std::ranges::fill(reached_, 0);
+  std::ranges::fill(swept_, 0);
   const double needed = std::max(0.0, radius_m_ - cell_m_ / 2 - 1e-7);
   for (const Obstacle& obstacle : obstacles) {
     ClearShape(free_, obstacle, 0);

@@ -115,7 +115,7 @@ absl::StatusOr<Words> FlairGptArguments::Sides(const json& value, const std::str
     if (word == "one" || word == "any") return Words{"front"};
     ASSIGN_OR_RETURN(const Words named, SidesNamed(word, wide));
     for (const std::string& side : named) {
-      if (std::find(sides.begin(), sides.end(), side) == sides.end()) sides.push_back(side);
+      if (std::ranges::find(sides, side) == sides.end()) sides.push_back(side);
     }
   }
   return sides;
@@ -126,7 +126,7 @@ absl::StatusOr<Words> FlairGptArguments::Objects(const json& value) const {
   Words ids;
   for (const json& item : value) {
     ASSIGN_OR_RETURN(std::string id, ObjectId(item, false));
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(std::move(id));
+    if (std::ranges::find(ids, id) == ids.end()) ids.push_back(std::move(id));
   }
   return ids;
 }

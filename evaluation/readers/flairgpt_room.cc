@@ -169,8 +169,8 @@ void AddObject(const json& record, v1::ObjectRole role, v1::LayoutGraph& graph) 
 
 void AddDiagnostic(const std::string& message, v1::LayoutGraph& graph) {
   // Recordings repeat the calls of their zones for all of them.
-  const bool known = std::any_of(graph.diagnostics().begin(), graph.diagnostics().end(),
-                                 [&](const v1::Diagnostic& other) { return other.message() == message; });
+  const bool known =
+      std::ranges::any_of(graph.diagnostics(), [&](const v1::Diagnostic& other) { return other.message() == message; });
   if (known) return;
   v1::Diagnostic* diagnostic = graph.add_diagnostics();
   diagnostic->set_severity(v1::SEVERITY_WARNING);
@@ -180,7 +180,7 @@ void AddDiagnostic(const std::string& message, v1::LayoutGraph& graph) {
 
 void AddEdge(v1::ConstraintEdge edge, v1::LayoutGraph& graph) {
   const std::string content = edge.SerializeAsString();
-  const bool known = std::any_of(graph.edges().begin(), graph.edges().end(), [&](v1::ConstraintEdge other) {
+  const bool known = std::ranges::any_of(graph.edges(), [&](v1::ConstraintEdge other) {
     other.clear_id();
     return other.SerializeAsString() == content;
   });
@@ -304,8 +304,8 @@ std::string WriteFlairGptLayout(const v1::SolvedLayout& layout, const std::strin
     const bool tertiary = object.role() == v1::OBJECT_ROLE_TERTIARY;
     const int index = IndexOf(object.id(), tertiary ? item_count : floor_count);
     ++(tertiary ? item_count : floor_count);
-    const auto placement = std::find_if(layout.placements().begin(), layout.placements().end(),
-                                        [&](const v1::Placement& p) { return p.object_id() == object.id(); });
+    const auto placement =
+        std::ranges::find_if(layout.placements(), [&](const v1::Placement& p) { return p.object_id() == object.id(); });
     if (placement == layout.placements().end()) continue;
     const char* role = tertiary ? "tertiary" : object.role() == v1::OBJECT_ROLE_PRIMARY ? "primary" : "secondary";
     objects.push_back({{"role", role},

@@ -115,7 +115,7 @@ class Changer {
       made.set_weight(std::max(made.weight(), from.weight()));
       for (const std::string& subject : from.subject_ids()) {
         const auto& there = made.subject_ids();
-        if (std::find(there.begin(), there.end(), subject) == there.end()) made.add_subject_ids(subject);
+        if (std::ranges::find(there, subject) == there.end()) made.add_subject_ids(subject);
       }
     }
     return made;
@@ -160,7 +160,7 @@ std::optional<std::string> RemovalReason(std::string_view text) {
   static constexpr std::array<std::string_view, 8> kNone = {"",     "none",   "null",    "nothing",
                                                             "goes", "remove", "removed", "delete"};
   const std::string word = llm::Bare(text.substr(0, end));
-  if (std::find(kNone.begin(), kNone.end(), word) == kNone.end()) return std::nullopt;
+  if (std::ranges::find(kNone, word) == kNone.end()) return std::nullopt;
   // A sentence may begin so: "Nothing stands before the door."
   if (word == "nothing" && end < text.size() && text[end] == ' ') return std::nullopt;
   text.remove_prefix(end);
@@ -182,7 +182,7 @@ class Reader {
       const std::optional<std::string> id = llm::FindChoice(word, ids_);
       if (!id && word == "and") continue;
       if (!id) return fmt::format("names {}, which is no sentence of the list", llm::Quoted(word));
-      if (std::find(change.from.begin(), change.from.end(), *id) == change.from.end()) change.from.push_back(*id);
+      if (std::ranges::find(change.from, *id) == change.from.end()) change.from.push_back(*id);
     }
     if (change.from.empty()) return "names no sentence; its id before a colon would be right";
     for (const std::string& text : answer.to()) {

@@ -73,7 +73,7 @@ std::vector<llm::Fault> CheckInter(const InterAnswer& answer) {
   std::vector<llm::Fault> faults;
   for (int i = 0; i < answer.constraints_size(); ++i) {
     const auto& objects = answer.constraints(i).objects();
-    if (std::find(objects.begin(), objects.end(), "") == objects.end()) continue;
+    if (std::ranges::find(objects, "") == objects.end()) continue;
     faults.push_back({fmt::format("constraints[{}]", i), "names an object that is not there"});
   }
   return faults;

@@ -132,7 +132,7 @@ class FloorPlan {
 
   void JoinEqualLines() {
     for (const FloorObjectAnswer& object : answer_.objects()) {
-      const auto same = std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) {
+      const auto same = std::ranges::find_if(lines_, [&](const Line& line) {
         return PlainName(line.answer->name()) == PlainName(object.name()) && line.answer->zone() == object.zone() &&
                line.answer->width_m() == object.width_m() && line.answer->depth_m() == object.depth_m();
       });
@@ -205,8 +205,8 @@ class FloorPlan {
     }
     if (victim == lines_.end() || rank(*victim) >= 2) return false;
     const std::string& name = victim->answer->name();
-    const bool told = std::any_of(list_.omissions().begin(), list_.omissions().end(),
-                                  [&](const v1::Omission& omission) { return omission.name() == name; });
+    const bool told =
+        std::ranges::any_of(list_.omissions(), [&](const v1::Omission& omission) { return omission.name() == name; });
     if (!told) {
       v1::Omission& omission = *list_.add_omissions();
       omission.set_name(name);

@@ -33,8 +33,8 @@ std::string WallText(const v1::Room& room, int index) {
   for (const v1::Opening& opening : room.openings()) {
     if (opening.wall() == name) things.push_back(OpeningText(opening));
   }
-  const auto sockets = std::count_if(room.sockets().begin(), room.sockets().end(),
-                                     [&](const v1::Socket& socket) { return socket.wall() == name; });
+  const auto sockets =
+      std::ranges::count_if(room.sockets(), [&](const v1::Socket& socket) { return socket.wall() == name; });
   if (sockets == 1) things.push_back("a socket");
   if (sockets > 1) things.push_back(fmt::format("{} sockets", sockets));
   return things.empty() ? text : fmt::format("{}: {}", text, fmt::join(things, ", "));
@@ -54,7 +54,7 @@ bool Alike(const v1::Object& a, const v1::Object& b) {
 
 // Whether an id can tell a name: ids have Latin letters alone.
 bool IsInItsId(const std::string& name) {
-  return std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x80 && std::isalpha(c) != 0; });
+  return std::ranges::any_of(name, [](unsigned char c) { return c < 0x80 && std::isalpha(c) != 0; });
 }
 
 std::string SizeText(const v1::Room& room) {
@@ -79,8 +79,8 @@ std::string Lower(std::string_view text) {
 }  // namespace
 
 std::string ShortRoomText(const v1::Room& room) {
-  const auto doors = std::count_if(room.openings().begin(), room.openings().end(),
-                                   [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
+  const auto doors = std::ranges::count_if(
+      room.openings(), [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
   const auto windows = room.openings_size() - doors;
   return fmt::format("{}, {} door{}, {} window{}", SizeText(room), doors, doors == 1 ? "" : "s", windows,
                      windows == 1 ? "" : "s");
@@ -104,8 +104,8 @@ std::vector<ObjectGroup> GroupObjects(const v1::ObjectList& list, bool floor_onl
   std::vector<ObjectGroup> groups;
   for (const v1::Object& object : list.objects()) {
     if (floor_only && object.role() == v1::OBJECT_ROLE_TERTIARY) continue;
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const ObjectGroup& group) { return Alike(*group.objects.front(), object); });
+    const auto same =
+        std::ranges::find_if(groups, [&](const ObjectGroup& group) { return Alike(*group.objects.front(), object); });
     if (same != groups.end()) {
       same->objects.push_back(&object);
     } else {
@@ -151,8 +151,8 @@ llm::Choices GroupChoices(const std::vector<ObjectGroup>& groups) {
   // A name that several groups have means none of them.
   for (const ObjectGroup& group : groups) {
     const std::string& name = group.objects.front()->name();
-    const auto count = std::count_if(groups.begin(), groups.end(),
-                                     [&](const ObjectGroup& other) { return other.objects.front()->name() == name; });
+    const auto count =
+        std::ranges::count_if(groups, [&](const ObjectGroup& other) { return other.objects.front()->name() == name; });
     if (count == 1) choices.aliases[name] = group.name;
   }
   return choices;

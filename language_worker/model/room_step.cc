@@ -111,11 +111,10 @@ void SetFloor(double width_m, double depth_m, v1::Room& room) {
 bool Fits(const OpeningAnswer& answer, const RoomAnswer& sized, const v1::Room& room) {
   if (answer.width_m() > WallLength(sized, answer.wall())) return false;
   const auto [start_m, end_m] = StretchOf(answer, sized);
-  return std::none_of(room.openings().begin(), room.openings().end(),
-                      [&, start = start_m, end = end_m](const auto& other) {
-                        return other.wall() == answer.wall() &&
-                               std::min(end, other.offset_m() + other.width_m()) > std::max(start, other.offset_m());
-                      });
+  return std::ranges::none_of(room.openings(), [&, start = start_m, end = end_m](const auto& other) {
+    return other.wall() == answer.wall() &&
+           std::min(end, other.offset_m() + other.width_m()) > std::max(start, other.offset_m());
+  });
 }
 
 v1::DoorSwing SwingOf(const std::string& word) {
@@ -126,10 +125,9 @@ v1::DoorSwing SwingOf(const std::string& word) {
 
 void AddOpening(const OpeningAnswer& answer, const RoomAnswer& sized, v1::Room& room) {
   const bool door = answer.kind() == "door";
-  const int number =
-      1 + static_cast<int>(std::count_if(room.openings().begin(), room.openings().end(), [&](const v1::Opening& other) {
-        return (other.kind() == v1::OPENING_KIND_DOOR) == door;
-      }));
+  const int number = 1 + static_cast<int>(std::ranges::count_if(room.openings(), [&](const v1::Opening& other) {
+                       return (other.kind() == v1::OPENING_KIND_DOOR) == door;
+                     }));
   const auto [start_m, end_m] = StretchOf(answer, sized);
   v1::Opening& opening = *room.add_openings();
   opening.set_id(fmt::format("{}_{}", door ? "door" : "window", number));
@@ -155,7 +153,7 @@ void AddOpening(const OpeningAnswer& answer, const RoomAnswer& sized, v1::Room& 
 void AddSockets(const RoomAnswer& sized, v1::Room& room) {
   for (const model::v1::SocketAnswer& answer : sized.sockets()) {
     const double offset_m = OffsetOf(answer.wall(), answer.position(), WallLength(sized, answer.wall()));
-    const bool in_door = std::any_of(room.openings().begin(), room.openings().end(), [&](const v1::Opening& opening) {
+    const bool in_door = std::ranges::any_of(room.openings(), [&](const v1::Opening& opening) {
       return opening.kind() == v1::OPENING_KIND_DOOR && opening.wall() == answer.wall() &&
              offset_m > opening.offset_m() && offset_m < opening.offset_m() + opening.width_m();
     });
@@ -170,8 +168,8 @@ void AddSockets(const RoomAnswer& sized, v1::Room& room) {
 
 // A room without a way in gets openings where a builder would put them.
 void MakeSureOfADoor(const v1::Brief& brief, v1::Room& room) {
-  const bool door = std::any_of(room.openings().begin(), room.openings().end(),
-                                [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
+  const bool door = std::ranges::any_of(
+      room.openings(), [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
   if (door) return;
   room.clear_openings();
   room.clear_sockets();

@@ -46,7 +46,7 @@ int ReadNumber(std::string_view behind) {
   const std::vector<Word> words = ReadWords(behind.substr(0, kNear));
   if (words.empty() || behind.find_first_not_of(" (#") != words.front().begin) return 0;
   const std::string& key = words.front().key;
-  return key.size() < 3 && std::all_of(key.begin(), key.end(), absl::ascii_isdigit) ? std::atoi(key.c_str()) : 0;
+  return key.size() < 3 && std::ranges::all_of(key, absl::ascii_isdigit) ? std::atoi(key.c_str()) : 0;
 }
 
 constexpr size_t kLongest = 390;
@@ -87,7 +87,7 @@ std::string NameKey(std::string_view name) {
   std::string key;
   for (const Word& word : ReadWords(name)) {
     // A number at the end only tells equal things apart.
-    if (key.empty() || !std::all_of(word.key.begin(), word.key.end(), absl::ascii_isdigit)) key += word.key;
+    if (key.empty() || !std::ranges::all_of(word.key, absl::ascii_isdigit)) key += word.key;
   }
   return key;
 }
@@ -97,7 +97,7 @@ ObjectNames::ObjectNames(const std::vector<const v1::Object*>& objects) : object
     Name name;
     name.key = NameKey(objects[i]->name());
     for (Word& word : ReadWords(objects[i]->name())) name.words.push_back(std::move(word.key));
-    const auto same = std::find_if(names_.begin(), names_.end(), [&](const Name& n) { return n.key == name.key; });
+    const auto same = std::ranges::find_if(names_, [&](const Name& n) { return n.key == name.key; });
     Name& known = same != names_.end() ? *same : names_.emplace_back(std::move(name));
     known.objects.push_back(static_cast<int>(i));
   }
@@ -155,13 +155,13 @@ std::vector<Mention> ObjectNames::FindLoosely(std::string_view text, std::string
     const Name* only = nullptr;
     int count = 0;
     for (const Name& name : names_) {
-      if (std::find(name.words.begin(), name.words.end(), word.key) == name.words.end()) continue;
+      if (std::ranges::find(name.words, word.key) == name.words.end()) continue;
       only = &name;
       ++count;
     }
     if (count != 1) continue;
-    const bool known = std::any_of(mentions.begin(), mentions.end(),
-                                   [&](const Mention& other) { return other.objects == only->objects; });
+    const bool known =
+        std::ranges::any_of(mentions, [&](const Mention& other) { return other.objects == only->objects; });
     if (!known) mentions.push_back({word.begin, word.end, Choose(text.substr(word.end), zone_id, only->objects)});
   }
   return mentions;
@@ -203,19 +203,17 @@ std::vector<std::string> SplitSentences(std::string_view line) {
 
 bool IsSize(std::string_view text) {
   const std::vector<Word> words = ReadWords(text);
-  return std::all_of(words.begin(), words.end(),
-                     [](const Word& word) { return IsFigure(word) || IsIn("size words", word); });
+  return std::ranges::all_of(words, [](const Word& word) { return IsFigure(word) || IsIn("size words", word); });
 }
 
 bool HasSize(std::string_view text) {
   const std::vector<Word> words = ReadWords(text);
-  return std::any_of(words.begin(), words.end(),
-                     [](const Word& word) { return IsFigure(word) && word.key.back() == 'm'; });
+  return std::ranges::any_of(words, [](const Word& word) { return IsFigure(word) && word.key.back() == 'm'; });
 }
 
 bool HasWordOf(const char* list, std::string_view text) {
   const std::vector<Word> words = ReadWords(text);
-  return std::any_of(words.begin(), words.end(), [&](const Word& word) { return IsIn(list, word); });
+  return std::ranges::any_of(words, [&](const Word& word) { return IsIn(list, word); });
 }
 
 double Likeness(std::string_view a, std::string_view b) {
@@ -229,8 +227,7 @@ double Likeness(std::string_view a, std::string_view b) {
   const auto first = keys(a), second = keys(b);
   const size_t least = std::min(first.size(), second.size());
   if (least == 0) return 0;
-  const auto common =
-      std::count_if(first.begin(), first.end(), [&](const auto& word) { return second.contains(word); });
+  const auto common = std::ranges::count_if(first, [&](const auto& word) { return second.contains(word); });
   return static_cast<double>(common) / static_cast<double>(least);
 }
 

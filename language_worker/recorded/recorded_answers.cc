@@ -63,9 +63,8 @@ std::string WallOf(const std::string& wall, bool turned) {
 
 // They stand before the others.
 size_t CountPrimaries(const std::vector<const v1::Object*>& objects) {
-  return static_cast<size_t>(std::count_if(objects.begin(), objects.end(), [](const v1::Object* object) {
-    return object->role() == v1::OBJECT_ROLE_PRIMARY;
-  }));
+  return static_cast<size_t>(std::ranges::count_if(
+      objects, [](const v1::Object* object) { return object->role() == v1::OBJECT_ROLE_PRIMARY; }));
 }
 
 // What the recorded model's own call put an item onto, beside or under; null when no call says.
@@ -182,7 +181,7 @@ model::v1::FloorObjectsAnswer RecordedAnswers::FloorObjects() const {
   std::vector<const v1::Object*> first;  // of each line
   std::vector<int> counts;
   for (const v1::Object* object : floor_) {
-    const auto same = std::find_if(first.begin(), first.end(), [&](const v1::Object* o) { return Alike(*o, *object); });
+    const auto same = std::ranges::find_if(first, [&](const v1::Object* o) { return Alike(*o, *object); });
     if (same != first.end()) {
       ++counts[static_cast<size_t>(same - first.begin())];
     } else {
@@ -239,7 +238,7 @@ model::v1::TertiariesAnswer RecordedAnswers::Tertiaries(std::string_view prompt,
     }
     std::vector<std::string> hosts = ids.NamesOf(placement.hosts);
     if (const v1::Object* host = hosts.empty() ? HostByCalls(room_, object) : nullptr; host != nullptr) {
-      hosts = ids.NamesOf({static_cast<int>(std::find(floor_.begin(), floor_.end(), host) - floor_.begin())});
+      hosts = ids.NamesOf({static_cast<int>(std::ranges::find(floor_, host) - floor_.begin())});
     }
     *answer.add_objects() = Tertiary(object, placement.text, hosts);
     if (placement.text.empty()) {
@@ -261,7 +260,7 @@ std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind
   for (RecordedSentence& sentence : sentences) {
     const std::vector<int> named = sentence.objects;
     std::erase_if(sentence.objects, [&](int object) {
-      return !is_primary(object) && std::any_of(named.begin(), named.end(), [&](int other) {
+      return !is_primary(object) && std::ranges::any_of(named, [&](int other) {
         return is_primary(other) && NameOf(other) == NameOf(object);
       });
     });
@@ -269,7 +268,7 @@ std::vector<RecordedSentence> RecordedAnswers::Sentences(ConstraintTextKind kind
   for (RecordedSentence& sentence : read("secondary")) {
     // And the other way round.
     std::vector<int>& objects = sentence.objects;
-    if (kind == ConstraintTextKind::kIntra && !std::all_of(objects.begin(), objects.end(), is_primary)) {
+    if (kind == ConstraintTextKind::kIntra && !std::ranges::all_of(objects, is_primary)) {
       std::erase_if(objects, is_primary);
     }
     sentences.push_back(std::move(sentence));

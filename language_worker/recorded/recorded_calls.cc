@@ -77,8 +77,8 @@ bool ReadCall(const v1::ConstraintEdge& edge, const Ids& ids, RecordedCall& call
 // be named.
 bool NamesFeature(const std::string& value, const KeySet& words) {
   if (value != "door" && value != "window" && value != "socket") return true;
-  return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return english::Language::Get().IsIn(value + "s", word); });
+  return std::ranges::any_of(words,
+                             [&](const std::string& word) { return english::Language::Get().IsIn(value + "s", word); });
 }
 
 class CallMatcher {
@@ -126,7 +126,7 @@ class CallMatcher {
   // Whether the sentence is about the object, or names it.
   bool Names(size_t i, const std::string& object) const {
     const auto& subjects = sentences_[i].subject_ids;
-    if (std::find(subjects.begin(), subjects.end(), object) != subjects.end()) return true;
+    if (std::ranges::find(subjects, object) != subjects.end()) return true;
     const auto name = names_.find(object);
     if (name == names_.end()) return false;
     const std::vector<Word> words = ReadWords(sentences_[i].text);
@@ -145,7 +145,7 @@ class CallMatcher {
     if (call.objects.empty()) return 0;
     const std::string list = "says " + call.function;
     const auto says = [&](const std::string& word) { return english::Language::Get().IsIn(list, word); };
-    double score = static_cast<double>(std::count_if(words_[i].begin(), words_[i].end(), says));
+    double score = static_cast<double>(std::ranges::count_if(words_[i], says));
     // An item's sentence is the only one about it, in whatever words.
     const auto& subjects = sentences_[i].subject_ids;
     const bool first = !subjects.empty() && subjects.front() == call.objects.front();

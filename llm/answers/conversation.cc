@@ -99,7 +99,7 @@ std::vector<absl::StatusOr<Reply>> Conversation::AskAll(std::span<const Question
   round.clear();
   for (Turn& turn : turns) {
     const std::vector<Fault>& faults = turn.reply.faults;
-    if (!turn.error.ok() || std::none_of(faults.begin(), faults.end(), WorthAsking)) continue;
+    if (!turn.error.ok() || std::ranges::none_of(faults, WorthAsking)) continue;
     PrepareRepair(turn);
     round.push_back(&turn);
   }

@@ -78,7 +78,7 @@ absl::Status Check(const fs::path& path, const std::string& text, const PromptSp
   for (Placeholder next = NextPlaceholder(text, 0); next.start != std::string::npos;
        next = NextPlaceholder(text, next.end)) {
     const auto& known = spec.placeholders;
-    if (std::find(known.begin(), known.end(), next.name) == known.end()) {
+    if (std::ranges::find(known, next.name) == known.end()) {
       const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(next.start), '\n');
       return InvalidArgument("{}:{}: {{{{{}}}}} is not a placeholder of this prompt; it has {}", path.string(), line,
                              next.name, Listed(known));
@@ -86,7 +86,7 @@ absl::Status Check(const fs::path& path, const std::string& text, const PromptSp
     used.push_back(next.name);
   }
   for (const std::string& name : spec.required) {
-    if (std::find(used.begin(), used.end(), name) != used.end()) continue;
+    if (std::ranges::find(used, name) != used.end()) continue;
     return InvalidArgument("{}: {{{{{}}}}} is not in the text", path.string(), name);
   }
   return absl::OkStatus();

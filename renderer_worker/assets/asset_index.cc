@@ -40,7 +40,7 @@ std::vector<std::string> WordsOf(std::string_view text) {
   std::vector<std::string> words;
   std::string word;
   const auto finish = [&] {
-    const bool told = std::find(kTellNothing.begin(), kTellNothing.end(), word) == kTellNothing.end();
+    const bool told = std::ranges::find(kTellNothing, word) == kTellNothing.end();
     if (!word.empty() && word.size() <= kMaxWordBytes && told) words.push_back(Singular(std::move(word)));
     word.clear();
   };
@@ -180,7 +180,7 @@ class FtsIndex final : public AssetIndex {
       const double score = Score(known_[entry], wanted, text);
       if (score >= kLeastAssetScore) matches.push_back({entry, score});
     }
-    std::sort(matches.begin(), matches.end(), [&](const AssetMatch& a, const AssetMatch& b) {
+    std::ranges::sort(matches, [&](const AssetMatch& a, const AssetMatch& b) {
       return a.score != b.score ? a.score > b.score : known_[a.entry].id < known_[b.entry].id;
     });
     if (matches.size() > max_count) matches.resize(max_count);

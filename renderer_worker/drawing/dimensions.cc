@@ -40,7 +40,7 @@ std::vector<double> OpeningEnds(const Plan& plan, int wall) {
   ends.push_back(0);
   ends.push_back(plan.walls[wall].length_m);
   for (double& end : ends) end = std::clamp(end, 0.0, plan.walls[wall].length_m);
-  std::sort(ends.begin(), ends.end());
+  std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end(), [](double a, double b) { return b - a < 5e-3; }), ends.end());
   return ends;
 }
@@ -92,7 +92,7 @@ void AddOverall(const Plan& plan, const Sheet& sheet, std::vector<DimensionStrin
   const PlanWall sides[] = {{{b.x0, b.y0}, {b.x1, b.y0}, {1, 0}, {0, -1}, b.width()},
                             {{b.x0, b.y1}, {b.x0, b.y0}, {0, -1}, {-1, 0}, b.height()}};
   for (const PlanWall& side : sides) {
-    const bool told = std::any_of(plan.walls.begin(), plan.walls.end(), [&side](const PlanWall& wall) {
+    const bool told = std::ranges::any_of(plan.walls, [&side](const PlanWall& wall) {
       return std::abs(Cross(wall.along, side.along)) < 1e-6 && std::abs(wall.length_m - side.length_m) < 5e-3;
     });
     if (told) continue;
@@ -236,14 +236,13 @@ std::vector<Clearance> FindClearances(const Plan& plan) {
   for (const PlanObject& object : plan.objects) {
     if (IsSolid(object) && object.width_m * object.depth_m >= kLeastPieceM2) pieces.push_back(&object);
   }
-  std::stable_sort(pieces.begin(), pieces.end(), [](const PlanObject* a, const PlanObject* b) {
+  std::ranges::stable_sort(pieces, [](const PlanObject* a, const PlanObject* b) {
     return a->width_m * a->depth_m > b->width_m * b->depth_m;
   });
   for (const PlanObject* piece : pieces) {
     const Clearance clearance = Ahead(plan, *piece);
     if (!(clearance.length_m >= kLeastM && clearance.length_m <= kMostM)) continue;
-    if (std::any_of(found.begin(), found.end(), [&](const Clearance& other) { return SameFloor(clearance, other); }))
-      continue;
+    if (std::ranges::any_of(found, [&](const Clearance& other) { return SameFloor(clearance, other); })) continue;
     found.push_back(clearance);
     if (found.size() == kMost) break;
   }

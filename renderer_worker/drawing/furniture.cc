@@ -62,7 +62,7 @@ bool IsAbove(const Plan& plan, const PlanObject& object) {
   if (object.low_m >= kCut_m && object.depth_m > kDeep_m) return true;
   const Point front =
       object.centre_m + Point{-std::sin(object.theta_rad), std::cos(object.theta_rad)} * (object.depth_m / 2);
-  return std::any_of(plan.objects.begin(), plan.objects.end(), [&](const PlanObject& below) {
+  return std::ranges::any_of(plan.objects, [&](const PlanObject& below) {
     return below.kind == v1::OBJECT_KIND_FLOOR && !below.walk_over && below.top_m < object.top_m &&
            PolygonContains(below.Corners(), front);
   });

@@ -41,7 +41,7 @@ class LabelLayer {
       for (const PlanZone& zone : plan.zones) AddArea(zone.name, zone.parts, LineColourFor(zone.tint));
     }
     const auto has_floor = [](const PlanZone& zone) { return !zone.parts.empty(); };
-    if (!plan.layers.zones || std::count_if(plan.zones.begin(), plan.zones.end(), has_floor) < 2) {
+    if (!plan.layers.zones || std::ranges::count_if(plan.zones, has_floor) < 2) {
       for (LabelItem& item : items_) item.forms_mm.resize(item.only_inside ? 0 : item.forms_mm.size());
       AddArea(plan.room_type, {plan.floor}, Hex(0x4A4641));
     }

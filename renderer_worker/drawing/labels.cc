@@ -165,7 +165,7 @@ std::vector<Group> GroupsOf(const std::vector<LabelItem>& items) {
   const auto area = [&items](const Group& group) {
     return items[group[0]].half_width_mm * items[group[0]].half_depth_mm;
   };
-  std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) { return area(a) > area(b); });
+  std::ranges::stable_sort(groups, [&](const Group& a, const Group& b) { return area(a) > area(b); });
   if (groups.size() > kMostLabels) groups.resize(kMostLabels);
   return groups;
 }
@@ -194,7 +194,7 @@ std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const 
   for (const Group& group : groups) {
     if (items[group[0]].only_inside || !any_form(group, false, inside(kPaddingMm, 15))) left.push_back(group);
   }
-  std::reverse(left.begin(), left.end());
+  std::ranges::reverse(left);
   for (const Group& group : left) {
     const LabelItem& first = items[group[0]];
     if (first.only_inside || (first.named_beside && any_form(group, true, around(4, 12)))) continue;

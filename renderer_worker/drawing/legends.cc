@@ -69,9 +69,7 @@ void FrontSign(Canvas& canvas, const Box& box) {
 
 // Those that are on the plan.
 std::vector<Sign> SignsOf(const Plan& plan) {
-  const auto any_opening = [&plan](auto holds) {
-    return std::any_of(plan.openings.begin(), plan.openings.end(), holds);
-  };
+  const auto any_opening = [&plan](auto holds) { return std::ranges::any_of(plan.openings, holds); };
   std::vector<Sign> signs;
   if (any_opening([](const PlanOpening& o) { return !o.door; })) signs.push_back({"window, sill outside", WindowSign});
   if (any_opening([](const PlanOpening& o) {
@@ -83,11 +81,10 @@ std::vector<Sign> SignsOf(const Plan& plan) {
   if (any_opening([](const PlanOpening& o) { return o.door && o.swing == v1::DOOR_SWING_NONE; }))
     signs.push_back({"open passage", PassageSign});
   if (!plan.sockets.empty()) signs.push_back({"socket", SocketSignBox});
-  if (std::any_of(plan.objects.begin(), plan.objects.end(),
-                  [](const PlanObject& object) { return object.kind == v1::OBJECT_KIND_CEILING; }))
+  if (std::ranges::any_of(plan.objects,
+                          [](const PlanObject& object) { return object.kind == v1::OBJECT_KIND_CEILING; }))
     signs.push_back({"hangs above", OverheadSign});
-  if (std::any_of(plan.objects.begin(), plan.objects.end(),
-                  [](const PlanObject& object) { return object.shown_as->front_mark(); }))
+  if (std::ranges::any_of(plan.objects, [](const PlanObject& object) { return object.shown_as->front_mark(); }))
     signs.push_back({"front of a piece", FrontSign});
   return signs;
 }
@@ -95,8 +92,8 @@ std::vector<Sign> SignsOf(const Plan& plan) {
 constexpr double kLineMm = 5;
 
 int Count(const Plan& plan, v1::OutcomeStatus status) {
-  return static_cast<int>(std::count_if(plan.edges.begin(), plan.edges.end(),
-                                        [status](const PlanEdge& edge) { return edge.status == status; }));
+  return static_cast<int>(
+      std::ranges::count_if(plan.edges, [status](const PlanEdge& edge) { return edge.status == status; }));
 }
 
 // Writes lines below each other, or only adds up their heights.
@@ -187,8 +184,7 @@ const char* Carrier(const PlanKey& key) {
 }
 
 void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number, const Box& row, double size) {
-  const auto object = std::find_if(plan.objects.begin(), plan.objects.end(),
-                                   [number](const PlanObject& o) { return o.key == number - 1; });
+  const auto object = std::ranges::find_if(plan.objects, [number](const PlanObject& o) { return o.key == number - 1; });
   const Ink ink = object != plan.objects.end() ? object->ink : Ink{Hex(0xE5E0D8), kPanelSoft};
   const double middle = (row.y0 + row.y1) / 2;
   DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, kWhite, 0.25), ink.line,

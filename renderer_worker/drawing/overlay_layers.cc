@@ -132,8 +132,8 @@ class Operands {
         features.push_back(plan_.walls[socket.wall].start + plan_.walls[socket.wall].along * socket.offset_m);
     }
     if (features.empty()) return std::nullopt;
-    return *std::min_element(features.begin(), features.end(),
-                             [from](Point a, Point b) { return Distance(a, from) < Distance(b, from); });
+    return *std::ranges::min_element(features,
+                                     [from](Point a, Point b) { return Distance(a, from) < Distance(b, from); });
   }
 
   Point NearestWall(Point from) const {
@@ -165,7 +165,7 @@ std::string WordsOf(const v1::ConstraintEdge& edge, const std::map<std::string, 
     if (argument.value().has_text()) words += " " + argument.value().text();
     for (const std::string& text : argument.value().texts().items()) words += " " + text;
   }
-  std::replace(words.begin(), words.end(), '_', ' ');
+  std::ranges::replace(words, '_', ' ');
   return words;
 }
 

@@ -32,8 +32,7 @@ absl::StatusOr<PlanLayers> LayersOf(const v1::RenderOptions& options) {
 namespace {
 
 bool AllFinite(std::initializer_list<double> values) {
-  return std::all_of(values.begin(), values.end(),
-                     [](double value) { return std::isfinite(value) && std::abs(value) < 1e6; });
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value) && std::abs(value) < 1e6; });
 }
 
 double SignedArea(const std::vector<Point>& polygon) {
@@ -143,7 +142,7 @@ void CountKey(const v1::Object& object, int zone, Plan& plan, PlanObject& read) 
     return key.name == object.name() && key.zone == zone && key.kind == object.kind() &&
            key.walk_over == object.walk_over() && key.width_m == object.width_m() && key.depth_m == object.depth_m();
   };
-  const auto at = std::find_if(plan.keys.begin(), plan.keys.end(), same);
+  const auto at = std::ranges::find_if(plan.keys, same);
   read.key = static_cast<int>(at - plan.keys.begin());
   if (at == plan.keys.end()) {
     plan.keys.push_back(
@@ -174,7 +173,7 @@ void SortKeys(Plan& plan) {
   const auto rank = [&plan](int key) {
     return plan.keys[key].zone < 0 ? static_cast<int>(plan.zones.size()) : plan.keys[key].zone;
   };
-  std::stable_sort(order.begin(), order.end(), [&rank](int a, int b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(order, [&rank](int a, int b) { return rank(a) < rank(b); });
   std::vector<PlanKey> sorted;
   std::vector<int> place(order.size());
   for (size_t i = 0; i < order.size(); ++i) {
@@ -240,7 +239,7 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     if (omission.requested()) plan.unplaced.push_back(omission.name());
   }
   SortKeys(plan);
-  std::stable_sort(plan.objects.begin(), plan.objects.end(), DrawnBefore);
+  std::ranges::stable_sort(plan.objects, DrawnBefore);
   return absl::OkStatus();
 }
 

@@ -110,9 +110,7 @@ class Vocabulary {
  private:
   using Nouns = std::map<std::string, std::string_view, std::less<>>;
 
-  static bool IsSmall(std::string_view word) {
-    return std::find(kSmallWords.begin(), kSmallWords.end(), word) != kSmallWords.end();
-  }
+  static bool IsSmall(std::string_view word) { return std::ranges::find(kSmallWords, word) != kSmallWords.end(); }
 
   static std::string_view Find(const Nouns& nouns, const std::string& phrase) {
     const auto at = nouns.find(phrase);
@@ -134,7 +132,7 @@ class Vocabulary {
     }
     if (words.empty()) return {};
     const auto before = words.first(words.size() - 1);
-    const bool plain = std::all_of(before.begin(), before.end(), [this](const auto& w) { return plain_.contains(w); });
+    const bool plain = std::ranges::all_of(before, [this](const auto& w) { return plain_.contains(w); });
     return plain ? Find(nouns_alone_, words.back()) : std::string_view();
   }
 

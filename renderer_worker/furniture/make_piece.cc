@@ -114,14 +114,6 @@ int Tube(lua_State* s) {
   return Added(s);
 }
 
-// bar(material, from, to, radius, sides) or bar(material, from, to, from_radius, to_radius, sides)
-int Bar(lua_State* s) {
-  const bool tapered = lua_gettop(s) >= 6;
-  PieceOf(s).make.Bar(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), FloatAt(s, 4), FloatAt(s, tapered ? 5 : 4),
-                      SidesAt(s, tapered ? 6 : 5, 8));
-  return Added(s);
-}
-
 // sheet(material, columns, rows, function(u, v) ... return point end, thickness)
 int Sheet(lua_State* s) {
   luaL_checktype(s, 4, LUA_TFUNCTION);
@@ -270,18 +262,7 @@ constexpr luaL_Reg kFunctions[] = {
     {"ring", Shape<[](Modeller& make, lua_State* s) {
        make.Ring(MaterialAt(s, 1), Vec3At(s, 2), PointsAt(s, 3), SidesAt(s, 4, 24), StretchAt(s, 5));
      }>},
-    {"cylinder", Shape<[](Modeller& make, lua_State* s) {
-       make.Cylinder(MaterialAt(s, 1), Vec3At(s, 2), FloatAt(s, 3), FloatAt(s, 4), FloatAt(s, 5, 0.003F),
-                     SidesAt(s, 6, 20));
-     }>},
-    {"ellipsoid", Shape<[](Modeller& make, lua_State* s) {
-       make.Ellipsoid(MaterialAt(s, 1), Vec3At(s, 2), Vec3At(s, 3), SidesAt(s, 4, 16), SidesAt(s, 5, 8));
-     }>},
     {"tube", Tube},
-    {"bar", Bar},
-    {"hoop", Shape<[](Modeller& make, lua_State* s) {
-       make.Hoop(MaterialAt(s, 1), Vec3At(s, 2), FloatAt(s, 3), FloatAt(s, 4), SidesAt(s, 5, 24));
-     }>},
     {"sheet", Sheet},
     {"inside", Inside},
     {"shine", Shine},

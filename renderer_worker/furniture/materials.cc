@@ -36,7 +36,7 @@ const BaseMaterial* OfWord(std::string_view word) {
   const auto& materials = Furniture().material();
   for (int i = 0; i < materials.size(); ++i) {
     const auto& words = materials[i].words();
-    if (materials[i].name() == word || std::find(words.begin(), words.end(), word) != words.end()) {
+    if (materials[i].name() == word || std::ranges::find(words, word) != words.end()) {
       return &BaseMaterials()[static_cast<size_t>(i)];
     }
   }
@@ -62,7 +62,7 @@ const BaseMaterial& MaterialOf(const std::string& name, std::string_view usual) 
 
 template <typename Predicate>
 const BaseMaterial* First(const Materials& named, Predicate predicate) {
-  const auto at = std::find_if(named.begin(), named.end(), [&](const BaseMaterial* m) { return predicate(*m); });
+  const auto at = std::ranges::find_if(named, [&](const BaseMaterial* m) { return predicate(*m); });
   return at != named.end() ? *at : nullptr;
 }
 
@@ -113,8 +113,7 @@ std::string Lower(std::string_view text) {
 
 template <typename List>
 bool HasAny(const std::string& text, const List& words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const auto& word) { return text.find(word) != std::string::npos; });
+  return std::ranges::any_of(words, [&](const auto& word) { return text.find(word) != std::string::npos; });
 }
 
 float Channel(int value) {
@@ -130,8 +129,8 @@ void ApplyFinish(const Finishes& finishes, const v1::SurfaceStyle& surface, Mate
   material.pattern = Pattern::kPlain;
   material.second_colour = material.colour;
   if (!surface.material().empty()) material.name = surface.material();
-  const auto finish = std::find_if(finishes.begin(), finishes.end(),
-                                   [&](const SurfaceFinish& each) { return HasAny(words, each.words()); });
+  const auto finish =
+      std::ranges::find_if(finishes, [&](const SurfaceFinish& each) { return HasAny(words, each.words()); });
   if (finish == finishes.end()) return;
   material.pattern = static_cast<Pattern>(finish->pattern());
   material.roughness = finish->roughness();
@@ -187,8 +186,7 @@ std::vector<const BaseMaterial*> MaterialsInWords(std::string_view text) {
   const auto take = [&] {
     const BaseMaterial* base = OfWord(word);
     if (base == nullptr && word.ends_with('s')) base = OfWord(word.substr(0, word.size() - 1));
-    if (!word.empty() && base != nullptr && std::find(found.begin(), found.end(), base) == found.end())
-      found.push_back(base);
+    if (!word.empty() && base != nullptr && std::ranges::find(found, base) == found.end()) found.push_back(base);
     word.clear();
   };
   for (const char c : text.substr(0, 400)) {
@@ -204,7 +202,7 @@ std::vector<const BaseMaterial*> MaterialsInWords(std::string_view text) {
   const auto tree = [](const BaseMaterial* base) {
     return base->kind == FurnitureMaterial::WOOD && base->look.pattern == Pattern::kWood && base->name != "wood";
   };
-  if (std::any_of(found.begin(), found.end(), tree)) {
+  if (std::ranges::any_of(found, tree)) {
     std::erase_if(found, [](const BaseMaterial* base) { return base->name == "wood"; });
   }
   return found;

@@ -65,7 +65,7 @@ Vec3 Modeller::Directed(Vec3 direction) const {
 Vec3 Modeller::Placed(Vec3 point) const { return frame_.origin + Directed(point); }
 
 MeshPart& Modeller::PartOf(const Material& material) {
-  const auto at = std::find_if(parts_.begin(), parts_.end(), [&](const MeshPart& p) { return p.material == material; });
+  const auto at = std::ranges::find_if(parts_, [&](const MeshPart& p) { return p.material == material; });
   if (at != parts_.end()) return *at;
   parts_.emplace_back().material = material;
   return parts_.back();
@@ -144,7 +144,7 @@ void Patch::SmoothNormals() {
     const auto grid = [](float value) { return std::llround(static_cast<double>(value) * 1e6); };
     return std::tuple(grid(p.x), grid(p.y), grid(p.z));
   };
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
+  std::ranges::stable_sort(order, [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
   std::vector<Vec3> sums(count);
   for (size_t i = first_index_; i + 2 < part_.indices.size(); i += 3) {
     const uint32_t a = part_.indices[i], b = part_.indices[i + 1], c = part_.indices[i + 2];

@@ -50,14 +50,8 @@ class Modeller {
   void Lathe(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides = 20, Vec2 stretch = {1, 1});
   // The same with a closed profile that stays off the axis, counter-clockwise with radius to the right: rings, shades.
   void Ring(const Material& material, Vec3 base, std::span<const Vec2> profile, int sides = 24, Vec2 stretch = {1, 1});
-  // An upright cylinder with bevelled rims.
-  void Cylinder(const Material& material, Vec3 base, float radius, float height, float bevel = 0.003F, int sides = 20);
-  void Ellipsoid(const Material& material, Vec3 centre, Vec3 radii, int sides = 16, int rings = 8);
   // A round bar through the points, with flat ends. `radii` has one entry for all, or one a point.
   void Tube(const Material& material, std::span<const Vec3> path, std::span<const float> radii, int sides = 8);
-  void Bar(const Material& material, Vec3 from, Vec3 to, float from_radius, float to_radius, int sides = 8);
-  // A closed ring of wire about the z axis of the frame.
-  void Hoop(const Material& material, Vec3 centre, float radius, float thickness, int sides = 24);
   // A sheet of cloth, paper or leaf: `at` maps [0, 1] x [0, 1] to points; the side towards which d/du x d/dv points and
   // its other side are `thickness` apart.
   void Sheet(const Material& material, int columns, int rows, const std::function<Vec3(float u, float v)>& at,
@@ -97,8 +91,5 @@ class Patch {
   size_t first_vertex_;
   size_t first_index_;
 };
-
-// Points (radius, height) of a quarter turn or more, for profiles: around `centre` from one angle to another.
-std::vector<Vec2> ArcPoints(Vec2 centre, float radius_x, float radius_y, float from_rad, float to_rad, int steps);
 
 }  // namespace flair::renderer

@@ -73,11 +73,6 @@ std::vector<Case> Shapes() {
          m.Ring(a, {}, std::array<Vec2, 4>{{{0.4F, 0}, {0.5F, 0}, {0.5F, 0.8F}, {0.4F, 0.8F}}}, 64, {1, 0.8F});
        },
        kPiFloat * 0.8F * (0.2F - 0.128F), 0.002F},
-      {"ellipsoid",
-       [](Modeller& m, const Material& a) {
-         m.Ellipsoid(a, {0, 0, 0.4F}, {0.5F, 0.4F, 0.4F}, 64, 32);
-       },
-       4 * kPiFloat / 3 * 0.08F, 0.002F},
       {"sheet",
        [](Modeller& m, const Material& a) {
          m.Sheet(
@@ -179,7 +174,7 @@ TEST(Modeller, FramesNest) {
 
 TEST(Modeller, WhatIsMadeIsStretchedToItsBoxAndPointsInsideMoveAlong) {
   Modeller modeller;
-  modeller.Ellipsoid({}, {3, 3, 3}, {1, 2, 0.5F});
+  modeller.Pillow({}, {2, 1, 2.5F}, {4, 5, 3.5F});
   std::array<Vec3, 1> inside{{{3, 3, 3}}};
   const Mesh mesh = modeller.Filling(0.2F, 4, 1, inside);
   Vec3 low{9, 9, 9}, high{-9, -9, -9};
@@ -196,8 +191,8 @@ TEST(Modeller, WhatIsMadeIsStretchedToItsBoxAndPointsInsideMoveAlong) {
 TEST(Modeller, WhatHasNoVolumeIsLeftOut) {
   Modeller modeller;
   modeller.Box({}, {0, 0, 0}, {1, 1, 0});
-  modeller.Cylinder({}, {}, 0, 1);
-  modeller.Bar({}, {1, 1, 1}, {1, 1, 1}, 0.1F, 0.1F);
+  modeller.Lathe({}, {}, std::array<Vec2, 2>{{{0, 0}, {0, 1}}});
+  modeller.Tube({}, {}, std::array{0.1F});
   modeller.Slab({}, std::array<Vec2, 2>{{{0, 0}, {1, 0}}}, 0, 1);
   modeller.Cushion({}, {0, 0, 0}, {1, 0, 1}, 0.1F);
   EXPECT_TRUE(modeller.Filling(1, 1, 1, {}).parts.empty());

@@ -248,13 +248,4 @@ void Modeller::Slab(const Material& material, std::span<const Vec2> outline, flo
   Band(patch, outline, {outline, outline, bottom + bevel, top - bevel}, 0, 0);
 }
 
-std::vector<Vec2> ArcPoints(Vec2 centre, float radius_x, float radius_y, float from_rad, float to_rad, int steps) {
-  std::vector<Vec2> points;
-  for (int i = 0; i <= steps; ++i) {
-    const float angle = from_rad + (to_rad - from_rad) * static_cast<float>(i) / static_cast<float>(steps);
-    points.push_back({centre.x + radius_x * std::cos(angle), centre.y + radius_y * std::sin(angle)});
-  }
-  return points;
-}
-
 }  // namespace flair::renderer

@@ -123,29 +123,8 @@ void Modeller::Ring(const Material& material, Vec3 base, std::span<const Vec2> p
   }
 }
 
-void Modeller::Cylinder(const Material& material, Vec3 base, float radius, float height, float bevel, int sides) {
-  if (radius < 1e-5F || height < 1e-5F) return;
-  bevel = std::min({bevel, 0.3F * radius, 0.3F * height});
-  Lathe(material, base,
-        std::array<Vec2, 4>{{{radius - bevel, 0}, {radius, bevel}, {radius, height - bevel}, {radius - bevel, height}}},
-        sides);
-}
-
-void Modeller::Ellipsoid(const Material& material, Vec3 centre, Vec3 radii, int sides, int rings) {
-  if (std::min({radii.x, radii.y, radii.z}) < 1e-5F) return;
-  std::vector<Vec2> profile = ArcPoints({0, 0}, 1, radii.z, -kPiFloat / 2, kPiFloat / 2, rings);
-  profile.front().x = profile.back().x = 0;
-  Lathe(material, centre, profile, sides, {radii.x, radii.y});
-}
-
-void Modeller::Hoop(const Material& material, Vec3 centre, float radius, float thickness, int sides) {
-  std::vector<Vec2> profile = ArcPoints({radius, 0}, thickness / 2, thickness / 2, 0, 2 * kPiFloat, 6);
-  profile.pop_back();
-  Ring(material, centre, profile, sides);
-}
-
 void Modeller::Tube(const Material& material, std::span<const Vec3> path, std::span<const float> radii, int sides) {
-  if (path.size() < 2 || radii.empty() || *std::min_element(radii.begin(), radii.end()) < 1e-6F) return;
+  if (path.size() < 2 || radii.empty() || *std::ranges::min_element(radii) < 1e-6F) return;
   Patch patch(*this, material);
   const size_t count = path.size();
   Vec3 tangent = Normalized(path[1] - path[0]);
@@ -180,11 +159,6 @@ void Modeller::Tube(const Material& material, std::span<const Vec3> path, std::s
     if (i + 1 == count) cap(i, tangent, ring);
     last = now;
   }
-}
-
-void Modeller::Bar(const Material& material, Vec3 from, Vec3 to, float from_radius, float to_radius, int sides) {
-  if (Length(to - from) < 1e-5F) return;
-  Tube(material, std::array{from, to}, std::array{from_radius, to_radius}, sides);
 }
 
 void Modeller::Cushion(const Material& material, Vec3 low, Vec3 high, float radius, float crown) {

@@ -66,7 +66,7 @@ absl::Status CheckRequired(const nlohmann::json& json) {
     if (!name.is_string()) continue;
     const std::string& extension = name.get_ref<const std::string&>();
     if (extension.starts_with("KHR_materials_")) continue;
-    if (std::find(kReadable.begin(), kReadable.end(), extension) == kReadable.end()) {
+    if (std::ranges::find(kReadable, extension) == kReadable.end()) {
       return Unimplemented("it requires {}, which is not read", extension.substr(0, 80));
     }
   }

@@ -58,7 +58,7 @@ std::vector<std::string> NamedObjects(const v1::ConstraintEdge& edge) {
       ids.insert(ids.end(), argument.value().texts().items().begin(), argument.value().texts().items().end());
     }
   }
-  std::sort(ids.begin(), ids.end());
+  std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   return ids;
 }

@@ -30,7 +30,7 @@ constexpr char kEmissiveStrength[] = "KHR_materials_emissive_strength";
 
 void Use(tinygltf::Model& model, const std::string& extension) {
   auto& used = model.extensionsUsed;
-  if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+  if (std::ranges::find(used, extension) == used.end()) used.push_back(extension);
 }
 
 double Share(float value) { return Rounded(std::clamp(value, 0.0F, 1.0F)); }

@@ -226,7 +226,7 @@ absl::Status SceneWriter::AddObject(const SceneObject& shown, Group& group) {
 }
 
 int SceneWriter::LightNumber(tinygltf::Light light) {
-  const auto known = std::find(model_.lights.begin(), model_.lights.end(), light);
+  const auto known = std::ranges::find(model_.lights, light);
   if (known != model_.lights.end()) return static_cast<int>(known - model_.lights.begin());
   model_.lights.push_back(std::move(light));
   return static_cast<int>(model_.lights.size()) - 1;

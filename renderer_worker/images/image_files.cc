@@ -163,7 +163,7 @@ class Shrinker final : public RowSink {
       pixels_.rgb.push_back(static_cast<uint8_t>((sums_[i] + count / 2) / count));
       sums_[i] = 0;
     }
-    std::fill(counts_.begin(), counts_.end(), 0);
+    std::ranges::fill(counts_, 0);
   }
 
   const int box_width_;

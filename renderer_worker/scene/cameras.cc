@@ -92,8 +92,8 @@ Vec3 EyeThatSees(const std::vector<Vec3>& points, const View& view, float tangen
 }
 
 float MainDirection(const RoomShape& shape) {
-  const auto longest = std::max_element(shape.walls.begin(), shape.walls.end(),
-                                        [](const auto& a, const auto& b) { return a.length_m < b.length_m - 1e-4F; });
+  const auto longest = std::ranges::max_element(
+      shape.walls, [](const auto& a, const auto& b) { return a.length_m < b.length_m - 1e-4F; });
   return std::atan2(longest->axes.along.y, longest->axes.along.x);
 }
 
@@ -240,8 +240,7 @@ Sight::Sight(const RoomShape& shape, const std::vector<SceneObject>& objects)
     boxes_.push_back(box);
   }
   if (boxes_.size() > kMaxBoxes) {
-    std::stable_sort(boxes_.begin(), boxes_.end(),
-                     [](const SightBox& a, const SightBox& b) { return Volume(a) > Volume(b); });
+    std::ranges::stable_sort(boxes_, [](const SightBox& a, const SightBox& b) { return Volume(a) > Volume(b); });
     boxes_.resize(kMaxBoxes);
   }
 }

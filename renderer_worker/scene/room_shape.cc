@@ -66,8 +66,7 @@ absl::Status ReadWalls(const v1::Room& room, RoomShape& shape) {
 absl::Status ReadOpenings(const v1::Room& room, RoomShape& shape) {
   for (int i = 0; i < room.openings_size(); ++i) {
     const v1::Opening& opening = room.openings(i);
-    const auto wall = std::find_if(shape.walls.begin(), shape.walls.end(),
-                                   [&](const ShapedWall& w) { return w.name == opening.wall(); });
+    const auto wall = std::ranges::find_if(shape.walls, [&](const ShapedWall& w) { return w.name == opening.wall(); });
     if (wall == shape.walls.end()) {
       return InvalidArgument("graph.room.openings[{}].wall: there is no wall \"{}\"", i, opening.wall());
     }
@@ -174,8 +173,7 @@ CutAway CutAwayFor(const RoomShape& shape, Vec3 eye) {
       if (Dot(eye - wall.axes.origin, wall.axes.outward) > 0) cut.walls[i] = WallCut::kGone;
       continue;
     }
-    const auto hidden =
-        std::count_if(samples.begin(), samples.end(), [&](Vec3 p) { return Hides(wall, shape.height_m, eye, p); });
+    const auto hidden = std::ranges::count_if(samples, [&](Vec3 p) { return Hides(wall, shape.height_m, eye, p); });
     if (hidden * 200 > static_cast<int64_t>(samples.size())) cut.walls[i] = WallCut::kStub;
   }
   return cut;
@@ -248,7 +246,7 @@ void MeshBuilder::Bar(const Material& material, Vec3 a, Vec3 b, float radius, in
     Quad(material, low[i], low[k], high[k], high[i]);
   }
   Polygon(material, high, side);
-  std::reverse(low.begin(), low.end());
+  std::ranges::reverse(low);
   Polygon(material, low, side);
 }
 

@@ -85,7 +85,7 @@ std::vector<Span> SolidAt(const ShapedWall& wall, float u, float top) {
 std::vector<float> Breakpoints(const ShapedWall& wall) {
   std::vector<float> points = {0, wall.length_m};
   for (const ShapedOpening& hole : wall.openings) points.insert(points.end(), {hole.u0, hole.u1});
-  std::sort(points.begin(), points.end());
+  std::ranges::sort(points);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
 }
@@ -99,7 +99,7 @@ std::vector<float> Levels(const ShapedWall& wall, float top) {
       if (level > 0 && level < top) levels.push_back(level);
     }
   }
-  std::sort(levels.begin(), levels.end());
+  std::ranges::sort(levels);
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
 }
@@ -126,7 +126,7 @@ void AddFloor(const RoomShape& shape, float z, bool up, const Material& material
   for (const Polygon& triangle : Triangulate(polygon)) {
     std::vector<Vec3> corners;
     for (const auto& p : triangle.vertices) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y), z});
-    if (!up) std::reverse(corners.begin(), corners.end());
+    if (!up) std::ranges::reverse(corners);
     builder.Polygon(material, corners, {1, 0, 0});
   }
 }

@@ -90,7 +90,7 @@ class Planes {
   Planes(int plane_count, size_t size) : stride_((size + 1023) / 1024 * 1024 + 80), values_(plane_count * stride_) {}
   float* operator[](int plane) { return &values_[plane * stride_]; }
   const float* operator[](int plane) const { return &values_[plane * stride_]; }
-  void Clear() { std::fill(values_.begin(), values_.end(), 0.0F); }
+  void Clear() { std::ranges::fill(values_, 0.0F); }
 
  private:
   size_t stride_;

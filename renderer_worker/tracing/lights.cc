@@ -94,7 +94,7 @@ void AddLamps(const Scene& scene, float scale, Lights& lights) {
     }
   }
   if (lights.balls.size() + lights.rects.size() <= kMostLights) return;
-  std::stable_sort(lights.balls.begin(), lights.balls.end(), [](const BallLight& a, const BallLight& b) {
+  std::ranges::stable_sort(lights.balls, [](const BallLight& a, const BallLight& b) {
     return Luminance(a.intensity) > Luminance(b.intensity);
   });
   lights.balls.resize(kMostLights - std::min(kMostLights, lights.rects.size()));
@@ -192,8 +192,8 @@ Lights LightsOf(const Scene& scene, bool open_sky) {
   AddLamps(scene, 0.012F, lights);
   lights.beyond = {0.32F, 0.32F, 0.31F};
   // The sun stands where the largest window lets it in, aslant.
-  const auto largest = std::max_element(lights.rects.begin(), lights.rects.end(),
-                                        [](const auto& a, const auto& b) { return a.area_m2 < b.area_m2 - 1e-3F; });
+  const auto largest = std::ranges::max_element(
+      lights.rects, [](const auto& a, const auto& b) { return a.area_m2 < b.area_m2 - 1e-3F; });
   if (largest != lights.rects.end()) {
     lights.sun_direction = Normalized(-largest->normal + Normalized(largest->along) * 0.55F + Vec3{0, 0, 0.95F});
     lights.sun_irradiance = Vec3{1.0F, 0.90F, 0.74F} * 3.0F;

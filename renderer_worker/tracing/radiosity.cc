@@ -179,7 +179,7 @@ std::vector<int> Radiosity::AssignCells(const std::vector<SurfacePoint>& points,
 // Means by cell and by side of each instance; sides without points take the instance's mean.
 void Radiosity::Average(const std::vector<SurfacePoint>& points, const std::vector<int>& cell_of,
                         const std::vector<Vec3>& values) {
-  std::fill(irradiance_.begin(), irradiance_.end(), Vec3{});
+  std::ranges::fill(irradiance_, Vec3{});
   std::vector<float> weight(irradiance_.size());
   for (size_t i = 0; i < points.size(); ++i) {
     for (const int slot : {cell_of[i], first_fallback_ + points[i].instance * 6 + SideOf(points[i].normal)}) {

@@ -239,7 +239,7 @@ void RayTrees::AttachAll(int mesh_count) {
     if (mesh.seen == nullptr) {
       const auto& parts = instance.mesh->parts;
       mesh.seen = trees_->MakeMesh(*instance.mesh, false);
-      mesh.shading = std::all_of(parts.begin(), parts.end(), [](const MeshPart& p) { return HoldsUpLight(p.material); })
+      mesh.shading = std::ranges::all_of(parts, [](const MeshPart& p) { return HoldsUpLight(p.material); })
                          ? mesh.seen
                          : trees_->MakeMesh(*instance.mesh, true);
     }

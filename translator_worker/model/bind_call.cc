@@ -24,9 +24,8 @@ bool TakesList(v1::ParameterKind kind) {
 // "None", "null": as if it were not there.
 bool IsAbsent(const WrittenArgument& argument) {
   static constexpr std::array<std::string_view, 5> kAbsent = {"", "none", "null", "default", "unspecified"};
-  return argument.values.empty() ||
-         (argument.values.size() == 1 &&
-          std::find(kAbsent.begin(), kAbsent.end(), llm::Bare(argument.values.front())) != kAbsent.end());
+  return argument.values.empty() || (argument.values.size() == 1 &&
+                                     std::ranges::find(kAbsent, llm::Bare(argument.values.front())) != kAbsent.end());
 }
 
 // Gives the written arguments to the parameters of a type.
@@ -176,8 +175,8 @@ absl::StatusOr<Call> BindCall(const WrittenCall& written, const v1::ConstraintTy
   ASSIGN_OR_RETURN(call.arguments, binder.Read());
   RETURN_IF_ERROR(CatalogIndex::Fit(type, call.arguments, remarks));
   Values objects = ObjectsOf(type, call);
-  std::sort(objects.begin(), objects.end());
-  const auto twice = std::adjacent_find(objects.begin(), objects.end());
+  std::ranges::sort(objects);
+  const auto twice = std::ranges::adjacent_find(objects);
   if (twice != objects.end()) return InvalidArgument("{} relates \"{}\" to itself", type.name(), *twice);
   return call;
 }
@@ -280,7 +279,7 @@ absl::StatusOr<v1::ArgumentValue> ArgumentReader::Read(const v1::ParameterSpec& 
   v1::ArgumentValue result;
   v1::TextList& list = *result.mutable_texts();
   const auto add = [&list](const std::string& item) {
-    if (std::find(list.items().begin(), list.items().end(), item) == list.items().end()) list.add_items(item);
+    if (std::ranges::find(list.items(), item) == list.items().end()) list.add_items(item);
   };
   for (const std::string& value : values) {
     if (parameter.kind() == v1::PARAMETER_KIND_SIDES) {

@@ -123,22 +123,20 @@ const Families& FamiliesOf(v1::SentenceScope scope) {
 bool IsOurs(std::string_view family) {
   static const Families ours = {"wall",  "feature", "space",   "room",    "pair",
                                 "group", "rug",     "surface", "on_wall", "ceiling"};
-  return std::find(ours.begin(), ours.end(), family) != ours.end();
+  return std::ranges::find(ours, family) != ours.end();
 }
 
 bool Any(const v1::ObjectList& list, v1::ObjectKind kind, bool tertiary_only) {
-  return std::any_of(list.objects().begin(), list.objects().end(), [&](const v1::Object& object) {
+  return std::ranges::any_of(list.objects(), [&](const v1::Object& object) {
     return object.kind() == kind && (!tertiary_only || object.role() == v1::OBJECT_ROLE_TERTIARY);
   });
 }
 
 // Whether a sentence of the pass has the word, in lower case or at its beginning.
 bool Says(const v1::TranslateRequest& request, const Pass& pass, std::string_view word_without_first) {
-  return std::any_of(request.constraint_list().sentences().begin(), request.constraint_list().sentences().end(),
-                     [&](const v1::Sentence& sentence) {
-                       return sentence.scope() == pass.scope &&
-                              sentence.text().find(word_without_first) != std::string::npos;
-                     });
+  return std::ranges::any_of(request.constraint_list().sentences(), [&](const v1::Sentence& sentence) {
+    return sentence.scope() == pass.scope && sentence.text().find(word_without_first) != std::string::npos;
+  });
 }
 
 // Whether a pass has what the types of a family are about, or speaks of it.
@@ -192,8 +190,8 @@ std::string RoomText(const v1::Room& room) {
   }
   std::vector<std::string> walls;
   for (const v1::Wall& wall : room.walls()) walls.push_back(wall.name());
-  const auto doors = std::count_if(room.openings().begin(), room.openings().end(),
-                                   [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
+  const auto doors = std::ranges::count_if(
+      room.openings(), [](const v1::Opening& opening) { return opening.kind() == v1::OPENING_KIND_DOOR; });
   return fmt::format("{:.2f} x {:.2f} m; walls {}; {}, {}, {}", width_m, depth_m, fmt::join(walls, ", "),
                      CountText(doors, "door"), CountText(room.openings_size() - doors, "window"),
                      CountText(room.sockets_size(), "socket"));
@@ -241,8 +239,8 @@ std::vector<const v1::ConstraintType*> TypesFor(const Pass& pass, const v1::Tran
   std::vector<const v1::ConstraintType*> types;
   for (const v1::ConstraintType& type : request.catalog().types()) {
     if (type.built_in() || !CanBeCalled(type, request)) continue;
-    const bool wanted = std::find(families.begin(), families.end(), type.family()) != families.end() &&
-                        HasUseFor(type.family(), pass, request);
+    const bool wanted =
+        std::ranges::find(families, type.family()) != families.end() && HasUseFor(type.family(), pass, request);
     if (wanted || !IsOurs(type.family())) types.push_back(&type);
   }
   return types;

@@ -2,9 +2,10 @@
 -- What every piece may use, loaded before all others.
 --
 -- `mesh.NAME` makes a piece of furniture in the box [-w/2, w/2] x [-d/2, d/2] x [0, h], front at +y, metres; it is
--- stretched to fill it exactly in the end. Its shapes (box, cushion, pillow, taper, slab, lathe, ring, cylinder,
--- ellipsoid, tube, bar, hoop, sheet) are described in modeller.h; each takes its material first: "hard", "soft",
--- "metal", "pale" or "accent" of the piece's own, the name of one in materials.textproto, or what `material` gives.
+-- stretched to fill it exactly in the end. Its shapes (box, cushion, pillow, taper, slab, lathe, ring, tube, sheet) are
+-- described in modeller.h, those made of them (cylinder, ellipsoid, bar, hoop) below; each takes its material first:
+-- "hard", "soft", "metal", "pale" or "accent" of the piece's own, the name of one in materials.textproto, or what
+-- `material` gives.
 -- `plan.NAME` draws the plan symbol in [left, right] x [back, front]: area, oval, circle, shape, segment and curve of
 -- drawing/symbol.h, with a tone and a line by name.
 --
@@ -121,6 +122,35 @@ function rounded(low, high, radius, steps)
     end
   end
   return points
+end
+
+-- Shapes made of others.
+
+-- Upright, its rims bevelled.
+function cylinder(material, base, radius, height, bevel, sides)
+  if radius < 1e-5 or height < 1e-5 then return end
+  bevel = min(bevel or 0.003, 0.3 * radius, 0.3 * height)
+  lathe(material, base, {{radius - bevel, 0}, {radius, bevel}, {radius, height - bevel}, {radius - bevel, height}},
+      sides or 20)
+end
+
+function ellipsoid(material, centre, radii, sides, rings)
+  if min(radii[1], radii[2], radii[3]) < 1e-5 then return end
+  local profile = arc({}, 1, radii[3], -pi / 2, pi / 2, rings or 8)
+  profile[1][1], profile[#profile][1] = 0, 0
+  lathe(material, centre, profile, sides or 16, radii)
+end
+
+-- bar(material, from, to, radius, sides), or with a radius at either end.
+function bar(material, from, to, from_radius, to_radius, sides)
+  if not sides then to_radius, sides = from_radius, to_radius end
+  local along = vec(to[1] or 0, to[2] or 0, to[3]) - vec(from[1] or 0, from[2] or 0, from[3])
+  if length(along) >= 1e-5 then tube(material, {from, to}, {from_radius, to_radius}, sides or 8) end
+end
+
+-- A closed ring of wire about the z axis of the frame.
+function hoop(material, centre, radius, thickness, sides)
+  ring(material, centre, ellipse({radius}, thickness / 2, thickness / 2, 6), sides or 24)
 end
 
 -- Materials and colours (linear RGB).
