@@ -18,39 +18,6 @@ namespace flair::renderer {
 
 namespace gltf {
 
-// Makes the model of one scene: a root with the groups shell, furniture, lights and cameras.
-class SceneWriter {
- public:
-  explicit SceneWriter(const Scene& scene) : scene_(scene), extras_(*scene.layout) {}
-
-  // Call once. Errors as WriteGlb.
-  absl::StatusOr<tinygltf::Model> Write(const GlbMetadata& metadata);
-
- private:
-  using Group = std::vector<int>;  // numbers of nodes
-
-  absl::Status AddShell(Group& group);
-  absl::Status AddObject(const SceneObject& object, Group& group);
-  void AddLamp(const LampLight& lamp, const std::string& name, tinygltf::Node& parent);
-  void AddDaylight(Group& group);
-  void AddDirectional(const std::string& name, Vec3 direction, Vec3 colour, double illuminance_lx, Group& group);
-  absl::Status AddCamera(const SceneCamera& camera, Group& group);
-  void AddGroup(const std::string& name, Group children, Group& parent);
-  int AddNode(tinygltf::Node node);
-  int LightNumber(tinygltf::Light light);
-  std::string Unused(const std::string& name, std::string_view kind);
-
-  const Scene& scene_;
-  Extras extras_;
-  tinygltf::Model model_;
-  GlbBuffer buffer_{model_};
-  MaterialBook materials_{model_, buffer_};
-  MeshBook meshes_{model_, buffer_, materials_};
-  std::set<std::string> names_;
-  std::vector<Mesh> seen_;  // of the shell
-  bool has_assets_ = false;
-};
-
 namespace {
 
 // Unit, towards the outside of the wall from floor corner `wall` to the next; the floor runs counter-clockwise.
@@ -70,8 +37,6 @@ bool WallFaceIsSeen(Vec3 normal, Vec3 outward) {
   return normal.z > kParallel || normal.z < -kParallel || Dot(normal, outward) < -kParallel ||
          std::abs(Dot(normal, along)) > kParallel;
 }
-
-}  // namespace
 
 // The faces of a part of the shell that are seen from within the room: the underside of the ceiling, walls without
 // their outer faces. Nearly all viewers leave out the backs of surfaces and so show the room from outside and above
@@ -96,8 +61,6 @@ Mesh SeenFromWithin(const ShellPart& part, const v1::Room& room) {
   }
   return kept;
 }
-
-namespace {
 
 constexpr char kLights[] = "KHR_lights_punctual";
 // A bright, overcast day as it comes through windows: what lights the room evenly, and what comes from one side.
@@ -167,172 +130,182 @@ double NearDistance(const SceneCamera& camera, const v1::Room& room) {
   return crossings > 0 && crossings % 2 == 0 ? Rounded(first + kFramesReach_m) : kNearest_m;
 }
 
-}  // namespace
+// Makes the model of one scene: a root with the groups shell, furniture, lights and cameras.
+class SceneWriter {
+ public:
+  explicit SceneWriter(const Scene& scene) : scene_(scene), extras_(*scene.layout) {}
 
-int SceneWriter::AddNode(tinygltf::Node node) {
-  model_.nodes.push_back(std::move(node));
-  return static_cast<int>(model_.nodes.size()) - 1;
-}
+  // Call once. Errors as WriteGlb.
+  absl::StatusOr<tinygltf::Model> Write(const GlbMetadata& metadata) {
+    Group shell, furniture, lights, cameras;
+    RETURN_IF_ERROR(AddShell(shell));
+    for (const SceneObject& object : scene_.objects) RETURN_IF_ERROR(AddObject(object, furniture));
+    AddDaylight(lights);
+    for (const SceneCamera* camera : {&scene_.birdseye, &scene_.perspective}) {
+      RETURN_IF_ERROR(AddCamera(*camera, cameras));
+    }
+    Group top;
+    AddGroup("shell", std::move(shell), top);
+    AddGroup("furniture", std::move(furniture), top);
+    AddGroup("daylight", std::move(lights), top);
+    AddGroup("cameras", std::move(cameras), top);
 
-void SceneWriter::AddGroup(const std::string& name, Group children, Group& parent) {
-  if (children.empty()) return;
-  tinygltf::Node node;
-  node.name = name;
-  node.children = std::move(children);
-  parent.push_back(AddNode(std::move(node)));
-}
+    const v1::Room& room = scene_.layout->graph().room();
+    Group roots;
+    AddGroup(room.room_type().empty() ? "room" : room.room_type(), std::move(top), roots);
+    tinygltf::Scene scene;
+    scene.name = room.title();
+    scene.nodes = std::move(roots);
+    model_.scenes.push_back(std::move(scene));
+    model_.defaultScene = 0;
+    buffer_.Finish();
 
-std::string SceneWriter::Unused(const std::string& name, std::string_view kind) {
-  std::string unused = name;
-  if (names_.contains(unused)) unused = fmt::format("{} {}", name, kind);
-  for (int number = 2; names_.contains(unused); ++number) unused = fmt::format("{} {} {}", name, kind, number);
-  names_.insert(unused);
-  return unused;
-}
+    model_.asset.version = "2.0";
+    model_.asset.generator = metadata.build.empty() ? "Flair" : "Flair " + metadata.build;
+    model_.asset.copyright = "Meshes made by Flair: no rights reserved.";
+    if (has_assets_) model_.asset.copyright += " Assets: see asset_licence in the extras of their nodes.";
+    model_.asset.extras = Extras::OfAsset(scene_, metadata);
+    return std::move(model_);
+  }
 
-absl::Status SceneWriter::AddShell(Group& group) {
-  seen_.reserve(scene_.shell.size());  // MeshBook keeps pointers
-  for (const ShellPart& part : scene_.shell) {
-    const Mesh& mesh = seen_.emplace_back(SeenFromWithin(part, scene_.layout->graph().room()));
+ private:
+  using Group = std::vector<int>;  // numbers of nodes
+
+  absl::Status AddShell(Group& group) {
+    seen_.reserve(scene_.shell.size());  // MeshBook keeps pointers
+    for (const ShellPart& part : scene_.shell) {
+      const Mesh& mesh = seen_.emplace_back(SeenFromWithin(part, scene_.layout->graph().room()));
+      tinygltf::Node node;
+      node.name = Unused(part.id, part.kind == ShellPart::Kind::kSkirting ? "skirting" : "part");
+      ASSIGN_OR_RETURN(node.mesh, meshes_.NumberOf(mesh, MeshFrame::kRoom, node.name));
+      node.extras = extras_.OfShellPart(part);
+      group.push_back(AddNode(std::move(node)));
+    }
+    return absl::OkStatus();
+  }
+  absl::Status AddObject(const SceneObject& shown, Group& group) {
+    const v1::Placement& p = shown.placement;
+    for (const double value : {p.x_m(), p.y_m(), p.z_m(), p.theta_rad()}) {
+      if (!std::isfinite(value)) {
+        return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", p.object_id(), p.x_m(),
+                               p.y_m(), p.z_m(), p.theta_rad());
+      }
+    }
     tinygltf::Node node;
-    node.name = Unused(part.id, part.kind == ShellPart::Kind::kSkirting ? "skirting" : "part");
-    ASSIGN_OR_RETURN(node.mesh, meshes_.NumberOf(mesh, MeshFrame::kRoom, node.name));
-    node.extras = extras_.OfShellPart(part);
+    node.name = Unused(shown.object->id(), "object");
+    node.translation = {Rounded(p.x_m()), Rounded(p.z_m()), Rounded(-p.y_m())};
+    node.rotation = ListOf(NodeRotation(p.theta_rad()));
+    if (shown.furnishing.mesh != nullptr) {
+      ASSIGN_OR_RETURN(node.mesh, meshes_.NumberOf(*shown.furnishing.mesh, MeshFrame::kObject, shown.object->name()));
+    }
+    has_assets_ = has_assets_ || !shown.furnishing.asset_id.empty();
+    node.extras = extras_.OfObject(shown);
+    for (const LampLight& lamp : shown.furnishing.lights) AddLamp(lamp, node.name, node);
+    group.push_back(AddNode(std::move(node)));
+    return absl::OkStatus();
+  }
+  void AddLamp(const LampLight& lamp, const std::string& name, tinygltf::Node& parent) {
+    if (!(lamp.intensity_cd > 0) || !IsFinite(lamp.position) || !std::isfinite(lamp.intensity_cd)) return;
+    tinygltf::Light light;
+    light.type = "point";
+    light.name = "lamp";
+    light.color = ListOf(lamp.colour);
+    for (double& share : light.color) share = std::clamp(share, 0.0, 1.0);
+    light.intensity = Rounded(lamp.intensity_cd * kLightScale);
+    tinygltf::Value::Object reference;
+    reference["light"] = tinygltf::Value(LightNumber(std::move(light)));
+    tinygltf::Node node;
+    node.name = Unused(name + " light", "light");
+    node.translation = ListOf(FromObject(lamp.position));
+    node.extensions[kLights] = tinygltf::Value(std::move(reference));
+    parent.children.push_back(AddNode(std::move(node)));
+  }
+  void AddDaylight(Group& group) {
+    Vec3 inward{0, 0, 0};
+    for (const DaylightWindow& window : scene_.windows) {
+      inward = inward + window.inward * (Length(window.along) * Length(window.up));
+    }
+    // Windows that face each other, or none: from the south-west.
+    inward.z = 0;
+    if (!IsFinite(inward) || Length(inward) < 1e-3F) inward = {0.5F, 0.8F, 0};
+    inward = Normalized(inward);
+    // A little from one side, so that a window's two sides and a corner's two walls differ.
+    const Vec3 sideways{-inward.y, inward.x, 0};
+    AddDirectional("sun", inward + sideways * 0.35F + Vec3{0, 0, -1.1F}, {1, 0.96F, 0.9F}, kSunIlluminance_lx, group);
+    AddDirectional("sky", inward * -0.6F + sideways * -0.3F + Vec3{0, 0, -0.8F}, {0.86F, 0.93F, 1}, kSkyIlluminance_lx,
+                   group);
+  }
+  void AddDirectional(const std::string& name, Vec3 direction, Vec3 colour, double illuminance_lx, Group& group) {
+    tinygltf::Light light;
+    light.type = "directional";
+    light.name = name;
+    light.color = ListOf(colour);
+    light.intensity = Rounded(illuminance_lx * kLightScale);
+    tinygltf::Value::Object reference;
+    reference["light"] = tinygltf::Value(LightNumber(std::move(light)));
+    tinygltf::Node node;
+    node.name = Unused(name, "light");
+    node.rotation = ListOf(LookingAlong(FromRoom(direction)));
+    node.extensions[kLights] = tinygltf::Value(std::move(reference));
     group.push_back(AddNode(std::move(node)));
   }
-  return absl::OkStatus();
-}
-
-absl::Status SceneWriter::AddObject(const SceneObject& shown, Group& group) {
-  const v1::Placement& p = shown.placement;
-  for (const double value : {p.x_m(), p.y_m(), p.z_m(), p.theta_rad()}) {
-    if (!std::isfinite(value)) {
-      return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", p.object_id(), p.x_m(),
-                             p.y_m(), p.z_m(), p.theta_rad());
+  absl::Status AddCamera(const SceneCamera& camera, Group& group) {
+    const Vec3 direction = camera.target - camera.eye;
+    if (!IsFinite(camera.eye) || !IsFinite(direction) || !(Length(direction) > 0) || !(camera.field_of_view_rad > 0)) {
+      return InvalidArgument("camera '{}' must look somewhere, with a field of view", camera.name);
     }
+    tinygltf::Camera written;
+    written.type = "perspective";
+    written.name = camera.name;
+    written.perspective.yfov = Rounded(camera.field_of_view_rad);
+    written.perspective.znear = NearDistance(camera, scene_.layout->graph().room());
+    written.perspective.zfar = 500;
+    tinygltf::Node node;
+    node.name = Unused(camera.name, "camera");
+    node.translation = ListOf(FromRoom(camera.eye));
+    node.rotation = ListOf(LookingAlong(FromRoom(direction)));
+    node.camera = static_cast<int>(model_.cameras.size());
+    model_.cameras.push_back(std::move(written));
+    group.push_back(AddNode(std::move(node)));
+    return absl::OkStatus();
   }
-  tinygltf::Node node;
-  node.name = Unused(shown.object->id(), "object");
-  node.translation = {Rounded(p.x_m()), Rounded(p.z_m()), Rounded(-p.y_m())};
-  node.rotation = ListOf(NodeRotation(p.theta_rad()));
-  if (shown.furnishing.mesh != nullptr) {
-    ASSIGN_OR_RETURN(node.mesh, meshes_.NumberOf(*shown.furnishing.mesh, MeshFrame::kObject, shown.object->name()));
+  void AddGroup(const std::string& name, Group children, Group& parent) {
+    if (children.empty()) return;
+    tinygltf::Node node;
+    node.name = name;
+    node.children = std::move(children);
+    parent.push_back(AddNode(std::move(node)));
   }
-  has_assets_ = has_assets_ || !shown.furnishing.asset_id.empty();
-  node.extras = extras_.OfObject(shown);
-  for (const LampLight& lamp : shown.furnishing.lights) AddLamp(lamp, node.name, node);
-  group.push_back(AddNode(std::move(node)));
-  return absl::OkStatus();
-}
-
-int SceneWriter::LightNumber(tinygltf::Light light) {
-  const auto known = std::ranges::find(model_.lights, light);
-  if (known != model_.lights.end()) return static_cast<int>(known - model_.lights.begin());
-  model_.lights.push_back(std::move(light));
-  return static_cast<int>(model_.lights.size()) - 1;
-}
-
-void SceneWriter::AddLamp(const LampLight& lamp, const std::string& name, tinygltf::Node& parent) {
-  if (!(lamp.intensity_cd > 0) || !IsFinite(lamp.position) || !std::isfinite(lamp.intensity_cd)) return;
-  tinygltf::Light light;
-  light.type = "point";
-  light.name = "lamp";
-  light.color = ListOf(lamp.colour);
-  for (double& share : light.color) share = std::clamp(share, 0.0, 1.0);
-  light.intensity = Rounded(lamp.intensity_cd * kLightScale);
-  tinygltf::Value::Object reference;
-  reference["light"] = tinygltf::Value(LightNumber(std::move(light)));
-  tinygltf::Node node;
-  node.name = Unused(name + " light", "light");
-  node.translation = ListOf(FromObject(lamp.position));
-  node.extensions[kLights] = tinygltf::Value(std::move(reference));
-  parent.children.push_back(AddNode(std::move(node)));
-}
-
-void SceneWriter::AddDirectional(const std::string& name, Vec3 direction, Vec3 colour, double illuminance_lx,
-                                 Group& group) {
-  tinygltf::Light light;
-  light.type = "directional";
-  light.name = name;
-  light.color = ListOf(colour);
-  light.intensity = Rounded(illuminance_lx * kLightScale);
-  tinygltf::Value::Object reference;
-  reference["light"] = tinygltf::Value(LightNumber(std::move(light)));
-  tinygltf::Node node;
-  node.name = Unused(name, "light");
-  node.rotation = ListOf(LookingAlong(FromRoom(direction)));
-  node.extensions[kLights] = tinygltf::Value(std::move(reference));
-  group.push_back(AddNode(std::move(node)));
-}
-
-void SceneWriter::AddDaylight(Group& group) {
-  Vec3 inward{0, 0, 0};
-  for (const DaylightWindow& window : scene_.windows) {
-    inward = inward + window.inward * (Length(window.along) * Length(window.up));
+  int AddNode(tinygltf::Node node) {
+    model_.nodes.push_back(std::move(node));
+    return static_cast<int>(model_.nodes.size()) - 1;
   }
-  // Windows that face each other, or none: from the south-west.
-  inward.z = 0;
-  if (!IsFinite(inward) || Length(inward) < 1e-3F) inward = {0.5F, 0.8F, 0};
-  inward = Normalized(inward);
-  // A little from one side, so that a window's two sides and a corner's two walls differ.
-  const Vec3 sideways{-inward.y, inward.x, 0};
-  AddDirectional("sun", inward + sideways * 0.35F + Vec3{0, 0, -1.1F}, {1, 0.96F, 0.9F}, kSunIlluminance_lx, group);
-  AddDirectional("sky", inward * -0.6F + sideways * -0.3F + Vec3{0, 0, -0.8F}, {0.86F, 0.93F, 1}, kSkyIlluminance_lx,
-                 group);
-}
-
-absl::Status SceneWriter::AddCamera(const SceneCamera& camera, Group& group) {
-  const Vec3 direction = camera.target - camera.eye;
-  if (!IsFinite(camera.eye) || !IsFinite(direction) || !(Length(direction) > 0) || !(camera.field_of_view_rad > 0)) {
-    return InvalidArgument("camera '{}' must look somewhere, with a field of view", camera.name);
+  int LightNumber(tinygltf::Light light) {
+    const auto known = std::ranges::find(model_.lights, light);
+    if (known != model_.lights.end()) return static_cast<int>(known - model_.lights.begin());
+    model_.lights.push_back(std::move(light));
+    return static_cast<int>(model_.lights.size()) - 1;
   }
-  tinygltf::Camera written;
-  written.type = "perspective";
-  written.name = camera.name;
-  written.perspective.yfov = Rounded(camera.field_of_view_rad);
-  written.perspective.znear = NearDistance(camera, scene_.layout->graph().room());
-  written.perspective.zfar = 500;
-  tinygltf::Node node;
-  node.name = Unused(camera.name, "camera");
-  node.translation = ListOf(FromRoom(camera.eye));
-  node.rotation = ListOf(LookingAlong(FromRoom(direction)));
-  node.camera = static_cast<int>(model_.cameras.size());
-  model_.cameras.push_back(std::move(written));
-  group.push_back(AddNode(std::move(node)));
-  return absl::OkStatus();
-}
-
-absl::StatusOr<tinygltf::Model> SceneWriter::Write(const GlbMetadata& metadata) {
-  Group shell, furniture, lights, cameras;
-  RETURN_IF_ERROR(AddShell(shell));
-  for (const SceneObject& object : scene_.objects) RETURN_IF_ERROR(AddObject(object, furniture));
-  AddDaylight(lights);
-  for (const SceneCamera* camera : {&scene_.birdseye, &scene_.perspective}) {
-    RETURN_IF_ERROR(AddCamera(*camera, cameras));
+  std::string Unused(const std::string& name, std::string_view kind) {
+    std::string unused = name;
+    if (names_.contains(unused)) unused = fmt::format("{} {}", name, kind);
+    for (int number = 2; names_.contains(unused); ++number) unused = fmt::format("{} {} {}", name, kind, number);
+    names_.insert(unused);
+    return unused;
   }
-  Group top;
-  AddGroup("shell", std::move(shell), top);
-  AddGroup("furniture", std::move(furniture), top);
-  AddGroup("daylight", std::move(lights), top);
-  AddGroup("cameras", std::move(cameras), top);
 
-  const v1::Room& room = scene_.layout->graph().room();
-  Group roots;
-  AddGroup(room.room_type().empty() ? "room" : room.room_type(), std::move(top), roots);
-  tinygltf::Scene scene;
-  scene.name = room.title();
-  scene.nodes = std::move(roots);
-  model_.scenes.push_back(std::move(scene));
-  model_.defaultScene = 0;
-  buffer_.Finish();
+  const Scene& scene_;
+  Extras extras_;
+  tinygltf::Model model_;
+  GlbBuffer buffer_{model_};
+  MaterialBook materials_{model_, buffer_};
+  MeshBook meshes_{model_, buffer_, materials_};
+  std::set<std::string> names_;
+  std::vector<Mesh> seen_;  // of the shell
+  bool has_assets_ = false;
+};
 
-  model_.asset.version = "2.0";
-  model_.asset.generator = metadata.build.empty() ? "Flair" : "Flair " + metadata.build;
-  model_.asset.copyright = "Meshes made by Flair: no rights reserved.";
-  if (has_assets_) model_.asset.copyright += " Assets: see asset_licence in the extras of their nodes.";
-  model_.asset.extras = Extras::OfAsset(scene_, metadata);
-  return std::move(model_);
-}
+}  // namespace
 
 }  // namespace gltf
 

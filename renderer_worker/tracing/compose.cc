@@ -63,105 +63,6 @@ struct Lit {
   Vec3 gloss;
 };
 
-class Composer {
- public:
-  Composer(const Setting& setting, const SampleSeeds& seeds, const Frame& frame, const TracedView& view)
-      : setting_(setting),
-        seeds_(seeds),
-        frame_(frame),
-        view_(view),
-        bare_ground_(setting.surroundings.open ? BareGroundLight(setting.lights) : 1) {}
-
-  absl::Status Expose(const runtime::Workers& workers);
-  void Row(int y, std::span<Vec3> colour) const;
-
- private:
-  size_t At(int x, int y) const { return static_cast<size_t>(y) * view_.width_px + x; }
-  Vec3 Direct(size_t at) const { return LightAt(frame_.direct, at); }
-  static Vec3 LightAt(const LightGrid& grid, size_t at) {
-    return {grid.light[kRed][at], grid.light[kGreen][at], grid.light[kBlue][at]};
-  }
-  Vec3 GlossAt(size_t at) const { return {frame_.gloss[0][at], frame_.gloss[1][at], frame_.gloss[2][at]}; }
-  std::vector<int> EdgesOf(int y) const;
-  Lit Between(int x, int y) const;
-  Lit LitLike(const Seen& seen, int x, int y, const PixelSamples& random, int look) const;
-  Vec3 Radiance(int lit_instance, Vec3 paint, Vec3 added, const Lit& lit) const;
-  Vec3 Edge(int x, int y) const;
-
-  const Setting& setting_;
-  const SampleSeeds& seeds_;
-  const Frame& frame_;
-  const TracedView& view_;
-  float bare_ground_;
-  Vec3 exposure_{1, 1, 1};
-};
-
-// Means by row, then over rows, so that the order of the sum is always the same.
-absl::Status Composer::Expose(const runtime::Workers& workers) {
-  struct Sums {
-    double red = 0, green = 0, blue = 0, albedo = 0, count = 0;
-  };
-  const LightGrid& grid = frame_.indirect;
-  std::vector<Sums> rows(grid.height);
-  absl::Status status = runtime::ForEach(workers, grid.height, [&](int y) {
-    for (int x = 0; x < grid.width; ++x) {
-      const size_t at = static_cast<size_t>(y) * grid.width + x;
-      if (grid.guides[kInstance][at] < 0) continue;
-      const Vec3 light = LightAt(grid, at) + Direct(At(2 * x, 2 * y));
-      rows[y].red += light.x;
-      rows[y].green += light.y;
-      rows[y].blue += light.z;
-      rows[y].albedo += frame_.reflectance[at];
-      rows[y].count += 1;
-    }
-  });
-  if (!status.ok()) return status;
-  Sums all;
-  for (const Sums& row : rows) {
-    all = {all.red + row.red, all.green + row.green, all.blue + row.blue, all.albedo + row.albedo,
-           all.count + row.count};
-  }
-  const double light = 0.2126 * all.red + 0.7152 * all.green + 0.0722 * all.blue;
-  if (all.count == 0 || !(light > 1e-9 * all.count)) return status;
-  const double albedo = std::max(all.albedo / all.count, 0.01);
-  const double exposure =
-      kWhite * all.count / light * std::clamp(std::pow(kUsualAlbedo / albedo, kAdaptation), 0.75, 1.7);
-  // Lamplight stays a little warm: the eye gets used to most of its colour, not to all.
-  const auto gain = [&](double channel) {
-    return static_cast<float>(exposure *
-                              std::pow(std::clamp(light / std::max(channel, 1e-9), 0.5, 2.0), kWhiteBalance));
-  };
-  exposure_ = {gain(all.red), gain(all.green), gain(all.blue)};
-  return status;
-}
-
-// Of the pixels of a row: whether what they show ends within them or beside.
-std::vector<int> Composer::EdgesOf(int y) const {
-  std::vector<int> edge(view_.width_px);
-  for (int b = std::max(0, y - 1); b <= std::min(view_.height_px - 1, y + 1); ++b) {
-    for (int right = -1; right <= 1; ++right) {
-      if (b == y && right == 0) continue;
-      MarkEdges(frame_, view_, At(0, y), At(0, b) + static_cast<size_t>(static_cast<ptrdiff_t>(right)),
-                std::max(0, -right), std::min(view_.width_px, view_.width_px - right), edge.data());
-    }
-  }
-  return edge;
-}
-
-// At a pixel all of whose neighbours show the same surface: the mean of the points about it.
-Lit Composer::Between(int x, int y) const {
-  const LightGrid& grid = frame_.indirect;
-  const size_t above = static_cast<size_t>(y / 2) * grid.width;
-  const size_t below = static_cast<size_t>(std::min((y + 1) / 2, grid.height - 1)) * grid.width;
-  const int left = x / 2, right = std::min((x + 1) / 2, grid.width - 1);
-  Lit lit;
-  for (const size_t at : {above + left, above + right, below + left, below + right}) {
-    lit.irradiance = lit.irradiance + LightAt(grid, at);
-    lit.gloss = lit.gloss + GlossAt(at);
-  }
-  return {Direct(At(x, y)) + lit.irradiance * 0.25F, lit.gloss * 0.25F};
-}
-
 // How little a point of a grid is like what is seen, in pixels: 0 where it is the same.
 float Unlikeness(const LightGrid& grid, size_t at, const Seen& seen, float pixel) {
   const Planes& g = grid.guides;
@@ -185,74 +86,6 @@ int64_t SameSurface(const LightGrid& grid, const Seen& seen, float pixel, int le
     }
   }
   return found;
-}
-
-// The light of the points about (x, y) that show the same surface; what one ray each finds where none does.
-Lit Composer::LitLike(const Seen& seen, int x, int y, const PixelSamples& random, int look) const {
-  if (seen.lit_instance == -1) return {};
-  const float pixel = std::max(seen.distance, 0.1F) / setting_.camera.focal_px;
-  const int64_t direct = SameSurface(frame_.direct, seen, pixel, x - 1, x + 1, y - 1, y + 1);
-  const int64_t indirect =
-      SameSurface(frame_.indirect, seen, 2 * pixel, (x - 1) / 2, (x + 2) / 2, (y - 1) / 2, (y + 2) / 2);
-  Lit lit;
-  if (direct >= 0) {
-    lit.irradiance = Direct(static_cast<size_t>(direct));
-  } else {
-    const LightChoice choice(setting_.lights, seen.position, seen.normal);
-    lit.irradiance = DirectLight(setting_.world, choice, seen.position, random, look);
-  }
-  if (indirect >= 0) {
-    lit.irradiance = lit.irradiance + LightAt(frame_.indirect, static_cast<size_t>(indirect));
-    lit.gloss = GlossAt(static_cast<size_t>(indirect));
-  } else {
-    lit.irradiance = lit.irradiance + IndirectLight(setting_, seen, random, look, 1).light;
-    // Of anything but metal, so few rays would find sparks.
-    if (Luminance(seen.specular) > 0.1F) lit.gloss = seen.filter * Gloss(setting_, seen, random, look, 1);
-  }
-  return lit;
-}
-
-Vec3 Composer::Radiance(int lit_instance, Vec3 paint, Vec3 added, const Lit& lit) const {
-  if (lit_instance == -2) {  // the ground: backdrop, darker where the model keeps light away
-    return added * exposure_ + paint * std::min(1.0F, Luminance(lit.irradiance) / bare_ground_);
-  }
-  if (lit_instance == -1) return added;  // what is beyond appears as it is
-  return (added + paint * lit.irradiance + lit.gloss) * exposure_;
-}
-
-Vec3 Composer::Edge(int x, int y) const {
-  std::array<Vec3, kEdgeLooks> ways;
-  for (int i = 0; i < kEdgeLooks; ++i) {
-    const uint32_t number = static_cast<uint32_t>(i);
-    const float column =
-        static_cast<float>(x) + static_cast<float>((number * 3242174889U + 0x40000000U) >> 8) * 0x1p-24F;
-    const float row = static_cast<float>(y) + (static_cast<float>(i) + 0.5F) / kEdgeLooks;
-    ways[i] = setting_.camera.Through(column, row);
-  }
-  std::array<Seen, kEdgeLooks> looks;
-  LookFrom(setting_.world, setting_.lights, setting_.surroundings, setting_.camera.eye, ways, setting_.pixel_rad(),
-           looks);
-  const PixelSamples random(seeds_, x, y, kEdgeLooks);
-  Vec3 sum;
-  for (int i = 0; i < kEdgeLooks; ++i) {
-    const Seen& seen = looks[i];
-    const Lit lit = LitLike(seen, x, y, random, i);
-    const Vec3 radiance = Radiance(seen.lit_instance, seen.filter * seen.albedo, seen.added, lit);
-    // Highlights are bounded before the mean, or they would leave steps along edges.
-    const float most = std::max({radiance.x, radiance.y, radiance.z});
-    sum = sum + (most > 1.5F ? radiance * (1.5F / most) : radiance);
-  }
-  return sum * (1.0F / kEdgeLooks);
-}
-
-void Composer::Row(int y, std::span<Vec3> colour) const {
-  const std::vector<int> edge = EdgesOf(y);
-  for (int x = 0; x < view_.width_px; ++x) {
-    const size_t at = At(x, y);
-    colour[x] = edge[x] != 0 ? Edge(x, y)
-                             : Radiance(static_cast<int>(frame_.direct.guides[kInstance][at]), frame_.paint[at],
-                                        frame_.added[at], Between(x, y));
-  }
 }
 
 // A filmic curve that leaves colours as they are up to a shoulder, then bends towards white and pales, as film does;
@@ -288,6 +121,159 @@ const std::array<uint8_t, 4097>& SrgbTable() {
   }();
   return table;
 }
+
+class Composer {
+ public:
+  Composer(const Setting& setting, const SampleSeeds& seeds, const Frame& frame, const TracedView& view)
+      : setting_(setting),
+        seeds_(seeds),
+        frame_(frame),
+        view_(view),
+        bare_ground_(setting.surroundings.open ? BareGroundLight(setting.lights) : 1) {}
+
+  // Means by row, then over rows, so that the order of the sum is always the same.
+  absl::Status Expose(const runtime::Workers& workers) {
+    struct Sums {
+      double red = 0, green = 0, blue = 0, albedo = 0, count = 0;
+    };
+    const LightGrid& grid = frame_.indirect;
+    std::vector<Sums> rows(grid.height);
+    absl::Status status = runtime::ForEach(workers, grid.height, [&](int y) {
+      for (int x = 0; x < grid.width; ++x) {
+        const size_t at = static_cast<size_t>(y) * grid.width + x;
+        if (grid.guides[kInstance][at] < 0) continue;
+        const Vec3 light = LightAt(grid, at) + Direct(At(2 * x, 2 * y));
+        rows[y].red += light.x;
+        rows[y].green += light.y;
+        rows[y].blue += light.z;
+        rows[y].albedo += frame_.reflectance[at];
+        rows[y].count += 1;
+      }
+    });
+    if (!status.ok()) return status;
+    Sums all;
+    for (const Sums& row : rows) {
+      all = {all.red + row.red, all.green + row.green, all.blue + row.blue, all.albedo + row.albedo,
+             all.count + row.count};
+    }
+    const double light = 0.2126 * all.red + 0.7152 * all.green + 0.0722 * all.blue;
+    if (all.count == 0 || !(light > 1e-9 * all.count)) return status;
+    const double albedo = std::max(all.albedo / all.count, 0.01);
+    const double exposure =
+        kWhite * all.count / light * std::clamp(std::pow(kUsualAlbedo / albedo, kAdaptation), 0.75, 1.7);
+    // Lamplight stays a little warm: the eye gets used to most of its colour, not to all.
+    const auto gain = [&](double channel) {
+      return static_cast<float>(exposure *
+                                std::pow(std::clamp(light / std::max(channel, 1e-9), 0.5, 2.0), kWhiteBalance));
+    };
+    exposure_ = {gain(all.red), gain(all.green), gain(all.blue)};
+    return status;
+  }
+  void Row(int y, std::span<Vec3> colour) const {
+    const std::vector<int> edge = EdgesOf(y);
+    for (int x = 0; x < view_.width_px; ++x) {
+      const size_t at = At(x, y);
+      colour[x] = edge[x] != 0 ? Edge(x, y)
+                               : Radiance(static_cast<int>(frame_.direct.guides[kInstance][at]), frame_.paint[at],
+                                          frame_.added[at], Between(x, y));
+    }
+  }
+
+ private:
+  size_t At(int x, int y) const { return static_cast<size_t>(y) * view_.width_px + x; }
+  Vec3 Direct(size_t at) const { return LightAt(frame_.direct, at); }
+  static Vec3 LightAt(const LightGrid& grid, size_t at) {
+    return {grid.light[kRed][at], grid.light[kGreen][at], grid.light[kBlue][at]};
+  }
+  Vec3 GlossAt(size_t at) const { return {frame_.gloss[0][at], frame_.gloss[1][at], frame_.gloss[2][at]}; }
+  // Of the pixels of a row: whether what they show ends within them or beside.
+  std::vector<int> EdgesOf(int y) const {
+    std::vector<int> edge(view_.width_px);
+    for (int b = std::max(0, y - 1); b <= std::min(view_.height_px - 1, y + 1); ++b) {
+      for (int right = -1; right <= 1; ++right) {
+        if (b == y && right == 0) continue;
+        MarkEdges(frame_, view_, At(0, y), At(0, b) + static_cast<size_t>(static_cast<ptrdiff_t>(right)),
+                  std::max(0, -right), std::min(view_.width_px, view_.width_px - right), edge.data());
+      }
+    }
+    return edge;
+  }
+  // At a pixel all of whose neighbours show the same surface: the mean of the points about it.
+  Lit Between(int x, int y) const {
+    const LightGrid& grid = frame_.indirect;
+    const size_t above = static_cast<size_t>(y / 2) * grid.width;
+    const size_t below = static_cast<size_t>(std::min((y + 1) / 2, grid.height - 1)) * grid.width;
+    const int left = x / 2, right = std::min((x + 1) / 2, grid.width - 1);
+    Lit lit;
+    for (const size_t at : {above + left, above + right, below + left, below + right}) {
+      lit.irradiance = lit.irradiance + LightAt(grid, at);
+      lit.gloss = lit.gloss + GlossAt(at);
+    }
+    return {Direct(At(x, y)) + lit.irradiance * 0.25F, lit.gloss * 0.25F};
+  }
+  // The light of the points about (x, y) that show the same surface; what one ray each finds where none does.
+  Lit LitLike(const Seen& seen, int x, int y, const PixelSamples& random, int look) const {
+    if (seen.lit_instance == -1) return {};
+    const float pixel = std::max(seen.distance, 0.1F) / setting_.camera.focal_px;
+    const int64_t direct = SameSurface(frame_.direct, seen, pixel, x - 1, x + 1, y - 1, y + 1);
+    const int64_t indirect =
+        SameSurface(frame_.indirect, seen, 2 * pixel, (x - 1) / 2, (x + 2) / 2, (y - 1) / 2, (y + 2) / 2);
+    Lit lit;
+    if (direct >= 0) {
+      lit.irradiance = Direct(static_cast<size_t>(direct));
+    } else {
+      const LightChoice choice(setting_.lights, seen.position, seen.normal);
+      lit.irradiance = DirectLight(setting_.world, choice, seen.position, random, look);
+    }
+    if (indirect >= 0) {
+      lit.irradiance = lit.irradiance + LightAt(frame_.indirect, static_cast<size_t>(indirect));
+      lit.gloss = GlossAt(static_cast<size_t>(indirect));
+    } else {
+      lit.irradiance = lit.irradiance + IndirectLight(setting_, seen, random, look, 1).light;
+      // Of anything but metal, so few rays would find sparks.
+      if (Luminance(seen.specular) > 0.1F) lit.gloss = seen.filter * Gloss(setting_, seen, random, look, 1);
+    }
+    return lit;
+  }
+  Vec3 Radiance(int lit_instance, Vec3 paint, Vec3 added, const Lit& lit) const {
+    if (lit_instance == -2) {  // the ground: backdrop, darker where the model keeps light away
+      return added * exposure_ + paint * std::min(1.0F, Luminance(lit.irradiance) / bare_ground_);
+    }
+    if (lit_instance == -1) return added;  // what is beyond appears as it is
+    return (added + paint * lit.irradiance + lit.gloss) * exposure_;
+  }
+  Vec3 Edge(int x, int y) const {
+    std::array<Vec3, kEdgeLooks> ways;
+    for (int i = 0; i < kEdgeLooks; ++i) {
+      const uint32_t number = static_cast<uint32_t>(i);
+      const float column =
+          static_cast<float>(x) + static_cast<float>((number * 3242174889U + 0x40000000U) >> 8) * 0x1p-24F;
+      const float row = static_cast<float>(y) + (static_cast<float>(i) + 0.5F) / kEdgeLooks;
+      ways[i] = setting_.camera.Through(column, row);
+    }
+    std::array<Seen, kEdgeLooks> looks;
+    LookFrom(setting_.world, setting_.lights, setting_.surroundings, setting_.camera.eye, ways, setting_.pixel_rad(),
+             looks);
+    const PixelSamples random(seeds_, x, y, kEdgeLooks);
+    Vec3 sum;
+    for (int i = 0; i < kEdgeLooks; ++i) {
+      const Seen& seen = looks[i];
+      const Lit lit = LitLike(seen, x, y, random, i);
+      const Vec3 radiance = Radiance(seen.lit_instance, seen.filter * seen.albedo, seen.added, lit);
+      // Highlights are bounded before the mean, or they would leave steps along edges.
+      const float most = std::max({radiance.x, radiance.y, radiance.z});
+      sum = sum + (most > 1.5F ? radiance * (1.5F / most) : radiance);
+    }
+    return sum * (1.0F / kEdgeLooks);
+  }
+
+  const Setting& setting_;
+  const SampleSeeds& seeds_;
+  const Frame& frame_;
+  const TracedView& view_;
+  float bare_ground_;
+  Vec3 exposure_{1, 1, 1};
+};
 
 }  // namespace
 
