@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 namespace flair::cli {
-
 namespace {
 // Marks a status that stands for an exit code of its own.
 constexpr char kCode[] = "flair.cli/exit_code";

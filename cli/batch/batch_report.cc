@@ -17,7 +17,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 using nlohmann::ordered_json;

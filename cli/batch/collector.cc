@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
 
 #include "cli/input/artifact_file.h"
 #include "worker_runtime/status/status_macros.h"

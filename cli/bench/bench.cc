@@ -11,12 +11,10 @@
 #include <memory>
 #include <numeric>
 #include <set>
-#include <string>
 
 #include "absl/strings/str_replace.h"
 #include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
-#include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/translator_service.pb.h"
 #include "fmt/format.h"

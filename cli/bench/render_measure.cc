@@ -8,7 +8,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr int64_t kAnyAnswer = int64_t{1} << 40;

@@ -32,7 +32,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 struct BenchArguments : Options {

@@ -18,7 +18,6 @@
 #include "gtest/gtest.h"
 
 namespace flair::cli {
-
 namespace {
 
 using ::testing::AllOf;

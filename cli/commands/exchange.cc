@@ -30,7 +30,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 struct ImportFlairGptArguments : Options {

@@ -21,7 +21,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 struct InspectArguments : Options {

@@ -24,7 +24,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 struct JobsArguments : Options {

@@ -44,7 +44,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 using config::v1::LlmConfig;

@@ -13,7 +13,6 @@
 
 #include "absl/time/clock.h"
 #include "worker_runtime/grpc/client_call.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::contract {
 namespace {

@@ -12,7 +12,6 @@
 #include "fmt/ranges.h"
 
 namespace flair::cli {
-
 namespace {
 
 // A call as it is written, without its weight. Arguments have names, so their order says nothing.

@@ -14,7 +14,6 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
-#include "fmt/format.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
@@ -22,7 +21,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 // What a command prints is its own business; the services speak up when something breaks.

@@ -19,7 +19,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 // What a fate is called here.

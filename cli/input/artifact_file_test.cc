@@ -14,7 +14,6 @@
 #include "tests/fixtures/bedroom.h"
 
 namespace flair::cli {
-
 namespace {
 
 using ::testing::AllOf;

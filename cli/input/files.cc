@@ -24,7 +24,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace fs = std::filesystem;
 
 namespace {

@@ -11,7 +11,6 @@
 #include <numeric>
 #include <optional>
 
-#include "absl/status/statusor.h"
 #include "cli/exit_code.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"

@@ -15,7 +15,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr size_t kTokenLength = 1000;

@@ -6,7 +6,6 @@
 #include "gtest/gtest.h"
 
 namespace flair::cli {
-
 namespace {
 
 TEST(Printable, LeavesNothingThatSteersATerminal) {

@@ -15,7 +15,6 @@
 #include "fmt/ranges.h"
 
 namespace flair::cli {
-
 namespace {
 
 std::string Seconds(const v1::JobEvent& event) {

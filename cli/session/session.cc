@@ -29,7 +29,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
-
 namespace {
 
 using OrchestratorStub = v1::OrchestratorService::StubInterface;

@@ -28,7 +28,6 @@
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr absl::Duration kWithin = absl::Hours(12);

@@ -9,7 +9,6 @@
 #include "fmt/format.h"
 
 namespace flair::cli {
-
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "evaluation/metrics/measures.h"
 #include "evaluation/metrics/routes.h"

@@ -2,7 +2,6 @@
 // The measures of a layout beside those of layout_metrics.h and routes.h: solids, uses, pathway cost.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "evaluation/metrics/layout_metrics.h"

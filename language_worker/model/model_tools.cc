@@ -3,12 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <utility>
 
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "worker_runtime/files/files.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
 namespace {

@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "llm/answers/prompt_library.h"

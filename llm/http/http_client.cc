@@ -8,8 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "absl/strings/ascii.h"

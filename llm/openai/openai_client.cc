@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
-#include "llm/openai/reply_reader.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::llm {

@@ -17,7 +17,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
 
 constexpr size_t kMaxWords = 64;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "renderer_worker/drawing/text.h"
 
-#include <memory>
-
 namespace flair::renderer {
 
 Lettering::Lettering()

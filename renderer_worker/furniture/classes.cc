@@ -9,9 +9,6 @@
 #include <cstdlib>
 #include <map>
 #include <set>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "renderer_worker/furniture/furniture_text.h"
 

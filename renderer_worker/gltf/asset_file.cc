@@ -3,9 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <utility>
 
-#include "fmt/format.h"
 #include "renderer_worker/gltf/asset_primitive.h"
 #include "renderer_worker/gltf/limited_json.h"
 #include "worker_runtime/status/status_macros.h"

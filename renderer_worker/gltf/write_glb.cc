@@ -15,9 +15,7 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace gltf {
-
 namespace {
 
 // Unit, towards the outside of the wall from floor corner `wall` to the next; the floor runs counter-clockwise.

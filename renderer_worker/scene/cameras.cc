@@ -5,8 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "renderer_worker/scene/room_shape.h"
-
 namespace flair::renderer {
 namespace {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "renderer_worker/scene/room_shape.h"
-#include "renderer_worker/tracing/frame.h"
 #include "renderer_worker/tracing/lighting.h"
 #include "renderer_worker/tracing/lights.h"
 #include "worker_runtime/status/status_macros.h"

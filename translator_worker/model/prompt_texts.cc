@@ -9,7 +9,6 @@
 #include "absl/strings/ascii.h"
 #include "fmt/format.h"
 #include "llm/answers/prompt_library.h"
-#include "llm/answers/read_answer.h"
 
 namespace flair::translator {
 namespace {

@@ -7,7 +7,6 @@
 #include "orchestrator/store/artifact_id.h"
 
 namespace flair::cli {
-
 namespace {
 
 constexpr char kBatchId[] = "b1";

@@ -7,7 +7,6 @@
 #include <iostream>
 
 namespace flair::renderer::gltf {
-
 namespace {
 
 void AppendWord(std::string& bytes, uint32_t word) { bytes.append(reinterpret_cast<const char*>(&word), sizeof word); }
