@@ -126,9 +126,12 @@ class Grouper {
     std::vector<hb::ZoneSpec> zones;
     for (const hb::ZoneSpec& zone : program_.zones) {
       if (zone.name() != host.zone) continue;
+      int number = 1;
       for (int g = 0; g < count; ++g) {
         zones.push_back(zone);
-        if (g > 0) zones.back().set_name(fmt::format("{} {}", zone.name(), g + 1));
+        // The kind of room may have a zone of that name.
+        while (g > 0 && HasZone(program_, zones.back().name()))
+          zones.back().set_name(fmt::format("{} {}", zone.name(), ++number));
       }
     }
     if (!zones.empty()) Split(i, in_each, zones);

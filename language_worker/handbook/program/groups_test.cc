@@ -53,6 +53,17 @@ Plan PlanFor(const std::string& text) {
   return plan;
 }
 
+TEST(Groups, ZonesOfGroupsHaveNamesOfTheirOwn) {
+  v1::Brief brief;
+  brief.set_text("Care home lounge: fourteen armchairs arranged in small clusters, two side tables per cluster.");
+  std::map<std::string, int> ids;
+  const v1::ZonePlan plan = *PlanZones(brief, *DescribeRoom(brief, TheHandbook()), TheHandbook());
+  for (const v1::Zone& zone : plan.zones()) {
+    EXPECT_EQ(++ids[zone.id()], 1) << zone.id();
+  }
+  EXPECT_GE(ids.size(), 3u);
+}
+
 TEST(Groups, AClassroomHasRowsOfDesksThatLookToTheTeacher) {
   const Plan plan = PlanFor("A classroom for 24 pupils.");
   EXPECT_EQ(plan.Count("school desk"), 24);

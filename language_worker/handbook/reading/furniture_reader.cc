@@ -30,7 +30,7 @@ class FurnitureReader {
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i] || IsMeasure(text_, i) || IsAVerb(i)) continue;
+      if (used_[i] || IsMeasure(text_, i) || IsAVerb(i) || IsAShape(i)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
       const bool seats = SeatsFollow(text_, i + 1);
@@ -127,6 +127,12 @@ class FurnitureReader {
   // "The office showcases a desk".
   bool IsAVerb(std::size_t i) const {
     return text_.Is(i, "verbs_of_having") && (text_.Is(i + 1, "thing_articles") || NumberWord(text_.At(i + 1)));
+  }
+
+  // The boat of a boat-shaped table.
+  bool IsAShape(std::size_t i) const {
+    const std::size_t next = text_.IsHyphen(i + 1) ? i + 2 : i + 1;
+    return text_.Says(next, {"shaped", "shape"});
   }
 
   // "Eighteen seats": what the room has for each; at a table that was spoken of its own. Null for other words.
