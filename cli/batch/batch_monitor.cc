@@ -126,14 +126,15 @@ void BatchMonitor::Show(const v1::Batch& batch, absl::Time now) {
 }
 
 void BatchMonitor::WarnIfUnserved(const v1::Batch& batch, absl::Time now) {
-  if (options_.remedy.empty() || batch.open_count() == 0 || batch.running_count() > 0) return;
+  if (options_.remedy.empty() || batch.open_count() == 0) return;
   if (batch.state() == v1::BATCH_STATE_PAUSED || now < next_check_) return;
   next_check_ = now + kChecks;
   const absl::StatusOr<v1::GetClusterResponse> cluster = session_.GetCluster();
   if (!cluster.ok()) return;
   const bool served = std::ranges::any_of(cluster->orchestrators(),
                                           [](const v1::OrchestratorStatus& one) { return one.running_limit() > 0; });
-  if (!served) Say("no orchestrator takes jobs from the queue: " + options_.remedy);
+  if (!served && batch.running_count() == 0) Say("no orchestrator takes jobs from the queue: " + options_.remedy);
+  if (const std::string away = StagesAway(*cluster); !away.empty()) Say("jobs wait: " + away);
 }
 
 void BatchMonitor::Run() {

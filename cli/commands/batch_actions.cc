@@ -205,8 +205,13 @@ absl::Status ReportBatch(ReportArguments& arguments) {
   return ReportOfService(arguments, named, *way.session);
 }
 
-absl::Status BatchStatus(const NamedArguments& arguments, const NamedBatch& named, const BatchWay&, Interruption&) {
+absl::Status BatchStatus(const NamedArguments& arguments, const NamedBatch& named, const BatchWay& way, Interruption&) {
   ShowBatch(named.batch, arguments.json);
+  if (arguments.json || named.batch.open_count() == 0) return absl::OkStatus();
+  // For operators only; others are not told.
+  const absl::StatusOr<v1::GetClusterResponse> cluster = way.session->GetCluster();
+  const std::string away = cluster.ok() ? StagesAway(*cluster) : "";
+  if (!away.empty()) fmt::print("{:<11}{}\n", "waits", away);
   return absl::OkStatus();
 }
 

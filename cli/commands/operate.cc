@@ -24,10 +24,12 @@
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"
 #include "cli/output/output_folder.h"
+#include "cli/session/session.h"
 #include "cli/session/stage_calls.h"
 #include "flair/config/v1/runtime_config.pb.h"
 #include "flair/config/v1/token_list.pb.h"
 #include "flair/v1/language_service.grpc.pb.h"
+#include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "google/protobuf/text_format.h"
@@ -270,7 +272,17 @@ absl::Status Health(const HealthArguments& arguments) {
   }
   if (!health.ok()) return About(what, health.status());
   if (*health != "SERVING") return Unavailable("{}: {}", what, *health);
-  fmt::print("{}: {}\n", what, *health);
+  // Of an orchestrator that lets everybody ask, also whether its stages have workers.
+  std::string away;
+  if (arguments.service.empty()) {
+    const auto stub = v1::OrchestratorService::NewStub(channel);
+    runtime::CallContext call;
+    const auto cluster =
+        runtime::UnaryRequest(*stub, &v1::OrchestratorService::StubInterface::GetCluster, v1::GetClusterRequest(), call,
+                              absl::Now() + absl::Seconds(arguments.patience_s));
+    if (cluster.ok()) away = StagesAway(*cluster);
+  }
+  fmt::print("{}: {}{}\n", what, *health, away.empty() ? "" : ", but " + away);
   return absl::OkStatus();
 }
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdio>
+#include <map>
 #include <mutex>
 #include <random>
 #include <set>
@@ -78,6 +79,10 @@ struct Session::Calls {
       return Unimplemented(
           "the orchestrator at {} does not know this call: {}; use a flair-orchestrator of this version", address,
           status.message());
+    }
+    // Of whoever calls, not of a model or a file, for which these codes stand elsewhere.
+    if (absl::IsUnauthenticated(status) || absl::IsPermissionDenied(status)) {
+      return EndWith(kExitBadInput, std::string(status.message()));
     }
     return services != nullptr ? status : NoOrchestrator(status, address);
   }
@@ -340,6 +345,26 @@ absl::Status Session::WatchBatch(const std::string& id, int64_t after_sequence, 
                         [&](const v1::WatchBatchResponse& response) -> std::optional<int64_t> {
                           return see(response) ? std::optional(response.sequence()) : std::nullopt;
                         });
+}
+
+std::string StagesAway(const v1::GetClusterResponse& cluster) {
+  std::map<std::string, std::string> away;
+  std::set<std::string> served;
+  for (const v1::OrchestratorStatus& orchestrator : cluster.orchestrators()) {
+    for (const v1::WorkerStatus& worker : orchestrator.workers()) {
+      if (worker.state() == v1::WORKER_STATE_GONE || worker.state() == v1::WORKER_STATE_BROKEN) {
+        away[worker.stage()] = fmt::format("no {} worker works: {} is {}", worker.stage(), worker.address(),
+                                           worker.state() == v1::WORKER_STATE_GONE ? "gone" : "broken");
+      } else {
+        served.insert(worker.stage());
+      }
+    }
+  }
+  std::string text;
+  for (const auto& [stage, how] : away) {
+    if (!served.contains(stage)) text += (text.empty() ? "" : "; ") + how;
+  }
+  return text;
 }
 
 absl::Status ErrorOf(const v1::Job& job) {

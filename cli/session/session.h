@@ -103,6 +103,9 @@ class Session final : public ArtifactShelf {
   const std::unique_ptr<Calls> calls_;
 };
 
+// Of which stages no worker works, "no optimizer worker works: 10.0.0.4:50053 is gone"; empty when all can go on.
+std::string StagesAway(const v1::GetClusterResponse& cluster);
+
 // Waits, at most until `stop` is asked for. Returns whether it was.
 bool WaitUnlessStopped(runtime::Cancellation& stop, absl::Duration time);
 

@@ -43,7 +43,8 @@ void ClusterState::See(const ClusterLook& look) {
            {"totals", {{"queued_count", look.cluster.queued_count()}}},
            {"batches", Batches(look.batches)},
            {"orchestrators", Orchestrators(look.cluster)},
-           {"workers", Workers(look.cluster)}};
+           {"workers", Workers(look.cluster)},
+           {"away", StagesAway(look.cluster)}};
   Json& totals = json_["totals"];
   const Json& counted = json_[json_["orchestrators"].empty() ? "batches" : "orchestrators"];
   for (const char* field : {"running_count", "running_limit", "succeeded_count", "failed_count", "retried_count"}) {

@@ -143,7 +143,9 @@ class TopPage {
                                           .Right(time, 20, Style::kDim)
                                           .text(),
                                       Totals(json["totals"])};
-    if (!trouble.empty()) lines.push_back(Line().Add(trouble, Style::kBad).text());
+    for (const std::string& text : {trouble, json.value("away", std::string())}) {
+      if (!text.empty()) lines.push_back(Line().Add(text, Style::kBad).text());
+    }
     std::vector<Section> sections;
     if (!json["batches"].empty()) sections.push_back(Table(BatchColumns(), json["batches"]));
     sections.push_back(json["orchestrators"].empty() ? NoOrchestrators(json["batches"].empty())

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 
 #include "orchestrator/batch/event_hub.h"
+#include "orchestrator/batch/job_rules.h"
+#include "orchestrator/batch/job_runner.h"
 #include "orchestrator/batch/work_queue.h"
+#include "orchestrator/pipeline/pipeline.h"
+#include "orchestrator/store/local_artifacts.h"
+#include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/store/store_monitor.h"
+#include "orchestrator/testing/fake_stages.h"
 #include "orchestrator/testing/temporary_folder.h"
 #include "worker_runtime/testing/fakes.h"
 
@@ -67,6 +74,39 @@ TEST(StoreMonitor, NoticesWritesOfOthersAndTheEndOfOwners) {
   changed.Wait();
   other = nullptr;
   owner_gone.Wait();
+}
+
+TEST(JobRunner, JobsOfABatchWaitForAWorkerWithoutUsingUpRuns) {
+  TemporaryFolder folder;
+  runtime::FakeClock clock;
+  const auto queue = *SqliteWorkQueue::Open(folder.path(), clock);
+  ArtifactFiles artifacts(folder.path() + "/artifacts");
+  std::atomic<int> outages = 10;
+  FakeStages stages([&](std::string_view rpc, StageCall&) {
+    const bool away = rpc == "Solve" && outages-- > 0;
+    return away ? OfOutage(absl::UnavailableError("no optimizer is there")) : absl::OkStatus();
+  });
+  PipelineOptions options;
+  options.backoff.unavailable_attempt_limit = 1;
+  const Pipeline pipeline(*queue, artifacts, stages, clock, options);
+  spdlog::logger logger("test");
+  store::v1::BatchRecord batch;
+  batch.mutable_batch()->set_id("b");
+  batch.mutable_batch()->set_open(true);
+  batch.mutable_batch()->set_state(v1::BATCH_STATE_ACTIVE);
+  ASSERT_TRUE(queue->CreateBatch(batch).ok());
+  v1::Job job;
+  job.set_id(BatchJobId("b", 0));
+  job.set_batch_id("b");
+  job.mutable_spec()->mutable_brief()->set_text("A bedroom.");
+  ASSERT_TRUE(queue->AddJobs("b", std::span(&job, 1), true).ok());
+  JobRunner runner(*queue, pipeline, clock, logger, {.attempt_limit = 2});
+  while (!HasEnded(*queue->GetJob(job.id()))) {
+    clock.Advance(absl::Minutes(1));
+    runner.Wake();
+  }
+  EXPECT_EQ(queue->GetJob(job.id())->state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(stages.calls("Solve"), 11);
 }
 
 }  // namespace

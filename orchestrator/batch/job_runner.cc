@@ -149,11 +149,16 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
   const v1::FailureKind kind = KindOfFailure(result.status, result.stage);
   const int failed = FailedRuns(lease);
   const bool again = !lease.job().batch_id().empty() && MayPass(result.status, kind);
-  if (!again || failed + 1 >= options_.attempt_limit) {
+  const bool outage = IsOutage(result.status);
+  if (!again || (!outage && failed + 1 >= options_.attempt_limit)) {
     return End(lease, {v1::JOB_STATE_FAILED, result.stage, result.status, kind, clock_.Now()});
   }
-  const std::string reason = fmt::format("run {} of {} failed at stage \"{}\": {}", failed + 1, options_.attempt_limit,
-                                         result.stage, std::string(result.status.message()));
+  if (outage)
+    Complain(fmt::format("jobs wait for stage \"{}\": {}", result.stage, std::string(result.status.message())));
+  const std::string reason =
+      outage ? ""
+             : fmt::format("run {} of {} failed at stage \"{}\": {}", failed + 1, options_.attempt_limit, result.stage,
+                           std::string(result.status.message()));
   const absl::Duration delay = DelayAfterFailure(failed, lease.job().id());
   absl::Status returned = lease.Return(delay, reason);
   while (!returned.ok() && !lease.lost()) {

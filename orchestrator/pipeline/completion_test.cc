@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Jobs whose constraints nobody completes.
+// Jobs whose constraints nobody completes, and answers that are none.
 #include <gmock/gmock.h>
 #include <google/protobuf/util/time_util.h>
 
@@ -41,6 +41,55 @@ TEST(Completion, WithoutItTheListGoesOnAsItIs) {
     completed.mutable_diagnostics()->RemoveLast();
     EXPECT_EQ(completed.SerializeAsString(), cleaned.SerializeAsString()) << job;
   }
+}
+
+// Describes rooms without a floor, and places nothing, as it is told.
+class WrongStages : public FakeStages {
+ public:
+  // Workers of language that do so; those that are asked after them do not.
+  int wrong_rooms = 0;
+  bool nothing_placed = false;
+
+  absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) override {
+    auto response = FakeStages::DescribeRoom(request, call);
+    response->mutable_producer()->set_program("their-language");
+    const auto asked = static_cast<int>(call.bad_answerers().size());
+    if (asked < wrong_rooms) response->mutable_room()->clear_floor();
+    call.SetAnswerer({"1", asked});
+    return response;
+  }
+  absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, Call& call) override {
+    auto response = FakeStages::Solve(request, call);
+    if (nothing_placed) response->mutable_solved_layout()->clear_placements();
+    return response;
+  }
+};
+
+TEST(BadAnswers, AreAskedOfAnotherWorker) {
+  PipelineForTest pipeline;
+  WrongStages stages;
+  stages.wrong_rooms = 1;
+  EXPECT_TRUE(pipeline.Run(stages, NewJob("j1")).status.ok());
+  EXPECT_EQ(stages.calls("DescribeRoom"), 2);
+}
+
+TEST(BadAnswers, OfTwoWorkersEndTheRunAndSayWhose) {
+  PipelineForTest pipeline;
+  WrongStages stages;
+  stages.wrong_rooms = 2;
+  const absl::Status status = pipeline.Run(stages, NewJob("j1")).status;
+  EXPECT_EQ(status.code(), absl::StatusCode::kInternal);
+  EXPECT_THAT(std::string(status.message()), ::testing::HasSubstr("the answer of their-language is not valid"));
+  EXPECT_THAT(std::string(status.message()), ::testing::HasSubstr("room.floor"));
+}
+
+TEST(BadAnswers, ALayoutOfNothingIsOne) {
+  PipelineForTest pipeline;
+  WrongStages stages;
+  stages.nothing_placed = true;
+  const absl::Status status = pipeline.Run(stages, NewJob("j1")).status;
+  EXPECT_EQ(status.code(), absl::StatusCode::kInternal);
+  EXPECT_THAT(std::string(status.message()), ::testing::HasSubstr("placements: there are none"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <latch>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "google/protobuf/util/time_util.h"
@@ -13,7 +14,6 @@
 #include "orchestrator/pipeline/stage_clients.h"
 #include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
-#include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -178,18 +178,6 @@ google::protobuf::Duration ToProto(absl::Duration duration) {
   return google::protobuf::util::TimeUtil::MicrosecondsToDuration(absl::ToInt64Microseconds(duration));
 }
 
-// A worker may be anybody's program; an answer that no stage could go on with ends the job here, not somewhere later.
-absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact) {
-  if (KindOf(artifact) != stage.output) {
-    return absl::InternalError(
-        fmt::format("stage \"{}\": the worker's answer has no {}", stage.name, v1::ArtifactKind_Name(stage.output)));
-  }
-  const absl::Status status = Validate(artifact);
-  if (status.ok()) return status;
-  return absl::InternalError(fmt::format("stage \"{}\": the answer of {} is not valid: {}", stage.name,
-                                         artifact.producer().program(), std::string(status.message())));
-}
-
 std::vector<std::string> InputIds(const StageRun& run) {
   std::vector<std::string> ids;
   for (const v1::Artifact* input : run.inputs) ids.push_back(input->id());
@@ -307,8 +295,13 @@ template <typename Result>
 absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Result>(const StageRun&)>& function,
                                           const StageRun& run) const {
   const absl::Time last_attempt = clock_.Now() + options_.stage_deadline;
+  // What a worker that is not asked again answered; and whether a worker failed before there was none.
+  std::optional<absl::StatusOr<Result>> bad;
+  std::set<int64_t> bad_answerers;
+  bool failed = false;
   for (int attempt = 0;; ++attempt) {
     StageClients::Call call(run.job_id, clock_.Now() + options_.stage_deadline, clock_);
+    call.set_bad_answerers(bad_answerers);
     runtime::OnCancel guard(cancellation_, [&call] { call.cancellation().Cancel(); });
     StageRun current{run.stage,          run.job_id, run.spec,    run.inputs,      run.options,
                      run.options_digest, run.build,  run.timings, run.model_usage, run.clients,
@@ -317,6 +310,14 @@ absl::StatusOr<Result> StageRunner::Retry(const std::function<absl::StatusOr<Res
                                         ? absl::StatusOr<Result>(absl::CancelledError("the job was cancelled"))
                                         : function(current);
     if (result.ok() || cancellation_.cancelled()) return result;
+    if (call.bad_answerers().size() > bad_answerers.size() && !bad.has_value()) {
+      bad_answerers = call.bad_answerers();
+      bad = std::move(result);
+      continue;
+    }
+    if (bad.has_value()) return absl::IsUnavailable(result.status()) ? *bad : result;
+    failed = failed || !IsOutage(result.status());
+    if (failed && IsOutage(result.status())) result = absl::Status(result.status().code(), result.status().message());
     const std::optional<absl::Duration> delay = options_.backoff.DelayAfter(result.status(), attempt, run.job_id);
     if (!delay.has_value() || clock_.Now() + *delay > last_attempt) return result;
     options_.wait(*delay, call);
@@ -329,7 +330,7 @@ absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRu
     absl::StatusOr<v1::Artifact> made = stage.run(current);
     if (!made.ok()) return made;
     if (absl::Status status = CheckAnswer(stage, *made); !status.ok()) {
-      current.call.ReportBadAnswer();
+      current.call.ReportBadAnswer(status);
       return status;
     }
     // What we make ourselves, such as the report, is ours whoever was asked for it.

@@ -27,7 +27,7 @@ class OptimizersOfRevisions : public FakeStages {
     auto response = FakeStages::ListConstraintTypes(request, call);
     if (!response.ok()) return response;
     response->mutable_catalog()->set_library("of " + answering.value_or("nobody"));
-    call.SetAnswerer({answering, [] {}});
+    call.SetAnswerer({answering});
     return response;
   }
   std::string Ask(CatalogCache& cache, std::optional<std::string> revision) {

@@ -337,41 +337,6 @@ TEST_F(PipelineTest, DrawsFurtherViewsBesideThePreview) {
   EXPECT_EQ(stages.calls("Render"), 3);
 }
 
-class EmptyRoomStages final : public StageClients {
- public:
-  absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest&, Call&) override {
-    v1::DescribeRoomResponse response;
-    response.mutable_producer()->set_program("their-language");
-    response.mutable_room()->set_room_type("bedroom");
-    return response;
-  }
-#define NEVER(Rpc)                                                                 \
-  absl::StatusOr<v1::Rpc##Response> Rpc(const v1::Rpc##Request&, Call&) override { \
-    return absl::InternalError("never");                                           \
-  }
-  NEVER(PlanZones)
-  NEVER(ListObjects)
-  NEVER(ChooseStyle)
-  NEVER(ListConstraints)
-  NEVER(CleanConstraints)
-  NEVER(CompleteConstraints)
-  NEVER(Translate)
-  NEVER(ListConstraintTypes)
-  NEVER(Solve)
-  NEVER(Evaluate)
-  NEVER(Render)
-#undef NEVER
-  absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind, Call&) override { return ""; }
-};
-
-TEST_F(PipelineTest, RefusesAnAnswerThatIsNotValidAndSaysWhose) {
-  EmptyRoomStages stages;
-  const PipelineResult result = Run(stages, NewJob("j1"));
-  EXPECT_EQ(result.status.code(), absl::StatusCode::kInternal);
-  EXPECT_THAT(std::string(result.status.message()), HasSubstr("the answer of their-language is not valid"));
-  EXPECT_THAT(std::string(result.status.message()), HasSubstr("room.floor"));
-}
-
 TEST_F(PipelineTest, ReportsMetricsOutcomesAndRemarks) {
   FakeStages stages;
   ASSERT_TRUE(Run(stages, NewJob("j1")).status.ok());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "orchestrator/store/artifact_id.h"
+#include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -37,6 +38,23 @@ absl::StatusOr<std::shared_ptr<const SharedCatalog>> CatalogCache::Get(StageClie
     catalogs_[*call.answerer()->revision] = asked;
   }
   return asked;
+}
+
+absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact) {
+  if (KindOf(artifact) != stage.output) {
+    return absl::InternalError(
+        fmt::format("stage \"{}\": the worker's answer has no {}", stage.name, v1::ArtifactKind_Name(stage.output)));
+  }
+  absl::Status status = Validate(artifact);
+  const v1::SolvedLayout& layout = artifact.solved_layout();
+  if (status.ok() && layout.placements().empty() && !layout.graph().object_list().objects().empty()) {
+    status = absl::InvalidArgumentError("solved_layout.placements: there are none, of objects that there are");
+  }
+  if (status.ok()) return status;
+  const std::string& program = artifact.producer().program();
+  return absl::InternalError(fmt::format("stage \"{}\": the answer of {} is not valid: {}", stage.name,
+                                         program.empty() ? "a worker that does not name itself" : program,
+                                         std::string(status.message())));
 }
 
 int StageIndex(std::string_view name) {

@@ -91,6 +91,10 @@ struct Stage {
   bool (*wanted)(const v1::JobSpec&) = nullptr;
 };
 
+// OK for what a stage can have made. A worker may be anybody's program; an answer that no stage could go on with ends
+// the job here, not somewhere later. INTERNAL says whose it was.
+absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact);
+
 // The stages in order, see stages.cc; a stage's inputs are outputs of stages before it. Stages of which none needs
 // another run at the same time.
 std::span<const Stage> Stages();

@@ -53,6 +53,7 @@ void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call) {
 
 namespace {
 constexpr char kStorePayload[] = "flair/of-store";
+constexpr char kOutagePayload[] = "flair/outage";
 }  // namespace
 
 absl::Status OfStore(absl::Status status) {
@@ -62,6 +63,13 @@ absl::Status OfStore(absl::Status status) {
 }
 
 bool IsOfStore(const absl::Status& status) { return status.GetPayload(kStorePayload).has_value(); }
+
+absl::Status OfOutage(absl::Status status) {
+  status.SetPayload(kOutagePayload, absl::Cord());
+  return status;
+}
+
+bool IsOutage(const absl::Status& status) { return status.GetPayload(kOutagePayload).has_value(); }
 
 v1::FailureKind KindOfFailure(const absl::Status& failure, std::string_view stage) {
   if (IsOfStore(failure)) return v1::FAILURE_KIND_STORE;

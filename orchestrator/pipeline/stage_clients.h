@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,27 +27,41 @@ namespace flair::orchestrator {
 class StageCall final : public runtime::CallContext {
  public:
   using CallContext::CallContext;
+  ~StageCall() { Settle(absl::OkStatus()); }
 
   // Who answered: its Revision(), part of the key under which the answer is kept, since workers of several revisions
-  // may serve a stage.
+  // may serve a stage; its number, and where to say whether the answer was one.
   struct Answerer {
     std::optional<std::string> revision;
-    std::function<void()> report_bad_answer;
+    int64_t worker = 0;
+    std::function<void(const absl::Status&)> settle = nullptr;
   };
 
   // Nothing when it is not known.
   const std::optional<Answerer>& answerer() const { return answerer_; }
 
-  // Says that the answer was no good although it came as one, so that its worker is called less.
-  void ReportBadAnswer() const {
-    if (answerer_.has_value()) answerer_->report_bad_answer();
+  // Says that the answer was no good although it came as one, so that its worker is called less; and by the next call
+  // that is given bad_answerers(), not at all.
+  void ReportBadAnswer(const absl::Status& why) {
+    if (answerer_.has_value()) bad_answerers_.insert(answerer_->worker);
+    Settle(why);
+  }
+  const std::set<int64_t>& bad_answerers() const { return bad_answerers_; }
+  void set_bad_answerers(std::set<int64_t> workers) { bad_answerers_ = std::move(workers); }
+
+  // For the clients. The answer before it was good.
+  void SetAnswerer(Answerer answerer) {
+    Settle(absl::OkStatus());
+    answerer_ = std::move(answerer);
   }
 
-  // For the clients.
-  void SetAnswerer(Answerer answerer) { answerer_ = std::move(answerer); }
-
  private:
+  void Settle(const absl::Status& answer) {
+    if (answerer_.has_value() && answerer_->settle != nullptr) std::exchange(answerer_->settle, nullptr)(answer);
+  }
+
   std::optional<Answerer> answerer_;
+  std::set<int64_t> bad_answerers_;
 };
 
 // What the pipeline asks of the stages, one function per RPC. Each waits for the answer, at most until the deadline of
@@ -106,6 +122,10 @@ void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call);
 // The same error, known to come from the orchestrator's own store and not from a worker.
 absl::Status OfStore(absl::Status status);
 bool IsOfStore(const absl::Status& status);
+
+// The same error, because no worker of a stage is there: no run of the job has failed, it waits for one.
+absl::Status OfOutage(absl::Status status);
+bool IsOutage(const absl::Status& status);
 
 // The kind of a failure of a stage; see FailureKind. `stage` as in JobEvent.stage.
 v1::FailureKind KindOfFailure(const absl::Status& failure, std::string_view stage);

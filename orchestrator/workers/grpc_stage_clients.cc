@@ -29,9 +29,9 @@
 namespace flair::orchestrator {
 namespace {
 
-// One request to one worker or, when that one takes its time, to a second one as well: the first answer counts, and the
-// other call is cancelled. All calls of stages are idempotent by request id. Waits in the calling thread, which alone
-// drives the calls. Used once.
+// One request to one worker or, when that one is late, to a second one as well: the first answer counts, and the other
+// call is cancelled. All calls of stages are idempotent by request id. Waits in the calling thread, which alone drives
+// the calls. Used once.
 template <typename Service, typename Request, typename Response>
 class WorkerCall {
  public:
@@ -53,23 +53,33 @@ class WorkerCall {
   WorkerCall(WorkersOfStage& workers, Method method, const Request& request, runtime::CallContext& call)
       : workers_(workers), method_(method), request_(request), call_(call) {}
 
-  // Calls the worker of `place` and, after `hedge_after`, one that is neither that nor `tried`. Gives back all places.
-  // Returns the attempt that counts.
-  Attempt& Run(const Place& place, const std::set<WorkerId>& tried, absl::Duration hedge_after) {
-    std::set<WorkerId> taken = tried;
-    taken.insert(place.worker);
+  // Calls the worker of `place` and, when it is late, one that is neither that nor `tried`. Returns the attempt that
+  // counts; the place of the other is given back.
+  Attempt& Run(Place place, std::set<WorkerId> tried) {
+    place.request = Request::descriptor()->name();
+    tried.insert(place.worker);
     const auto cancel = [this] { CancelAll(); };
     runtime::OnCancel guard(call_.cancellation(), cancel);
-    Begin(place);
+    absl::Duration patience = workers_.pool().Patience(place);
+    Begin(std::move(place));
     Attempt* winner = nullptr;
     while (running_ > 0) {
-      Attempt* ended = Next(attempts_.size() == 1 && winner == nullptr ? hedge_after : absl::InfiniteDuration());
+      Attempt* ended = Next(running_ == 1 && winner == nullptr ? patience : absl::InfiniteDuration());
       if (ended == nullptr) {
-        if (std::optional<Place> second = workers_.pool().TryTake(taken)) Begin(*second);
-      } else if (winner == nullptr && VerdictOf(ended->status) == Verdict::kGood) {
+        patience = kLookAgain;
+        if (std::optional<Place> second = workers_.pool().TryTake(tried)) {
+          second->request = attempts_.front().place.request;
+          Begin(*std::move(second));
+        }
+      } else if (winner == nullptr && (VerdictOf(ended->status) == Verdict::kGood || running_ == 0)) {
         winner = ended;
         // To cancel what has ended is work too.
         if (running_ > 0) CancelAll();
+      } else {
+        const bool beaten = ended == &attempts_.front() && winner != nullptr && winner->status.ok();
+        workers_.pool().End(
+            ended->place, beaten ? Verdict::kBeaten : VerdictOf(ended->status),
+            beaten ? absl::DeadlineExceededError("another worker, asked later, answered before it") : ended->status);
       }
     }
     events_.Shutdown();
@@ -79,17 +89,17 @@ class WorkerCall {
     return winner == nullptr ? attempts_.front() : *winner;
   }
 
-  // One or two, the first first.
-  const std::deque<Attempt>& attempts() const { return attempts_; }
-
  private:
-  void Begin(const Place& place) {
+  // Between two looks whether a second worker has room.
+  static constexpr absl::Duration kLookAgain = absl::Seconds(1);
+
+  void Begin(Place place) {
     std::lock_guard lock(mutex_);
     Attempt& attempt = attempts_.emplace_back();
-    attempt.place = place;
-    attempt.connection = workers_.ConnectionTo(place.worker);
+    attempt.place = std::move(place);
+    attempt.connection = workers_.ConnectionTo(attempt.place.worker);
     if (attempt.connection == nullptr) {
-      End(attempt, absl::UnavailableError("it has gone"));
+      attempt.status = absl::UnavailableError("it has gone");
       return;
     }
     if (call_.deadline() != absl::InfiniteFuture()) attempt.context.set_deadline(absl::ToChronoTime(call_.deadline()));
@@ -113,13 +123,8 @@ class WorkerCall {
     }
     --running_;
     Attempt& attempt = *static_cast<Attempt*>(tag);
-    End(attempt, runtime::FromGrpcStatus(attempt.grpc_status));
+    attempt.status = runtime::FromGrpcStatus(attempt.grpc_status);
     return &attempt;
-  }
-
-  void End(Attempt& attempt, absl::Status status) {
-    attempt.status = std::move(status);
-    workers_.pool().End(attempt.place, VerdictOf(attempt.status));
   }
 
   void CancelAll() {
@@ -141,51 +146,74 @@ class WorkerCall {
   std::deque<Attempt> attempts_;
 };
 
-// Workers that one call may lose, or fail at on trial, before that is its answer: a request that ends every worker must
+// Workers that one call may lose, or be refused by, before that is its answer: a request that ends every worker must
 // not end them all.
 constexpr size_t kTriedLimit = 3;
 
 template <typename Service>
 class Stage {
  public:
-  Stage(WorkersOfStage& workers, absl::Duration hedge_after) : workers_(workers), hedge_after_(hedge_after) {}
+  explicit Stage(WorkersOfStage& workers) : workers_(workers) {}
 
-  // Asks workers until one answers. A full one is no answer, nor is one that is not there; see docs/workers.md.
+  // Asks workers until one answers. A full one is no answer, nor is one that is not there; and what one alone says
+  // against a request does not count while there is another one to ask. See docs/workers.md.
   template <typename Request, typename Response>
   absl::StatusOr<Response> Ask(std::unique_ptr<grpc::ClientAsyncResponseReaderInterface<Response>> (
                                    Service::StubInterface::*method)(grpc::ClientContext*, const Request&,
                                                                     grpc::CompletionQueue*),
                                const Request& request, StageCall& call) const {
-    std::set<WorkerId> tried;
+    WorkerPool& pool = workers_.pool();
+    std::set<WorkerId> tried = call.bad_answerers();
     absl::Status failure;
     while (true) {
-      const absl::StatusOr<Place> place = workers_.pool().Take(tried, call);
+      const absl::StatusOr<Place> place = pool.Take(tried, call);
       if (!place.ok()) return absl::IsUnavailable(place.status()) && !failure.ok() ? failure : place.status();
       WorkerCall<Service, Request, Response> worker_call(workers_, method, request, call);
-      auto& attempt = worker_call.Run(*place, tried, hedge_after_);
-      if (attempt.status.ok()) {
-        call.SetAnswerer(
-            {attempt.place.revision, [&pool = workers_.pool(), at = attempt.place] { pool.ReportBadAnswer(at); }});
-        return std::move(attempt.response);
+      auto& attempt = worker_call.Run(*place, tried);
+      const Verdict verdict = VerdictOf(attempt.status);
+      if (verdict == Verdict::kFull || verdict == Verdict::kLost) {
+        pool.End(attempt.place, verdict, attempt.status);
+        if (verdict == Verdict::kFull) continue;
+        failure = Explain(attempt);
+        tried.insert(attempt.place.worker);
+        if (tried.size() >= kTriedLimit) return failure;
+        continue;
       }
-      if (VerdictOf(attempt.status) == Verdict::kGood) return attempt.status;
-      for (const auto& made : worker_call.attempts()) {
-        if (MayDoBetterElsewhere(made)) tried.insert(made.place.worker);
+      const bool refused = (verdict == Verdict::kGood || verdict == Verdict::kFailed) && !attempt.status.ok();
+      while (refused && !absl::IsAborted(attempt.status) && tried.size() < kTriedLimit) {
+        tried.insert(attempt.place.worker);
+        const std::optional<Place> witness = pool.TakeWitness(attempt.place, tried);
+        if (!witness.has_value()) break;
+        WorkerCall<Service, Request, Response> second_call(workers_, method, request, call);
+        auto& second = second_call.Run(*witness, tried);
+        if (second.status.ok()) {
+          pool.End(attempt.place, Verdict::kFailed,
+                   absl::InternalError(fmt::format("it refuses what another worker answers: {}",
+                                                   std::string(attempt.status.message()))));
+          return Answered(second, call);
+        }
+        const Verdict second_verdict = VerdictOf(second.status);
+        pool.End(second.place, second_verdict, second.status);
+        if (second_verdict == Verdict::kGood || second_verdict == Verdict::kFailed) break;
+        tried.insert(second.place.worker);
       }
-      const bool full = VerdictOf(attempt.status) == Verdict::kFull;
-      if (!full) failure = Explain(attempt);
-      if (tried.size() >= kTriedLimit || (!full && !MayDoBetterElsewhere(attempt))) return Explain(attempt);
+      if (attempt.status.ok()) return Answered(attempt, call);
+      pool.End(attempt.place, verdict, attempt.status);
+      return attempt.status;
     }
   }
 
   absl::StatusOr<std::optional<std::string>> Revision(StageCall& call) const { return workers_.pool().Revision(call); }
 
  private:
-  // A worker on trial was expected to fail.
+  // The call keeps its place until whoever asked says whether the answer is one.
   template <typename Attempt>
-  static bool MayDoBetterElsewhere(const Attempt& attempt) {
-    const Verdict verdict = VerdictOf(attempt.status);
-    return verdict == Verdict::kLost || (verdict == Verdict::kFailed && attempt.place.on_trial);
+  auto Answered(Attempt& attempt, StageCall& call) const {
+    call.SetAnswerer({attempt.place.revision, attempt.place.worker,
+                      [&pool = workers_.pool(), place = attempt.place](const absl::Status& answer) {
+                        pool.End(place, answer.ok() ? Verdict::kGood : Verdict::kFailed, answer);
+                      }});
+    return absl::StatusOr<decltype(attempt.response)>(std::move(attempt.response));
   }
 
   template <typename Attempt>
@@ -206,16 +234,15 @@ class Stage {
   }
 
   WorkersOfStage& workers_;
-  const absl::Duration hedge_after_;
 };
 
 class GrpcStageClients final : public StageClients {
  public:
   explicit GrpcStageClients(const StageCallers& callers)
-      : language_(callers.language, callers.hedge_after),
-        translator_(callers.translator, callers.hedge_after),
-        optimizer_(callers.optimizer, callers.hedge_after),
-        renderer_(callers.renderer, callers.hedge_after) {}
+      : language_(callers.language),
+        translator_(callers.translator),
+        optimizer_(callers.optimizer),
+        renderer_(callers.renderer) {}
 
 #define FLAIR_ASK(stage, Service, Rpc)                                                          \
   absl::StatusOr<v1::Rpc##Response> Rpc(const v1::Rpc##Request& request, Call& call) override { \

@@ -12,12 +12,26 @@
 #include "worker_runtime/grpc/client_call.h"
 
 namespace flair::orchestrator {
+namespace {
 
-WorkersOfStage::WorkersOfStage(WorkerPoolOptions options, StageChannel where, const Lookup& lookup,
+WorkerPoolOptions PoolOptions(const char* stage, const StageChannel& where, const StageWorkersOptions& all) {
+  const config::v1::StageCallConfig& calls = all.calls;
+  WorkerPoolOptions options = {
+      .stage = stage, .setting = where.setting, .log = all.log, .outage_limit = all.outage_limit};
+  if (calls.in_flight_limit() > 0) options.in_flight_limit = calls.in_flight_limit();
+  if (calls.failure_limit() > 0) options.failure_limit = calls.failure_limit();
+  if (calls.has_recovery_seconds()) options.recovery = absl::Seconds(calls.recovery_seconds());
+  if (calls.has_hedge_seconds()) options.patience = absl::Seconds(calls.hedge_seconds());
+  return options;
+}
+
+}  // namespace
+
+WorkersOfStage::WorkersOfStage(const char* stage, StageChannel where, const StageWorkersOptions& options,
                                Connections& connections, const runtime::Clock& clock)
-    : options_(std::move(options)),
+    : options_(PoolOptions(stage, where, options)),
       where_(std::move(where)),
-      lookup_(lookup),
+      lookup_(options.lookup),
       connections_(connections),
       pool_(options_, clock) {
   if (where_.connect == nullptr) {
@@ -80,33 +94,13 @@ void WorkersOfStage::LookUp() {
   pool_.SetFound(status);
 }
 
-namespace {
-
-WorkerPoolOptions PoolOptions(const char* stage, const StageChannel& where, const config::v1::StageCallConfig& calls) {
-  WorkerPoolOptions options = {.stage = stage, .setting = where.setting};
-  if (calls.in_flight_limit() > 0) options.in_flight_limit = calls.in_flight_limit();
-  if (calls.failure_limit() > 0) options.failure_limit = calls.failure_limit();
-  if (calls.has_recovery_seconds()) options.recovery = absl::Seconds(calls.recovery_seconds());
-  return options;
-}
-
-absl::Duration HedgeAfter(const config::v1::StageCallConfig& calls) {
-  return calls.has_hedge_seconds() ? absl::Seconds(calls.hedge_seconds()) : absl::InfiniteDuration();
-}
-
-}  // namespace
-
 StageWorkers::StageWorkers(const StageChannels& channels, StageWorkersOptions options, const runtime::Clock& clock)
     : options_(std::move(options)),
-      language_(PoolOptions("language", channels.language, options_.calls), channels.language, options_.lookup,
-                connections_, clock),
-      translator_(PoolOptions("translator", channels.translator, options_.calls), channels.translator, options_.lookup,
-                  connections_, clock),
-      optimizer_(PoolOptions("optimizer", channels.optimizer, options_.calls), channels.optimizer, options_.lookup,
-                 connections_, clock),
-      renderer_(PoolOptions("renderer", channels.renderer, options_.calls), channels.renderer, options_.lookup,
-                connections_, clock),
-      clients_(MakeGrpcStageClients({language_, translator_, optimizer_, renderer_, HedgeAfter(options_.calls)})) {
+      language_("language", channels.language, options_, connections_, clock),
+      translator_("translator", channels.translator, options_, connections_, clock),
+      optimizer_("optimizer", channels.optimizer, options_, connections_, clock),
+      renderer_("renderer", channels.renderer, options_, connections_, clock),
+      clients_(MakeGrpcStageClients({language_, translator_, optimizer_, renderer_})) {
   if (std::ranges::none_of(All(), &WorkersOfStage::has_names)) return;
   lookups_.emplace([this] {
     for (WorkersOfStage* workers : All()) {

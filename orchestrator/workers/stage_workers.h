@@ -119,11 +119,22 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::unique_ptr<grpc::Alarm> alarm_;
 };
 
+struct StageWorkersOptions {
+  config::v1::StageCallConfig calls;
+  // As in WorkerPoolOptions.
+  absl::Duration outage_limit = absl::Hours(24);
+  std::function<void(const std::string&)> log = [](const std::string&) {};
+  Lookup lookup = LookUpHost;
+  // Between two lookups of names.
+  absl::Duration lookup_interval = absl::Seconds(3);
+};
+
 // The workers of one stage with the connections to them, which come and go as the addresses of their names do.
 // Thread-safe; the arguments outlive it.
 class WorkersOfStage {
  public:
-  WorkersOfStage(WorkerPoolOptions options, StageChannel where, const Lookup& lookup, Connections& connections,
+  // `stage` is its name.
+  WorkersOfStage(const char* stage, StageChannel where, const StageWorkersOptions& options, Connections& connections,
                  const runtime::Clock& clock);
 
   const std::string& stage() const { return options_.stage; }
@@ -167,19 +178,10 @@ struct StageCallers {
   WorkersOfStage& translator;
   WorkersOfStage& optimizer;
   WorkersOfStage& renderer;
-  // After this a call that is not answered is made of a second worker too; never when infinite.
-  absl::Duration hedge_after = absl::InfiniteDuration();
 };
 
 // The stages as their workers. Errors say which worker, where that is set and what to do. In grpc_stage_clients.cc.
 std::unique_ptr<StageClients> MakeGrpcStageClients(const StageCallers& callers);
-
-struct StageWorkersOptions {
-  config::v1::StageCallConfig calls;
-  Lookup lookup = LookUpHost;
-  // Between two lookups of names.
-  absl::Duration lookup_interval = absl::Seconds(3);
-};
 
 // All workers that an orchestrator calls, and the calls to them: docs/workers.md. One thread keeps the connections, and
 // one looks up names where there are any. Thread-safe.

@@ -23,6 +23,12 @@ constexpr absl::Duration kLongestRest = absl::Seconds(2);
 // Part of the newest call in the mean.
 constexpr double kNewest = 0.2;
 
+// A call is late after some seconds, and some times what the longest of the last ones took.
+constexpr absl::Duration kLeastPatience = absl::Seconds(4);
+constexpr double kUsualTimes = 2;
+constexpr absl::Duration kUnknownUsual = absl::Seconds(2);
+constexpr double kForgotten = 0.95;
+
 }  // namespace
 
 Verdict VerdictOf(const absl::Status& status) {
@@ -56,20 +62,10 @@ void Circuit::GiveUp(bool on_trial) {
   if (on_trial) on_trial_ = false;
 }
 
-bool Circuit::Fail(bool on_trial, absl::Duration now) {
+bool Circuit::Fail(bool on_trial, absl::Duration now, int failures) {
   if (open_ && !on_trial) return false;
   on_trial_ = false;
-  ++failures_in_a_row_;
-  return OpenIfTooMany(now);
-}
-
-bool Circuit::Retract(int failures_before, absl::Duration now) {
-  if (open_) return false;
-  failures_in_a_row_ = std::max(failures_in_a_row_, failures_before) + 1;
-  return OpenIfTooMany(now);
-}
-
-bool Circuit::OpenIfTooMany(absl::Duration now) {
+  failures_in_a_row_ += failures;
   if (failures_in_a_row_ < failure_limit_) return false;
   open_ = true;
   trial_time_ = now + recovery_;
@@ -120,6 +116,7 @@ void WorkerPool::SetReady(WorkerId id, std::optional<std::string> revision) {
     }
     worker.presence = Presence::kReady;
     worker.revision = std::move(revision);
+    outage_begin_.reset();
   });
 }
 
@@ -149,6 +146,24 @@ void WorkerPool::SetFound(absl::Status lookup) {
 std::optional<Place> WorkerPool::TryTake(const std::set<WorkerId>& tried) {
   const std::lock_guard lock(mutex_);
   return Begin(tried);
+}
+
+std::optional<Place> WorkerPool::TakeWitness(const Place& place, const std::set<WorkerId>& tried) {
+  const std::lock_guard lock(mutex_);
+  std::pair<const WorkerId, Worker>* best = nullptr;
+  for (auto& entry : workers_) {
+    const Worker& worker = entry.second;
+    if (worker.presence != Presence::kReady || worker.circuit.open() || tried.contains(entry.first)) continue;
+    if (best == nullptr || worker.revision == place.revision) best = &entry;
+  }
+  return best == nullptr ? std::nullopt : std::optional(BeginAt(best->first, best->second));
+}
+
+absl::Duration WorkerPool::Patience(const Place& place) const {
+  if (options_.patience.has_value()) return *options_.patience;
+  const std::lock_guard lock(mutex_);
+  const auto usual = usual_.find(place.request);
+  return kLeastPatience + kUsualTimes * (usual == usual_.end() ? kUnknownUsual : usual->second);
 }
 
 absl::StatusOr<Place> WorkerPool::Take(const std::set<WorkerId>& tried, runtime::CallContext& call) {
@@ -206,10 +221,10 @@ void WorkerPool::ServeLine() {
     if (!waiter->place.has_value()) {
       const WaitFor wait = WhatFor(waiter->tried);
       if (wait == WaitFor::kNothing) {
-        waiter->end = NoneIsThere();
+        waiter->end = waiter->tried.empty() ? Outage(NoneIsThere()) : NoneIsThere();
       } else if (wait == WaitFor::kTrial && waiter->openings.has_value() && openings_ > *waiter->openings) {
-        waiter->end = absl::UnavailableError(
-            fmt::format("no {} worker is usable: calls to all of them fail ({})", options_.stage, options_.setting));
+        waiter->end = Outage(absl::UnavailableError(
+            fmt::format("no {} worker is usable: calls to all of them fail ({})", options_.stage, options_.setting)));
       } else if (wait == WaitFor::kTrial && !waiter->openings.has_value()) {
         waiter->openings = openings_;
       }
@@ -230,14 +245,14 @@ std::optional<Place> WorkerPool::Begin(const std::set<WorkerId>& tried) {
     if (worker.circuit.open()) break;
   }
   if (best == nullptr) return std::nullopt;
-  Worker& worker = best->second;
+  return BeginAt(best->first, best->second);
+}
+
+Place WorkerPool::BeginAt(WorkerId id, Worker& worker) {
   ++worker.in_flight;
   worker.last_use = ++call_count_;
-  return Place{.worker = best->first,
-               .on_trial = worker.circuit.Begin(),
-               .failures_in_a_row = worker.circuit.failures_in_a_row(),
-               .begin_time = now,
-               .revision = worker.revision};
+  return Place{
+      .worker = id, .on_trial = worker.circuit.Begin(), .begin_time = clock_.Elapsed(), .revision = worker.revision};
 }
 
 const WorkerPool::Worker* WorkerPool::Next(const std::set<WorkerId>& tried) const {
@@ -250,11 +265,11 @@ const WorkerPool::Worker* WorkerPool::Next(const std::set<WorkerId>& tried) cons
   return next;
 }
 
-void WorkerPool::End(const Place& place, Verdict verdict) {
-  Update(place.worker, [&](Worker& worker) { EndCall(worker, place, verdict); });
+void WorkerPool::End(const Place& place, Verdict verdict, const absl::Status& why) {
+  Update(place.worker, [&](Worker& worker) { EndCall(worker, place, verdict, why); });
 }
 
-void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict) {
+void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict, const absl::Status& why) {
   const absl::Duration now = clock_.Elapsed();
   const absl::Duration duration = now - place.begin_time;
   --worker.in_flight;
@@ -266,6 +281,8 @@ void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict) {
       worker.mean = worker.mean == absl::ZeroDuration() ? duration : worker.mean + (duration - worker.mean) * kNewest;
       worker.rest = absl::ZeroDuration();
       worker.circuit.Succeed();
+      outage_begin_.reset();
+      if (why.ok()) usual_[place.request] = std::max(duration, usual_[place.request] * kForgotten);
       break;
     case Verdict::kFull:
       worker.circuit.GiveUp(place.on_trial);
@@ -277,20 +294,18 @@ void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict) {
     case Verdict::kLost:
     case Verdict::kFailed:
     case Verdict::kLate:
+    case Verdict::kBeaten:
       ++worker.failure_count;
-      if (worker.circuit.Fail(place.on_trial, now)) ++openings_;
+      if (!worker.circuit.Fail(place.on_trial, now, verdict == Verdict::kBeaten ? options_.failure_limit : 1)) break;
+      ++openings_;
+      options_.log(fmt::format("{} worker at {} is not called for {}: its calls fail, the last one so: {}",
+                               options_.stage, worker.address, absl::FormatDuration(options_.recovery),
+                               std::string(why.message())));
       break;
     case Verdict::kNone:
       worker.circuit.GiveUp(place.on_trial);
       break;
   }
-}
-
-void WorkerPool::ReportBadAnswer(const Place& place) {
-  Update(place.worker, [&](Worker& worker) {
-    ++worker.failure_count;
-    if (worker.circuit.Retract(place.failures_in_a_row, clock_.Elapsed())) ++openings_;
-  });
 }
 
 WorkerPool::WaitFor WorkerPool::WhatFor(const std::set<WorkerId>& tried) const {
@@ -323,6 +338,13 @@ absl::Status WorkerPool::NoneIsThere() const {
   return absl::UnavailableError(
       fmt::format("none of the {} {} workers is reachable; the one at {}: {}; start them or fix {}", workers_.size(),
                   options_.stage, first.address, reason, options_.setting));
+}
+
+absl::Status WorkerPool::Outage(absl::Status status) {
+  const absl::Duration now = clock_.Elapsed();
+  if (!outage_begin_.has_value()) outage_begin_ = now;
+  const bool may_end = absl::IsUnavailable(status) && now - *outage_begin_ < options_.outage_limit;
+  return may_end ? OfOutage(std::move(status)) : status;
 }
 
 absl::Duration WorkerPool::NextChange(absl::Duration now) const {

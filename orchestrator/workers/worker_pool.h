@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <map>
 #include <mutex>
@@ -22,16 +23,19 @@ namespace flair::orchestrator {
 
 // What the end of a call says about its worker. docs/workers.md has the table.
 enum class Verdict {
-  // It works: it answered, or refused the request for what is in it.
+  // It works: it answered, or refused the request for what is in it. A refusal counts when another one says the same.
   kGood,
   // It has more to do than it takes (RESOURCE_EXHAUSTED). Others may have room.
   kFull,
   // It could not be reached, is gone or serves something else (UNAVAILABLE, UNIMPLEMENTED). Others may be there.
   kLost,
-  // It failed (INTERNAL, UNKNOWN, DATA_LOSS).
+  // It failed (INTERNAL, UNKNOWN, DATA_LOSS), gave an answer that breaks the protocol, or refused what another one
+  // answers.
   kFailed,
   // It did not answer in time (DEADLINE_EXCEEDED).
   kLate,
+  // Another one that was asked because it was late answered before it: it is not called for a while.
+  kBeaten,
   // Nothing: we gave the call up.
   kNone,
 };
@@ -49,7 +53,6 @@ class Circuit {
   bool open() const { return open_; }
   // When an open one allows a trial.
   absl::Duration trial_time() const { return trial_time_; }
-  int failures_in_a_row() const { return failures_in_a_row_; }
 
   // A call begins, which Allows() allowed. Says whether it is the trial.
   bool Begin() { return on_trial_ = open_; }
@@ -58,19 +61,13 @@ class Circuit {
   // changes nothing.
   void Succeed();
   void GiveUp(bool on_trial);
-  // Says whether the circuit opened.
-  bool Fail(bool on_trial, absl::Duration now);
-
-  // An answer that had been taken for a success was bad. `failures_before`: failures in a row before that success. Says
-  // whether the circuit opened.
-  bool Retract(int failures_before, absl::Duration now);
+  // Says whether the circuit opened, which it does as after `failures` more.
+  bool Fail(bool on_trial, absl::Duration now, int failures = 1);
 
   // The worker has come back: the next call is the trial.
   void AllowTrial() { trial_time_ = -absl::InfiniteDuration(); }
 
  private:
-  bool OpenIfTooMany(absl::Duration now);
-
   const int failure_limit_;
   const absl::Duration recovery_;
   int failures_in_a_row_ = 0;
@@ -81,26 +78,32 @@ class Circuit {
 
 using WorkerId = int64_t;
 
-// See StageCallConfig for the limits.
+// See StageCallConfig and OrchestratorConfig for the limits.
 struct WorkerPoolOptions {
   // For messages: the stage, and the setting that says where its workers are.
   std::string stage;
   std::string setting;
+  // Is told which worker is not called any more, and why.
+  std::function<void(const std::string&)> log = [](const std::string&) {};
   int in_flight_limit = 16;
   int failure_limit = 5;
   absl::Duration recovery = absl::Seconds(5);
+  // After so long a call is late; by what is usual when unset.
+  std::optional<absl::Duration> patience = {};
+  // So long after the last worker went, jobs may wait for one (IsOutage).
+  absl::Duration outage_limit = absl::Hours(24);
 };
 
 // A call's right to a worker; given back with End.
 struct Place {
   WorkerId worker = 0;
   bool on_trial = false;
-  // Of the worker, before the call.
-  int failures_in_a_row = 0;
   // When the call began (Clock::Elapsed).
   absl::Duration begin_time = {};
   // The worker's, when the call began.
   std::optional<std::string> revision = {};
+  // What is asked, such as "SolveRequest": how long that takes is remembered.
+  std::string request = {};
 };
 
 // The workers of one stage, and the calls that want one. Calls go to the workers in rotation: to the one that has
@@ -131,9 +134,13 @@ class WorkerPool {
   absl::StatusOr<Place> Take(const std::set<WorkerId>& tried, runtime::CallContext& call);
   // The same without waiting; nothing when no worker has room.
   std::optional<Place> TryTake(const std::set<WorkerId>& tried);
-  void End(const Place& place, Verdict verdict);
-  // A call that ended as kGood had a bad answer.
-  void ReportBadAnswer(const Place& place);
+  // One at another worker, full or not, for the question of `place`: of the same revision where there is one that
+  // works.
+  std::optional<Place> TakeWitness(const Place& place, const std::set<WorkerId>& tried);
+  // `why`, for the log: how the call ended.
+  void End(const Place& place, Verdict verdict, const absl::Status& why = absl::OkStatus());
+  // How long to wait for an answer before another one is asked as well: clearly longer than is usual.
+  absl::Duration Patience(const Place& place) const;
 
   // That of the worker that would take the next call, full or not. Waits and fails as Take.
   absl::StatusOr<std::optional<std::string>> Revision(runtime::CallContext& call);
@@ -191,11 +198,14 @@ class WorkerPool {
   // All below: with mutex_ held.
   void ServeLine();
   std::optional<Place> Begin(const std::set<WorkerId>& tried);
+  Place BeginAt(WorkerId id, Worker& worker);
   // The worker that would take the next call; null when there is none.
   const Worker* Next(const std::set<WorkerId>& tried) const;
-  void EndCall(Worker& worker, const Place& place, Verdict verdict);
+  void EndCall(Worker& worker, const Place& place, Verdict verdict, const absl::Status& why);
   WaitFor WhatFor(const std::set<WorkerId>& tried) const;
   absl::Status NoneIsThere() const;
+  // `status`, which jobs may wait for the end of unless it has gone on too long.
+  absl::Status Outage(absl::Status status);
   // How long until something may change that nobody reports.
   absl::Duration NextChange(absl::Duration now) const;
 
@@ -209,6 +219,10 @@ class WorkerPool {
   int64_t call_count_ = 0;
   // How often a circuit opened.
   int64_t openings_ = 0;
+  // Longest of the last answers, by what was asked.
+  std::map<std::string, absl::Duration> usual_;
+  // Since when no worker is there or works, as far as anybody asked.
+  std::optional<absl::Duration> outage_begin_;
   std::list<Waiter*> line_;
 };
 

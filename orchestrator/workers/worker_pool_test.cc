@@ -7,6 +7,7 @@
 #include <future>
 #include <thread>
 
+#include "orchestrator/pipeline/stage_clients.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::orchestrator {
@@ -149,9 +150,8 @@ TEST_F(WorkerPoolTest, ACallThatCannotGoToAFreeWorkerKeepsNobodyElseFromIt) {
 TEST_F(WorkerPoolTest, SaysWhoIsNotReachableAndWhatToDo) {
   const WorkerId a = pool_.Add("a:1");
   pool_.SetGone(a, absl::UnavailableError("connection refused"));
-  EXPECT_EQ(pool_.Take({}, call_).status(),
-            absl::UnavailableError(
-                "optimizer worker at a:1 is not reachable: connection refused; start it or fix stages.optimizer"));
+  EXPECT_EQ(pool_.Take({}, call_).status().message(),
+            "optimizer worker at a:1 is not reachable: connection refused; start it or fix stages.optimizer");
   const WorkerId b = pool_.Add("b:1");
   pool_.SetGone(b, absl::UnavailableError("no route"));
   EXPECT_THAT(std::string(pool_.Take({}, call_).status().message()),
@@ -187,25 +187,53 @@ TEST_F(WorkerPoolTest, WhatIsWrongWithARequestSpeaksAgainstNobody) {
   EXPECT_EQ(StatusOf("a:1").call_count(), 50) << "calls that were given up have no answer";
 }
 
-TEST_F(WorkerPoolTest, BadAnswersBreakTheirWorkerAlthoughTheyCameAsGood) {
-  const WorkerId bad = AddReady("bad:1"), good = AddReady("good:1");
-  int bad_calls = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Place place = *pool_.TryTake({});
-    clock_.Advance(absl::Milliseconds(place.worker == bad ? 1 : 10));
-    pool_.End(place, Verdict::kGood);
-    if (place.worker != bad) continue;
-    ++bad_calls;
-    pool_.ReportBadAnswer(place);
+TEST_F(WorkerPoolTest, AWitnessIsAnotherOneThatWorksOfTheSameRevisionIfThereIsOne) {
+  const WorkerId a = AddReady("a:1"), broken = AddReady("broken:1");
+  Break(broken);
+  const Place place = *pool_.TryTake({broken});
+  ASSERT_EQ(place.worker, a);
+  EXPECT_FALSE(pool_.TakeWitness(place, {a}).has_value());
+  const WorkerId other = AddReady("other:1", "2");
+  EXPECT_EQ(pool_.TakeWitness(place, {a})->worker, other);
+  const WorkerId twin = AddReady("twin:1");
+  while (pool_.TryTake({}).has_value()) {
   }
-  EXPECT_LE(bad_calls, 5) << "although the bad one is the faster one";
-  while (bad_calls++ < 5) {
-    const Place place = *pool_.TryTake({good});
-    pool_.End(place, Verdict::kGood);
-    pool_.ReportBadAnswer(place);
-  }
-  EXPECT_EQ(StatusOf("bad:1").state(), v1::WORKER_STATE_BROKEN);
-  EXPECT_EQ(Call(), good);
+  EXPECT_EQ(pool_.TakeWitness(place, {a})->worker, twin) << "though it is full";
+}
+
+TEST_F(WorkerPoolTest, ACallIsLateByWhatIsUsualForItsKind) {
+  AddReady("a:1");
+  Place place = *pool_.TryTake({});
+  place.request = "SolveRequest";
+  const absl::Duration unknown = pool_.Patience(place);
+  EXPECT_LE(unknown, absl::Seconds(8));
+  clock_.Advance(absl::Minutes(1));
+  pool_.End(place, Verdict::kGood);
+  EXPECT_GE(pool_.Patience(place), absl::Minutes(2));
+  place.request = "EvaluateRequest";
+  EXPECT_EQ(pool_.Patience(place), unknown);
+}
+
+TEST_F(WorkerPoolTest, WhoeverIsBeatenIsNotCalledForAWhile) {
+  const WorkerId a = AddReady("a:1"), b = AddReady("b:1");
+  EXPECT_EQ(Call(absl::Seconds(9), Verdict::kBeaten, {b}), a);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(Call(), b);
+}
+
+TEST_F(WorkerPoolTest, JobsMayWaitForTheEndOfAnOutageButNotForEver) {
+  const WorkerId a = pool_.Add("a:1");
+  const auto outage = [&] { return IsOutage(pool_.Take({}, call_).status()); };
+  pool_.SetGone(a, absl::UnavailableError("connection refused"));
+  EXPECT_TRUE(outage());
+  clock_.Advance(options_.outage_limit - absl::Seconds(1));
+  EXPECT_TRUE(outage());
+  clock_.Advance(absl::Seconds(1));
+  EXPECT_FALSE(outage());
+  pool_.SetReady(a, "1");
+  pool_.SetGone(a, absl::UnavailableError("connection refused"));
+  EXPECT_TRUE(outage());
+  pool_.SetGone(a, absl::UnimplementedError("speaks flair.v2"));
+  EXPECT_FALSE(outage()) << "no patience mends that";
 }
 
 TEST_F(WorkerPoolTest, LatenessOfCallsThatCameTooLateSpeaksAgainstNobody) {

@@ -27,8 +27,7 @@ class Optimizers : public ::testing::Test {
         "flair-orchestrator",
         "store_path: \"" + (folder_ / name).string() + "\" running_job_limit: 4 runtime { log_level: \"error\" }" +
             " stages { language: \"" + language_.address() + "\" translator: \"" + translator_.address() +
-            "\" optimizer: \"" + optimizers + "\" renderer: \"" + renderer_.address() + "\" }" +
-            " stage_calls { hedge_seconds: 3 }",
+            "\" optimizer: \"" + optimizers + "\" renderer: \"" + renderer_.address() + "\" }",
         folder_.path());
     ASSERT_NE(orchestrator_->address(), "");
     stub_ = v1::OrchestratorService::NewStub(*runtime::MakeChannel(orchestrator_->address(), ""));
