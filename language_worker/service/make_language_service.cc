@@ -14,46 +14,23 @@
 namespace flair::language {
 namespace {
 
-class Service final : public v1::LanguageService::CallbackService {
+class Service final : public runtime::Service {
  public:
   Service(runtime::WorkerContext& worker, std::unique_ptr<const Handbook> handbook,
           std::unique_ptr<const LanguageHandlers> handlers)
-      : worker_(worker), handbook_(std::move(handbook)), handlers_(std::move(handlers)) {}
-
-  grpc::ServerUnaryReactor* DescribeRoom(grpc::CallbackServerContext* context, const v1::DescribeRoomRequest* request,
-                                         v1::DescribeRoomResponse* response) override {
-    return runtime::ServeUnary(worker_, "DescribeRoom", context, request, response, *handlers_);
-  }
-  grpc::ServerUnaryReactor* PlanZones(grpc::CallbackServerContext* context, const v1::PlanZonesRequest* request,
-                                      v1::PlanZonesResponse* response) override {
-    return runtime::ServeUnary(worker_, "PlanZones", context, request, response, *handlers_);
-  }
-  grpc::ServerUnaryReactor* ListObjects(grpc::CallbackServerContext* context, const v1::ListObjectsRequest* request,
-                                        v1::ListObjectsResponse* response) override {
-    return runtime::ServeUnary(worker_, "ListObjects", context, request, response, *handlers_);
-  }
-  grpc::ServerUnaryReactor* ChooseStyle(grpc::CallbackServerContext* context, const v1::ChooseStyleRequest* request,
-                                        v1::ChooseStyleResponse* response) override {
-    return runtime::ServeUnary(worker_, "ChooseStyle", context, request, response, *handlers_);
-  }
-  grpc::ServerUnaryReactor* ListConstraints(grpc::CallbackServerContext* context,
-                                            const v1::ListConstraintsRequest* request,
-                                            v1::ListConstraintsResponse* response) override {
-    return runtime::ServeUnary(worker_, "ListConstraints", context, request, response, *handlers_);
-  }
-  grpc::ServerUnaryReactor* CleanConstraints(grpc::CallbackServerContext* context,
-                                             const v1::CleanConstraintsRequest* request,
-                                             v1::CleanConstraintsResponse* response) override {
-    return runtime::ServeUnary(worker_, "CleanConstraints", context, request, response, *handlers_);
-  }
-  grpc::ServerUnaryReactor* CompleteConstraints(grpc::CallbackServerContext* context,
-                                                const v1::CompleteConstraintsRequest* request,
-                                                v1::CompleteConstraintsResponse* response) override {
-    return runtime::ServeUnary(worker_, "CompleteConstraints", context, request, response, *handlers_);
+      : runtime::Service(worker, v1::LanguageService::service_full_name()),
+        handbook_(std::move(handbook)),
+        handlers_(std::move(handlers)) {
+    Unary<v1::DescribeRoomRequest>("DescribeRoom", *handlers_);
+    Unary<v1::PlanZonesRequest>("PlanZones", *handlers_);
+    Unary<v1::ListObjectsRequest>("ListObjects", *handlers_);
+    Unary<v1::ChooseStyleRequest>("ChooseStyle", *handlers_);
+    Unary<v1::ListConstraintsRequest>("ListConstraints", *handlers_);
+    Unary<v1::CleanConstraintsRequest>("CleanConstraints", *handlers_);
+    Unary<v1::CompleteConstraintsRequest>("CompleteConstraints", *handlers_);
   }
 
  private:
-  runtime::WorkerContext& worker_;
   const std::unique_ptr<const Handbook> handbook_;
   const std::unique_ptr<const LanguageHandlers> handlers_;
 };

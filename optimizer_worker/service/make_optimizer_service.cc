@@ -104,39 +104,27 @@ void SolveMetrics::operator()(const v1::SolveRestartsRequest&, const v1::SolveRe
   }
 }
 
-class Service final : public v1::OptimizerService::CallbackService {
+class Service final : public runtime::Service {
  public:
   Service(runtime::WorkerContext& worker, std::vector<std::unique_ptr<PeerOptimizer>> peers)
-      : worker_(worker),
+      : runtime::Service(worker, v1::OptimizerService::service_full_name()),
         identity_(PeerIdentity(worker.build)),
         peers_(std::move(peers), worker.clock,
-               [&worker](const std::string& remark) { worker.logger->warn("{}", remark); }) {}
-
-  grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
-                                                const v1::ListConstraintTypesRequest* request,
-                                                v1::ListConstraintTypesResponse* response) override {
-    return runtime::ServeUnary(worker_, "ListConstraintTypes", context, request, response, handlers_);
-  }
-  grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
-                                  v1::SolveResponse* response) override {
-    return runtime::ServeUnary(worker_, "Solve", context, request, response, counted_);
-  }
-  grpc::ServerUnaryReactor* SolveRestarts(grpc::CallbackServerContext* context, const v1::SolveRestartsRequest* request,
-                                          v1::SolveRestartsResponse* response) override {
-    context->AddInitialMetadata(kProducerMetadata, identity_);
-    return runtime::ServeUnary(worker_, "SolveRestarts", context, request, response, counted_);
-  }
-  grpc::ServerUnaryReactor* Resolve(grpc::CallbackServerContext* context, const v1::ResolveRequest* request,
-                                    v1::ResolveResponse* response) override {
-    return runtime::ServeUnary(worker_, "Resolve", context, request, response, handlers_);
-  }
-  grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
-                                     v1::EvaluateResponse* response) override {
-    return runtime::ServeUnary(worker_, "Evaluate", context, request, response, handlers_);
+               [&worker](const std::string& remark) { worker.logger->warn("{}", remark); }) {
+    Unary<v1::ListConstraintTypesRequest>("ListConstraintTypes", handlers_);
+    Unary<v1::SolveRequest>("Solve", counted_);
+    Unary<v1::SolveRestartsRequest>("SolveRestarts", counted_);
+    Unary<v1::ResolveRequest>("Resolve", handlers_);
+    Unary<v1::EvaluateRequest>("Evaluate", handlers_);
   }
 
  private:
-  runtime::WorkerContext& worker_;
+  // Peers look whose restarts they get before these have come.
+  absl::Status Admit(grpc::CallbackServerContext& context, runtime::CallContext& call) override {
+    context.AddInitialMetadata(kProducerMetadata, identity_);
+    return runtime::Service::Admit(context, call);
+  }
+
   const std::string identity_;
   const NloptSolver solver_;
   PeerPool peers_;

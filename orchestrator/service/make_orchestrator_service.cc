@@ -29,7 +29,6 @@
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/workers/stage_workers.h"
 #include "worker_runtime/grpc/channel.h"
-#include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
@@ -143,9 +142,13 @@ class Service final : public OrchestratorService {
  public:
   Service(const config::v1::OrchestratorConfig& config, runtime::WorkerContext& worker, const StageChannels& channels,
           Stores stores)
-      : worker_(worker),
+      : OrchestratorService(worker, v1::OrchestratorService::service_full_name()),
         stores_(std::move(stores)),
-        workers_(channels, {.calls = config.stage_calls()}, worker.clock),
+        workers_(channels,
+                 {.calls = config.stage_calls(),
+                  .outage_limit = absl::Hours(config.has_outage_limit_hours() ? config.outage_limit_hours() : 24),
+                  .log = [&worker](const std::string& remark) { worker.logger->warn("{}", remark); }},
+                 worker.clock),
         introduction_(Introduce(config, worker)),
         pipeline_(*stores_.queue, *stores_.artifacts, workers_.clients(), worker.clock,
                   PipelineOptionsOf(config, worker.build)),
@@ -154,6 +157,38 @@ class Service final : public OrchestratorService {
                   [this] { return Status(); }),
         watches_(hub_, worker),
         sweeper_(*stores_.queue, *stores_.artifacts, worker.clock, *worker.logger, KeepEnded(config)) {
+    Serve(&OrchestratorHandlers::CreateJob, "CreateJob");
+    Serve(&OrchestratorHandlers::GetJob, "GetJob");
+    Serve(&OrchestratorHandlers::ListJobs, "ListJobs");
+    Serve(&OrchestratorHandlers::CancelJob, "CancelJob");
+    Serve(&OrchestratorHandlers::GetArtifact, "GetArtifact");
+    Serve(&OrchestratorHandlers::GetCluster, "GetCluster");
+    Serve(&OrchestratorHandlers::CreateBatch, "CreateBatch");
+    Serve(&OrchestratorHandlers::AddToBatch, "AddToBatch");
+    Serve(&OrchestratorHandlers::GetBatch, "GetBatch");
+    Serve(&OrchestratorHandlers::ListBatches, "ListBatches");
+    Serve(&OrchestratorHandlers::PauseBatch, "PauseBatch");
+    Serve(&OrchestratorHandlers::ResumeBatch, "ResumeBatch");
+    Serve(&OrchestratorHandlers::CancelBatch, "CancelBatch");
+    Serve(&OrchestratorHandlers::RetryBatch, "RetryBatch");
+    Serve(&OrchestratorHandlers::DeleteJob, "DeleteJob");
+    Serve(&OrchestratorHandlers::DeleteBatch, "DeleteBatch");
+    using JobStream = absl::StatusOr<WatchSource<v1::WatchJobResponse>>;
+    Watch<v1::WatchJobRequest, v1::WatchJobResponse>("WatchJob",
+                                                     [this](const auto& request, const Caller& caller) -> JobStream {
+                                                       const std::string& id = request.job_id();
+                                                       RETURN_IF_ERROR(handlers_.VisibleJob(id, caller).status());
+                                                       runner_.Request({id});
+                                                       return JobSource(*stores_.queue, id);
+                                                     });
+    using BatchStream = absl::StatusOr<WatchSource<v1::WatchBatchResponse>>;
+    Watch<v1::WatchBatchRequest, v1::WatchBatchResponse>(
+        "WatchBatch", [this](const auto& request, const Caller& caller) -> BatchStream {
+          const std::string& id = request.batch_id();
+          RETURN_IF_ERROR(handlers_.VisibleBatch(id, caller).status());
+          runner_.Request({}, id);
+          return BatchSource(*stores_.queue, id);
+        });
     stores_.queue->Listen({[this] { runner_.Wake(); }, [this](const std::string& id) { hub_.Notify(id); },
                            [this](const std::string& id) { hub_.Notify(id); }});
     // Who runs only what it is asked for is no part of a cluster.
@@ -174,80 +209,33 @@ class Service final : public OrchestratorService {
     runner_.Stop();
   }
 
-#define FLAIR_SERVE(Rpc)                                                                               \
-  grpc::ServerUnaryReactor* Rpc(grpc::CallbackServerContext* context, const v1::Rpc##Request* request, \
-                                v1::Rpc##Response* response) override {                                \
-    return Serve(#Rpc, *context, *request, *response, &OrchestratorHandlers::Rpc);                     \
-  }
-  FLAIR_SERVE(CreateJob)
-  FLAIR_SERVE(GetJob)
-  FLAIR_SERVE(ListJobs)
-  FLAIR_SERVE(CancelJob)
-  FLAIR_SERVE(GetArtifact)
-  FLAIR_SERVE(GetCluster)
-  FLAIR_SERVE(CreateBatch)
-  FLAIR_SERVE(AddToBatch)
-  FLAIR_SERVE(GetBatch)
-  FLAIR_SERVE(ListBatches)
-  FLAIR_SERVE(PauseBatch)
-  FLAIR_SERVE(ResumeBatch)
-  FLAIR_SERVE(CancelBatch)
-  FLAIR_SERVE(RetryBatch)
-  FLAIR_SERVE(DeleteJob)
-  FLAIR_SERVE(DeleteBatch)
-#undef FLAIR_SERVE
-
-  grpc::ServerWriteReactor<v1::WatchJobResponse>* WatchJob(grpc::CallbackServerContext* context,
-                                                           const v1::WatchJobRequest* request) override {
-    const std::string id = request->job_id();
-    const auto admit = [this, id, caller = Admit(*context)]() -> absl::Status {
-      if (!caller.ok()) return caller.status();
-      RETURN_IF_ERROR(handlers_.VisibleJob(id, *caller).status());
-      runner_.Request({id});
-      return absl::OkStatus();
-    };
-    return watches_.Start(JobSource(*stores_.queue, id, admit), request->after_sequence());
-  }
-
-  grpc::ServerWriteReactor<v1::WatchBatchResponse>* WatchBatch(grpc::CallbackServerContext* context,
-                                                               const v1::WatchBatchRequest* request) override {
-    const std::string id = request->batch_id();
-    const auto admit = [this, id, caller = Admit(*context)]() -> absl::Status {
-      if (!caller.ok()) return caller.status();
-      RETURN_IF_ERROR(handlers_.VisibleBatch(id, *caller).status());
-      runner_.Request({}, id);
-      return absl::OkStatus();
-    };
-    return watches_.Start(BatchSource(*stores_.queue, id, admit), request->after_sequence());
-  }
-
  private:
-  absl::StatusOr<Caller> Admit(const grpc::CallbackServerContext& context) {
-    return stores_.access->Admit(runtime::AuthorizationOf(context));
-  }
-
-  // Those who may not call take no place in the queue from those who may.
-  grpc::ServerUnaryReactor* TurnAway(const char* rpc, grpc::CallbackServerContext& context,
-                                     const absl::Status& status) {
-    runtime::RpcRecord(worker_, rpc, {}).End(status);
-    grpc::ServerUnaryReactor* reactor = context.DefaultReactor();
-    reactor->Finish(runtime::ToGrpcStatus(status));
-    return reactor;
+  absl::Status Admit(grpc::CallbackServerContext& context, runtime::CallContext& call) override {
+    RETURN_IF_ERROR(runtime::Service::Admit(context, call));
+    ASSIGN_OR_RETURN(Caller caller, stores_.access->Admit(runtime::AuthorizationOf(context)));
+    call.set_caller({caller.name, caller});
+    return absl::OkStatus();
   }
 
   template <typename Request, typename Response>
-  grpc::ServerUnaryReactor* Serve(const char* rpc, grpc::CallbackServerContext& context, const Request& request,
-                                  Response& response,
-                                  absl::StatusOr<Response> (OrchestratorHandlers::*handle)(const Request&,
-                                                                                           const Caller&)) {
-    const absl::StatusOr<Caller> caller = Admit(context);
-    if (!caller.ok()) return TurnAway(rpc, context, caller.status());
-    return runtime::StartUnary(
-        worker_, rpc, runtime::internal::CallIdsOf(request), context,
-        [this, caller = *caller, &request, &response, handle](runtime::CallContext&) -> absl::Status {
-          ASSIGN_OR_RETURN(response, (handlers_.*handle)(request, caller));
-          return absl::OkStatus();
-        });
+  void Serve(absl::StatusOr<Response> (OrchestratorHandlers::*handle)(const Request&, const Caller&), const char* rpc) {
+    Unary<Request>(rpc, [this, handle](const Request& request, runtime::CallContext& call) {
+      return (handlers_.*handle)(request, std::any_cast<const Caller&>(call.caller().rights));
+    });
+  }
+
+  // `open` says where a request's stream comes from, or why not.
+  template <typename Request, typename Response>
+  void Watch(const char* rpc,
+             std::function<absl::StatusOr<WatchSource<Response>>(const Request&, const Caller&)> open) {
+    ServerStream<Response>(rpc, [this, rpc, open](grpc::CallbackServerContext* context) {
+      runtime::CallContext call;
+      const absl::Status admitted = Admit(*context, call);
+      return watches_.Start<Request, Response>(rpc, call.caller().name, admitted,
+                                               [open, caller = call.caller().rights](const Request& request) {
+                                                 return open(request, std::any_cast<const Caller&>(caller));
+                                               });
+    });
   }
 
   v1::OrchestratorStatus Status() {
@@ -274,7 +262,6 @@ class Service final : public OrchestratorService {
   }
 
   // Destroyed from the last to the first: nothing is told of what has gone.
-  runtime::WorkerContext& worker_;
   Stores stores_;
   StageWorkers workers_;
   const v1::OrchestratorStatus introduction_;
@@ -312,6 +299,9 @@ void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runti
   checker.Range("queued_job_limit", config.queued_job_limit(), 0, 10000000);
   if (config.has_stage_deadline_seconds()) {
     checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
+  }
+  if (config.has_outage_limit_hours()) {
+    checker.Range("outage_limit_hours", config.outage_limit_hours(), 0, 8760);
   }
   if (config.has_keep_ended_seconds()) {
     checker.Range("keep_ended_seconds", config.keep_ended_seconds(), 60, 315360000);

@@ -9,16 +9,20 @@
 #include "orchestrator/workers/stage_channels.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/config/config_reader.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::orchestrator {
 
 // OrchestratorService with what it runs on: the store in config.store_path, the job runner, the streams. Jobs that wait
 // in the store, also those that a crashed process left, begin at once (unless config.requested_jobs_only). Destroying
 // it interrupts running jobs, which go on when the store is opened again.
-class OrchestratorService : public v1::OrchestratorService::CallbackService {
+class OrchestratorService : public runtime::Service {
  public:
   // Ends the streams and interrupts the jobs; call before the server drains.
   virtual void Stop() = 0;
+
+ protected:
+  using Service::Service;
 };
 
 // config.stages is not read: the channels say where the stages are. `context` and the channels' servers outlive the

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <utility>
 
+#include "absl/strings/numbers.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -13,15 +15,27 @@ namespace flair::orchestrator {
 namespace {
 // Read from the queue at once.
 constexpr int kReadLimit = 64;
+
+// What is still known of a job whose record is lost: others of its batch are watched on.
+v1::Job LostJob(const std::string& batch_id, const BatchEnd& end, const absl::Status& why) {
+  v1::Job job;
+  job.set_id(end.job_id);
+  job.set_batch_id(batch_id);
+  int64_t index = 0;
+  if (absl::SimpleAtoi(end.job_id.substr(std::min(end.job_id.size(), batch_id.size() + 1)), &index)) {
+    job.set_batch_index(index);
+  }
+  job.set_state(v1::JOB_STATE_FAILED);
+  job.set_failure_kind(v1::FAILURE_KIND_STORE);
+  job.set_error_code(static_cast<int>(absl::StatusCode::kDataLoss));
+  job.set_error(fmt::format("the record of the job is lost: {}", std::string(why.message())));
+  return job;
+}
 }  // namespace
 
-WatchSource<v1::WatchJobResponse> JobSource(WorkQueue& queue, const std::string& job_id,
-                                            std::function<absl::Status()> admit) {
+WatchSource<v1::WatchJobResponse> JobSource(WorkQueue& queue, const std::string& job_id) {
   WatchSource<v1::WatchJobResponse> source;
-  source.rpc = "WatchJob";
   source.id = job_id;
-  source.ids.job_id = job_id;
-  source.admit = std::move(admit);
   source.next = [&queue, job_id](int64_t after) -> absl::StatusOr<std::vector<v1::WatchJobResponse>> {
     ASSIGN_OR_RETURN(auto events, queue.EventsAfter(job_id, after, kReadLimit));
     std::vector<v1::WatchJobResponse> responses(events.size());
@@ -38,20 +52,18 @@ WatchSource<v1::WatchJobResponse> JobSource(WorkQueue& queue, const std::string&
   return source;
 }
 
-WatchSource<v1::WatchBatchResponse> BatchSource(WorkQueue& queue, const std::string& batch_id,
-                                                std::function<absl::Status()> admit) {
+WatchSource<v1::WatchBatchResponse> BatchSource(WorkQueue& queue, const std::string& batch_id) {
   WatchSource<v1::WatchBatchResponse> source;
-  source.rpc = "WatchBatch";
   source.id = batch_id;
-  source.ids.batch_id = batch_id;
-  source.admit = std::move(admit);
   source.next = [&queue, batch_id](int64_t after) -> absl::StatusOr<std::vector<v1::WatchBatchResponse>> {
     ASSIGN_OR_RETURN(const auto ends, queue.EndsAfter(batch_id, after, kReadLimit));
     std::vector<v1::WatchBatchResponse> responses;
     for (const BatchEnd& end : ends) {
-      ASSIGN_OR_RETURN(v1::Job job, queue.GetJob(end.job_id));
+      absl::StatusOr<v1::Job> job = queue.GetJob(end.job_id);
+      if (absl::IsNotFound(job.status()) || absl::IsDataLoss(job.status())) job = LostJob(batch_id, end, job.status());
+      RETURN_IF_ERROR(job.status());
       responses.emplace_back().set_sequence(end.sequence);
-      *responses.back().mutable_job() = std::move(job);
+      *responses.back().mutable_job() = *std::move(job);
     }
     return responses;
   };
@@ -81,15 +93,20 @@ class WatchStream {
 
 // Shared by gRPC (until OnDone), by Watches and by calls of the hub that are under way.
 template <typename Response>
-class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
+class Watches::Stream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, Response>,
                               public WatchStream,
                               public std::enable_shared_from_this<Stream<Response>> {
  public:
-  Stream(Watches& owner, WatchSource<Response> source, int64_t after_sequence)
-      : owner_(owner),
-        source_(std::move(source)),
-        sequence_(after_sequence),
-        record_(owner.worker_, source_.rpc, source_.ids) {}
+  // What to read, by the request; sets what is known by then.
+  using Open = std::function<absl::StatusOr<WatchSource<Response>>(grpc::ByteBuffer&, int64_t& after_sequence,
+                                                                   runtime::CallIds& ids)>;
+
+  Stream(Watches& owner, const std::string& rpc, const std::string& caller, Open open)
+      : owner_(owner), open_(std::move(open)), record_(owner.worker_, rpc) {
+    record_.SetCaller(caller);
+  }
+
+  void ReadRequest() { this->StartRead(&request_); }
 
   // Looks whether it may, and begins; on a thread that may wait for the queue.
   void Begin() {
@@ -98,7 +115,11 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
       std::lock_guard lock(mutex_);
       if (ended_) return;
       record_.Begin();
-      if (const absl::Status admitted = source_.admit(); !admitted.ok()) return EndLocked(admitted);
+      runtime::CallIds ids;
+      absl::StatusOr<WatchSource<Response>> source = open_(request_, sequence_, ids);
+      record_.SetIds(std::move(ids));
+      if (!source.ok()) return EndLocked(source.status());
+      source_ = *std::move(source);
       std::weak_ptr<Stream> self = this->weak_from_this();
       subscription_ = owner_.hub_.Subscribe(source_.id, [self] {
         if (const auto stream = self.lock()) stream->Pump();
@@ -129,17 +150,19 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
     this->StartWrite(&response_);
   }
 
-  void Refuse() {
-    std::lock_guard lock(mutex_);
-    EndLocked(record_.Refuse());
-  }
-
   void End(const absl::Status& status) override {
     std::lock_guard lock(mutex_);
     EndLocked(status);
   }
 
  private:
+  void OnReadDone(bool ok) override {
+    if (!ok) return End(absl::InvalidArgumentError("the call has no request"));
+    const std::shared_ptr<Stream> self = this->shared_from_this();
+    if (owner_.worker_.executor.TrySubmit([self] { self->Begin(); })) return;
+    std::lock_guard lock(mutex_);
+    EndLocked(record_.Refuse());
+  }
   void OnWriteDone(bool ok) override {
     {
       std::lock_guard lock(mutex_);
@@ -164,10 +187,12 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
   }
 
   Watches& owner_;
-  const WatchSource<Response> source_;
+  const Open open_;
+  grpc::ByteBuffer request_;
+  WatchSource<Response> source_;
   int subscription_ = 0;
   std::mutex mutex_;
-  int64_t sequence_;
+  int64_t sequence_ = 0;
   runtime::RpcRecord record_;
   int64_t message_count_ = 0;
   std::deque<Response> pending_;
@@ -176,25 +201,39 @@ class Watches::Stream final : public grpc::ServerWriteReactor<Response>,
   bool ended_ = false;
 };
 
-template <typename Response>
-grpc::ServerWriteReactor<Response>* Watches::Start(WatchSource<Response> source, int64_t after_sequence) {
-  auto stream = std::make_shared<Stream<Response>>(*this, std::move(source), after_sequence);
+template <typename Request, typename Response>
+grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* Watches::Start(
+    const std::string& rpc, const std::string& caller, const absl::Status& admitted,
+    std::function<absl::StatusOr<WatchSource<Response>>(const Request&)> open) {
+  const auto open_bytes = [open = std::move(open)](grpc::ByteBuffer& bytes, int64_t& after_sequence,
+                                                   runtime::CallIds& ids) -> absl::StatusOr<WatchSource<Response>> {
+    Request request;
+    RETURN_IF_ERROR(runtime::ParseMessage(bytes, request));
+    after_sequence = request.after_sequence();
+    ids = runtime::CallIdsOf(request);
+    return open(request);
+  };
+  auto stream = std::make_shared<Stream<Response>>(*this, rpc, caller, open_bytes);
   bool stopped;
   {
     std::lock_guard lock(mutex_);
     streams_.insert(stream);
     stopped = stopped_;
   }
-  if (stopped) {
-    stream->End(Stopping());
-  } else if (!worker_.executor.TrySubmit([stream] { stream->Begin(); })) {
-    stream->Refuse();
+  if (stopped || !admitted.ok()) {
+    stream->End(stopped ? Stopping() : admitted);
+  } else {
+    stream->ReadRequest();
   }
   return stream.get();
 }
 
-template grpc::ServerWriteReactor<v1::WatchJobResponse>* Watches::Start(WatchSource<v1::WatchJobResponse>, int64_t);
-template grpc::ServerWriteReactor<v1::WatchBatchResponse>* Watches::Start(WatchSource<v1::WatchBatchResponse>, int64_t);
+template grpc::ServerBidiReactor<grpc::ByteBuffer, v1::WatchJobResponse>* Watches::Start(
+    const std::string&, const std::string&, const absl::Status&,
+    std::function<absl::StatusOr<WatchSource<v1::WatchJobResponse>>(const v1::WatchJobRequest&)>);
+template grpc::ServerBidiReactor<grpc::ByteBuffer, v1::WatchBatchResponse>* Watches::Start(
+    const std::string&, const std::string&, const absl::Status&,
+    std::function<absl::StatusOr<WatchSource<v1::WatchBatchResponse>>(const v1::WatchBatchRequest&)>);
 
 void Watches::Remove(const std::shared_ptr<WatchStream>& stream) {
   std::lock_guard lock(mutex_);

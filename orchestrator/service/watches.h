@@ -21,13 +21,8 @@ namespace flair::orchestrator {
 // What a stream reads. Its functions may wait for the queue; they are not called at the same time.
 template <typename Response>
 struct WatchSource {
-  // For logs and figures: the RPC, and what is watched.
-  std::string rpc;
-  runtime::CallIds ids;
   // Of the job or the batch.
   std::string id;
-  // Says whether the caller may watch it.
-  std::function<absl::Status()> admit;
   // What comes next after a sequence number, in order.
   std::function<absl::StatusOr<std::vector<Response>>(int64_t after_sequence)> next;
   // Whether nothing will come after it, when next() finds nothing.
@@ -43,8 +38,11 @@ class Watches {
  public:
   Watches(EventHub& hub, runtime::WorkerContext& worker) : hub_(hub), worker_(worker) {}
 
-  template <typename Response>
-  grpc::ServerWriteReactor<Response>* Start(WatchSource<Response> source, int64_t after_sequence);
+  // A call whose headers have come: refused unless `admitted`, otherwise what `open` says of its request.
+  template <typename Request, typename Response>
+  grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* Start(
+      const std::string& rpc, const std::string& caller, const absl::Status& admitted,
+      std::function<absl::StatusOr<WatchSource<Response>>(const Request&)> open);
 
   // Ends all streams with UNAVAILABLE, now and from now on: the server is stopping.
   void Stop();
@@ -62,11 +60,9 @@ class Watches {
 };
 
 // The events of a job, until the one that ends it.
-WatchSource<v1::WatchJobResponse> JobSource(WorkQueue& queue, const std::string& job_id,
-                                            std::function<absl::Status()> admit);
+WatchSource<v1::WatchJobResponse> JobSource(WorkQueue& queue, const std::string& job_id);
 
 // The ends of a batch's jobs, until all have ended.
-WatchSource<v1::WatchBatchResponse> BatchSource(WorkQueue& queue, const std::string& batch_id,
-                                                std::function<absl::Status()> admit);
+WatchSource<v1::WatchBatchResponse> BatchSource(WorkQueue& queue, const std::string& batch_id);
 
 }  // namespace flair::orchestrator

@@ -12,110 +12,60 @@
 namespace flair::orchestrator {
 namespace {
 
-// Answers one RPC with the function of StageClients of the same name.
-template <typename Request, typename Response>
-grpc::ServerUnaryReactor* Forward(runtime::WorkerContext& worker, StageClients& stages, const char* rpc,
-                                  grpc::CallbackServerContext* context, const Request* request, Response* response,
-                                  absl::StatusOr<Response> (StageClients::*function)(const Request&,
-                                                                                     StageClients::Call&)) {
-  return runtime::StartUnary(
-      worker, rpc, {}, *context, [&stages, request, response, function](runtime::CallContext& call) -> absl::Status {
-        StageClients::Call stage_call(call.request_id(), call.deadline(), runtime::SystemClock());
-        runtime::OnCancel guard(call.cancellation(), [&] { stage_call.cancellation().Cancel(); });
-        absl::StatusOr<Response> answer = (stages.*function)(*request, stage_call);
-        if (answer.ok()) *response = *std::move(answer);
-        return answer.status();
-      });
-}
+// Answers RPCs with the functions of StageClients of the same names.
+class Fake : public runtime::Service {
+ protected:
+  Fake(runtime::WorkerContext& worker, StageClients& stages, const char* name)
+      : Service(worker, name), stages_(stages) {}
 
-class FakeLanguage final : public v1::LanguageService::CallbackService {
- public:
-  FakeLanguage(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
-  grpc::ServerUnaryReactor* DescribeRoom(grpc::CallbackServerContext* context, const v1::DescribeRoomRequest* request,
-                                         v1::DescribeRoomResponse* response) override {
-    return Forward(worker_, stages_, "DescribeRoom", context, request, response, &StageClients::DescribeRoom);
-  }
-  grpc::ServerUnaryReactor* PlanZones(grpc::CallbackServerContext* context, const v1::PlanZonesRequest* request,
-                                      v1::PlanZonesResponse* response) override {
-    return Forward(worker_, stages_, "PlanZones", context, request, response, &StageClients::PlanZones);
-  }
-  grpc::ServerUnaryReactor* ListObjects(grpc::CallbackServerContext* context, const v1::ListObjectsRequest* request,
-                                        v1::ListObjectsResponse* response) override {
-    return Forward(worker_, stages_, "ListObjects", context, request, response, &StageClients::ListObjects);
-  }
-  grpc::ServerUnaryReactor* ChooseStyle(grpc::CallbackServerContext* context, const v1::ChooseStyleRequest* request,
-                                        v1::ChooseStyleResponse* response) override {
-    return Forward(worker_, stages_, "ChooseStyle", context, request, response, &StageClients::ChooseStyle);
-  }
-  grpc::ServerUnaryReactor* ListConstraints(grpc::CallbackServerContext* context,
-                                            const v1::ListConstraintsRequest* request,
-                                            v1::ListConstraintsResponse* response) override {
-    return Forward(worker_, stages_, "ListConstraints", context, request, response, &StageClients::ListConstraints);
-  }
-  grpc::ServerUnaryReactor* CleanConstraints(grpc::CallbackServerContext* context,
-                                             const v1::CleanConstraintsRequest* request,
-                                             v1::CleanConstraintsResponse* response) override {
-    return Forward(worker_, stages_, "CleanConstraints", context, request, response, &StageClients::CleanConstraints);
-  }
-  grpc::ServerUnaryReactor* CompleteConstraints(grpc::CallbackServerContext* context,
-                                                const v1::CompleteConstraintsRequest* request,
-                                                v1::CompleteConstraintsResponse* response) override {
-    return Forward(worker_, stages_, "CompleteConstraints", context, request, response,
-                   &StageClients::CompleteConstraints);
+  template <typename Request, typename Response>
+  void Forward(const char* rpc,
+               absl::StatusOr<Response> (StageClients::*function)(const Request&, StageClients::Call&)) {
+    Unary<Request>(rpc, [this, function](const Request& request, runtime::CallContext& call) {
+      StageClients::Call stage_call(call.request_id(), call.deadline(), runtime::SystemClock());
+      runtime::OnCancel guard(call.cancellation(), [&] { stage_call.cancellation().Cancel(); });
+      return (stages_.*function)(request, stage_call);
+    });
   }
 
  private:
-  runtime::WorkerContext& worker_;
   StageClients& stages_;
 };
 
-class FakeTranslator final : public v1::TranslatorService::CallbackService {
- public:
-  FakeTranslator(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
-  grpc::ServerUnaryReactor* Translate(grpc::CallbackServerContext* context, const v1::TranslateRequest* request,
-                                      v1::TranslateResponse* response) override {
-    return Forward(worker_, stages_, "Translate", context, request, response, &StageClients::Translate);
+struct FakeLanguage final : Fake {
+  FakeLanguage(runtime::WorkerContext& worker, StageClients& stages)
+      : Fake(worker, stages, v1::LanguageService::service_full_name()) {
+    Forward("DescribeRoom", &StageClients::DescribeRoom);
+    Forward("PlanZones", &StageClients::PlanZones);
+    Forward("ListObjects", &StageClients::ListObjects);
+    Forward("ChooseStyle", &StageClients::ChooseStyle);
+    Forward("ListConstraints", &StageClients::ListConstraints);
+    Forward("CleanConstraints", &StageClients::CleanConstraints);
+    Forward("CompleteConstraints", &StageClients::CompleteConstraints);
   }
-
- private:
-  runtime::WorkerContext& worker_;
-  StageClients& stages_;
 };
 
-class FakeOptimizer final : public v1::OptimizerService::CallbackService {
- public:
-  FakeOptimizer(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
-  grpc::ServerUnaryReactor* ListConstraintTypes(grpc::CallbackServerContext* context,
-                                                const v1::ListConstraintTypesRequest* request,
-                                                v1::ListConstraintTypesResponse* response) override {
-    return Forward(worker_, stages_, "ListConstraintTypes", context, request, response,
-                   &StageClients::ListConstraintTypes);
+struct FakeTranslator final : Fake {
+  FakeTranslator(runtime::WorkerContext& worker, StageClients& stages)
+      : Fake(worker, stages, v1::TranslatorService::service_full_name()) {
+    Forward("Translate", &StageClients::Translate);
   }
-  grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
-                                  v1::SolveResponse* response) override {
-    return Forward(worker_, stages_, "Solve", context, request, response, &StageClients::Solve);
-  }
-  grpc::ServerUnaryReactor* Evaluate(grpc::CallbackServerContext* context, const v1::EvaluateRequest* request,
-                                     v1::EvaluateResponse* response) override {
-    return Forward(worker_, stages_, "Evaluate", context, request, response, &StageClients::Evaluate);
-  }
-
- private:
-  runtime::WorkerContext& worker_;
-  StageClients& stages_;
 };
 
-class FakeRenderer final : public v1::RendererService::CallbackService {
- public:
-  FakeRenderer(runtime::WorkerContext& worker, StageClients& stages) : worker_(worker), stages_(stages) {}
-  grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
-                                   v1::RenderResponse* response) override {
-    return Forward(worker_, stages_, "Render", context, request, response, &StageClients::Render);
+struct FakeOptimizer final : Fake {
+  FakeOptimizer(runtime::WorkerContext& worker, StageClients& stages)
+      : Fake(worker, stages, v1::OptimizerService::service_full_name()) {
+    Forward("ListConstraintTypes", &StageClients::ListConstraintTypes);
+    Forward("Solve", &StageClients::Solve);
+    Forward("Evaluate", &StageClients::Evaluate);
   }
+};
 
- private:
-  runtime::WorkerContext& worker_;
-  StageClients& stages_;
+struct FakeRenderer final : Fake {
+  FakeRenderer(runtime::WorkerContext& worker, StageClients& stages)
+      : Fake(worker, stages, v1::RendererService::service_full_name()) {
+    Forward("Render", &StageClients::Render);
+  }
 };
 
 }  // namespace

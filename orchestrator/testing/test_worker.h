@@ -47,21 +47,18 @@ class TestWorker {
   void Kill() { server_->Shutdown(absl::ZeroDuration()); }
 
  private:
-  class Service final : public v1::OptimizerService::CallbackService {
-   public:
-    explicit Service(TestWorker& worker) : worker_(worker) {}
-    grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
-                                    v1::SolveResponse* response) override {
-      return runtime::StartUnary(worker_.resources_.context(), "Solve", runtime::internal::CallIdsOf(*request),
-                                 *context, [this, response](runtime::CallContext& call) {
-                                   ++worker_.calls_;
-                                   response->mutable_producer()->set_program(worker_.address());
-                                   return worker_.solve_(call);
-                                 });
+  struct Service final : runtime::Service {
+    explicit Service(TestWorker& worker)
+        : runtime::Service(worker.resources_.context(), v1::OptimizerService::service_full_name()) {
+      Unary<v1::SolveRequest>(
+          "Solve", [&worker](const v1::SolveRequest&, runtime::CallContext& call) -> absl::StatusOr<v1::SolveResponse> {
+            ++worker.calls_;
+            v1::SolveResponse response;
+            response.mutable_producer()->set_program(worker.address());
+            RETURN_IF_ERROR(worker.solve_(call));
+            return response;
+          });
     }
-
-   private:
-    TestWorker& worker_;
   };
 
   static config::v1::RuntimeConfig RuntimeOf(const Options& options) {

@@ -66,42 +66,29 @@ absl::StatusOr<v1::ExportSceneResponse> RefuseExport(const v1::ExportSceneReques
   return absl::UnimplementedError("this program writes no scenes");
 }
 
-class Service final : public v1::RendererService::CallbackService {
+class Service final : public runtime::Service {
  public:
   Service(std::unique_ptr<ImageWriter> writer, std::unique_ptr<FurnishingSource> furnishing, const ViewLimits& limits,
           const SceneFiles& files, runtime::WorkerContext& worker)
-      : worker_(worker),
+      : runtime::Service(worker, v1::RendererService::service_full_name()),
         writer_(std::move(writer)),
         furnishing_(std::move(furnishing)),
         render_(*writer_, *furnishing_, limits),
-        export_scene_(files.make_exporter == nullptr
-                          ? RefuseExport
-                          : files.make_exporter(*furnishing_, worker.build, limits.answer_bytes)),
-        counted_render_(render_, worker.clock, RenderMetrics(worker.metrics)) {}
-
-  grpc::ServerUnaryReactor* Render(grpc::CallbackServerContext* context, const v1::RenderRequest* request,
-                                   v1::RenderResponse* response) override {
-    return runtime::ServeUnary(worker_, "Render", context, request, response, counted_render_);
-  }
-
-  grpc::ServerUnaryReactor* ExportScene(grpc::CallbackServerContext* context, const v1::ExportSceneRequest* request,
-                                        v1::ExportSceneResponse* response) override {
-    return runtime::ServeUnary(worker_, "ExportScene", context, request, response, export_scene_);
-  }
-
-  grpc::ServerReadReactor<v1::ComposeContactSheetRequest>* ComposeContactSheet(
-      grpc::CallbackServerContext* context, v1::ComposeContactSheetResponse* response) override {
-    return runtime::ServeClientStream<v1::ComposeContactSheetRequest>(
-        worker_, "ComposeContactSheet", context, response, std::make_unique<ContactSheetTaker>(*writer_, open_sheets_));
+        counted_render_(render_, worker.clock, RenderMetrics(worker.metrics)) {
+    Unary<v1::RenderRequest>("Render", counted_render_);
+    Unary<v1::ExportSceneRequest>("ExportScene",
+                                  files.make_exporter == nullptr
+                                      ? RefuseExport
+                                      : files.make_exporter(*furnishing_, worker.build, limits.answer_bytes));
+    ClientStream<v1::ComposeContactSheetRequest>(
+        "ComposeContactSheet", [this] { return std::make_unique<ContactSheetTaker>(*writer_, open_sheets_); });
   }
 
  private:
-  runtime::WorkerContext& worker_;
   const std::unique_ptr<ImageWriter> writer_;
   const std::unique_ptr<FurnishingSource> furnishing_;
   std::atomic<int> open_sheets_ = 0;
   RenderHandler render_;
-  const SceneExporter export_scene_;
   runtime::ObservedHandler<RenderHandler, RenderMetrics> counted_render_;
 };
 

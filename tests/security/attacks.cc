@@ -116,12 +116,16 @@ const std::string kPreface = std::string("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n") + s
 const std::string kEndlessHeaders = std::string("\0\0\1\1\0\0\0\0\1\x82", 10);
 const std::string kMoreHeaders = std::string("\0\0\1\x09\0\0\0\0\1\x82", 10);
 
-grpc::Status SendMessage(const std::string& address, const std::string& method, size_t mib) {
-  const auto channel = runtime::MakeChannel(address, "", {.max_message_mib = static_cast<int>(mib) + 1});
+grpc::Status SendMessage(const std::string& address, const std::string& method, size_t mib, const std::string& unit,
+                         const std::string& token) {
+  const auto channel =
+      runtime::MakeChannel(address, "", {.max_message_mib = static_cast<int>(mib) + 1, .token = token});
   if (!channel.ok()) return runtime::ToGrpcStatus(channel.status());
   grpc::GenericStub stub(*channel);
   // One piece of memory, many times.
-  const grpc::Slice piece(std::string(1 << 20, '\x0a'));
+  std::string bytes;
+  while (bytes.size() + unit.size() <= 1 << 20) bytes += unit;
+  const grpc::Slice piece(bytes);
   const std::vector<grpc::Slice> pieces(mib, piece);
   const grpc::ByteBuffer request(pieces.data(), pieces.size());
   grpc::ByteBuffer response;

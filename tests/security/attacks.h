@@ -42,8 +42,10 @@ extern const std::string kPreface;
 extern const std::string kEndlessHeaders;
 extern const std::string kMoreHeaders;
 
-// Sends a message of that size, which is no request of ours, over a connection of its own; how the call ended.
-grpc::Status SendMessage(const std::string& address, const std::string& method, size_t mib);
+// Sends a message of that size, `unit` over and over, over a connection of its own; how the call ended. As it is, no
+// request of ours.
+grpc::Status SendMessage(const std::string& address, const std::string& method, size_t mib,
+                         const std::string& unit = "\x0a", const std::string& token = "");
 
 // All at once, again and again until destroyed, from other addresses than 127.0.0.1: as many connections as may be
 // (10,000 when this process may have them), headers that never end, messages that are too large.

@@ -31,6 +31,27 @@ class PlainOptimizer {
   ServerProgram program_;
 };
 
+// The same of an orchestrator, which knows the token "good".
+class PlainOrchestrator {
+ public:
+  PlainOrchestrator() {
+    WriteAll(folder_ / "tokens.textproto", TokenEntry("alice", "good"));
+    program_ = std::make_unique<ServerProgram>(
+        "flair-orchestrator",
+        fmt::format("runtime {{ listen_address: \"127.0.0.1:0\" log_level: \"error\" }} store_path: \"{0}/store\" "
+                    "tokens_path: \"{0}/tokens.textproto\" stages {{ language: \"127.0.0.1:1\" translator: "
+                    "\"127.0.0.1:1\" optimizer: \"127.0.0.1:1\" renderer: \"127.0.0.1:1\" }}\n",
+                    folder_.path().string()),
+        folder_.path());
+  }
+  const std::string& address() const { return program_->address(); }
+  Process& process() { return program_->process(); }
+
+ private:
+  TestFolder folder_;
+  std::unique_ptr<ServerProgram> program_;
+};
+
 // Asks over a connection of its own until it is told to stop; counts what came of it.
 class Innocent {
  public:
@@ -71,7 +92,7 @@ TEST(Flood, AMessageOfAGigabyteIsNotTakenIn) {
   Innocent innocent(optimizer.address());
   std::vector<std::future<grpc::Status>> attackers;
   for (int i = 0; i < 2; ++i) {
-    attackers.push_back(std::async(std::launch::async, SendMessage, optimizer.address(), kSolve, 1024));
+    attackers.push_back(std::async(std::launch::async, [&] { return SendMessage(optimizer.address(), kSolve, 1024); }));
   }
   for (auto& attacker : attackers) EXPECT_EQ(attacker.get().error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   innocent.Stop();
@@ -86,6 +107,36 @@ TEST(Flood, AMessageBeyondTheLimitIsRefusedAndOneWithinItIsNot) {
   EXPECT_EQ(over.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED) << over.error_message();
   // No request of ours, but taken in.
   EXPECT_NE(SendMessage(optimizer.address(), kSolve, 31).error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+}
+
+// Ten callers, 30 MiB each of fields that are empty: 15.7 million job specs, or what no message of ours has. Not even
+// who may call may make a server unfold them.
+TEST(Flood, SmallFieldsDoNotUnfold) {
+  const auto peak = [](const std::string& address, Process& process, const char* method, const std::string& unit,
+                       const std::string& token) {
+    std::vector<std::future<grpc::Status>> callers;
+    for (int i = 0; i < 10; ++i) {
+      callers.push_back(std::async(std::launch::async, SendMessage, address, method, 30, unit, token));
+    }
+    for (auto& caller : callers) caller.wait();
+    fmt::print("{} {}: {} MiB\n", method, token, PeakMib(process));
+    return PeakMib(process);
+  };
+  const std::string spec("\x12\0", 2);
+  const std::string stranger("\xfa\x3e\0", 3);
+  constexpr char kBatch[] = "/flair.v1.OrchestratorService/CreateBatch";
+  constexpr char kWatch[] = "/flair.v1.OrchestratorService/WatchJob";
+  constexpr char kWho[] = "/flair.v1.WorkerService/GetWorker";
+  constexpr char kReflection[] = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo";
+  PlainOrchestrator orchestrator;
+  for (const char* token : {"bad", "good"}) {
+    EXPECT_LT(peak(orchestrator.address(), orchestrator.process(), kBatch, spec, token), 300);
+    EXPECT_LT(peak(orchestrator.address(), orchestrator.process(), kWatch, stranger, token), 300);
+  }
+  PlainOptimizer optimizer;
+  for (const char* method : {kSolve, kWho, kReflection}) {
+    EXPECT_LT(peak(optimizer.address(), optimizer.process(), method, stranger, ""), 300);
+  }
 }
 
 // Both servers wait at the same time.

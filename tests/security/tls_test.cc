@@ -5,8 +5,10 @@
 #include <grpcpp/security/credentials.h>
 
 #include "absl/time/clock.h"
+#include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "tests/security/secure_programs.h"
+#include "worker_runtime/grpc/client_call.h"
 
 namespace flair::testing {
 namespace {
@@ -78,6 +80,26 @@ TEST(MutualTls, AServerMustBeWhoItIsCalled) {
   const absl::Status status = AskWho(server.address(), With(authority, authority.Issue("caller")));
   EXPECT_EQ(status.code(), absl::StatusCode::kUnavailable);
   EXPECT_THAT(std::string(status.message()), HasSubstr("is for another name")) << status;
+}
+
+TEST(MutualTls, WhereNamesAreBelievedOthersOfTheAuthorityMayNotCall) {
+  const TestFolder folder;
+  const CertificateAuthority authority(folder.path(), "authority");
+  config::v1::TlsConfig tls = authority.Tls(authority.Issue("optimizer"), true);
+  tls.add_client_names("orchestrator");
+  ServerProgram server("flair-optimizer", RuntimeWithTls(tls, "log_level: \"error\""), folder.path());
+  const auto solve = [&](const std::string& name) {
+    const auto channel = *runtime::MakeChannel(server.address(), "", With(authority, authority.Issue(name)));
+    const auto stub = v1::OptimizerService::NewStub(channel);
+    runtime::CallContext call;
+    return runtime::UnaryRequest(*stub, &v1::OptimizerService::StubInterface::Solve, v1::SolveRequest(), call,
+                                 absl::Now() + absl::Minutes(1))
+        .status();
+  };
+  EXPECT_EQ(solve("orchestrator").code(), absl::StatusCode::kInvalidArgument) << "of the empty request";
+  const absl::Status refused = solve("client");
+  EXPECT_EQ(refused.code(), absl::StatusCode::kPermissionDenied);
+  EXPECT_THAT(std::string(refused.message()), HasSubstr("the certificate of \"client\" is none that may call here"));
 }
 
 TEST(MutualTls, NewCertificatesAreUsedWithoutARestart) {

@@ -63,19 +63,18 @@ absl::StatusOr<v1::TranslateResponse> TranslateHandler::Answer(const v1::Transla
   return response;
 }
 
-class Service final : public v1::TranslatorService::CallbackService {
+class Service final : public runtime::Service {
  public:
   Service(std::unique_ptr<CatalogSource> source, std::unique_ptr<const Translator> model,
           runtime::WorkerContext& worker)
-      : worker_(worker), source_(std::move(source)), model_(std::move(model)), translate_(*source_, model_.get()) {}
-
-  grpc::ServerUnaryReactor* Translate(grpc::CallbackServerContext* context, const v1::TranslateRequest* request,
-                                      v1::TranslateResponse* response) override {
-    return runtime::ServeUnary(worker_, "Translate", context, request, response, translate_);
+      : runtime::Service(worker, v1::TranslatorService::service_full_name()),
+        source_(std::move(source)),
+        model_(std::move(model)),
+        translate_(*source_, model_.get()) {
+    Unary<v1::TranslateRequest>("Translate", translate_);
   }
 
  private:
-  runtime::WorkerContext& worker_;
   const std::unique_ptr<CatalogSource> source_;
   const std::unique_ptr<const Translator> model_;
   TranslateHandler translate_;

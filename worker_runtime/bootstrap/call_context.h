@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <any>
 #include <atomic>
 #include <functional>
 #include <map>
@@ -63,7 +64,7 @@ class OnCancel {
 };
 
 // What a handler knows about the call it answers. Knows nothing of gRPC, so that handlers and solvers can be tested
-// without it. Thread-safe after construction.
+// without it. Thread-safe once the handler has it.
 class CallContext {
  public:
   CallContext(std::string request_id, absl::Time deadline, const Clock& clock)
@@ -74,6 +75,15 @@ class CallContext {
 
   // The caller's key for this piece of work; the log key. May be empty.
   const std::string& request_id() const { return request_id_; }
+  void set_request_id(std::string request_id) { request_id_ = std::move(request_id); }
+
+  // Who calls: a name for the log, empty when it is not known; and what the service that let them in knows of them.
+  struct Caller {
+    std::string name;
+    std::any rights;
+  };
+  const Caller& caller() const { return caller_; }
+  void set_caller(Caller caller) { caller_ = std::move(caller); }
 
   // When the caller stops waiting; absl::InfiniteFuture() when never.
   absl::Time deadline() const { return deadline_; }
@@ -92,7 +102,8 @@ class CallContext {
   Cancellation& cancellation() { return cancellation_; }
 
  private:
-  const std::string request_id_;
+  std::string request_id_;
+  Caller caller_;
   const absl::Time deadline_;
   const Clock& clock_;
   Cancellation cancellation_;

@@ -35,6 +35,8 @@ WorkerResources::WorkerResources(const std::string& program, const config::v1::R
     : program_(program),
       executor_(ThreadLimit(config), QueueLimit(config)),
       rpc_metrics_(metrics, executor_),
-      context_{clock, metrics, executor_, rpc_metrics_, MakeLogger(program, config.log_level(), config.log_format())} {}
+      context_{clock, metrics, executor_, rpc_metrics_, MakeLogger(program, config.log_level(), config.log_format())} {
+  context_.client_names.assign(config.tls().client_names().begin(), config.tls().client_names().end());
+}
 
 }  // namespace flair::runtime

@@ -41,6 +41,8 @@ struct WorkerContext {
   std::string build = "";
   // What the service promises beyond what every server of its stage must; set by the service while it is made.
   std::vector<v1::Capability> capabilities = {};
+  // Names in certificates of those that may call; of anybody's when empty.
+  std::vector<std::string> client_names = {};
 };
 
 // SHA-256 of the worker's revision, see Producer.configuration_digest; empty when it has none.

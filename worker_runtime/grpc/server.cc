@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <grpc/grpc.h>
 #include <grpcpp/channel.h>
-#include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
+#include <grpcpp/impl/codegen/server_callback_handlers.h>
 #include <grpcpp/resource_quota.h>
 #include <grpcpp/security/server_credentials.h>
 #include <grpcpp/server.h>
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 #include "flair/v1/worker_service.grpc.pb.h"
@@ -21,23 +20,15 @@
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/listener.h"
+#include "worker_runtime/grpc/reflection.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
 
-// Both are switches of the whole process that hold for servers built later.
-void EnableHealthAndReflectionOnce() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    grpc::EnableDefaultHealthCheckService(true);
-    grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-  });
-}
-
-// Answers without the executor: there is nothing to work on.
-class WorkerInfo final : public v1::WorkerService::CallbackService {
+// Answers as soon as a call's headers are there: there is nothing to read and nothing to work on.
+class WorkerInfo final : public grpc::Service {
  public:
   explicit WorkerInfo(const ServerOptions& options) {
     worker_.set_program(options.program);
@@ -46,16 +37,22 @@ class WorkerInfo final : public v1::WorkerService::CallbackService {
     worker_.add_protocols(kProtocol);
     for (const v1::Capability capability : options.capabilities) worker_.add_capabilities(capability);
     worker_.set_configuration_digest(options.configuration_digest);
-  }
-  grpc::ServerUnaryReactor* GetWorker(grpc::CallbackServerContext* context, const v1::GetWorkerRequest*,
-                                      v1::GetWorkerResponse* response) override {
-    *response = worker_;
-    grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-    reactor->Finish(grpc::Status::OK);
-    return reactor;
+    using grpc::internal::RpcMethod;
+    AddMethod(
+        new grpc::internal::RpcServiceMethod("/flair.v1.WorkerService/GetWorker", RpcMethod::BIDI_STREAMING, nullptr));
+    using Handler = grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, v1::GetWorkerResponse>;
+    MarkMethodRawCallback(0, new Handler([this](grpc::CallbackServerContext*) { return new Introduction(worker_); }));
   }
 
  private:
+  class Introduction final : public grpc::ServerBidiReactor<grpc::ByteBuffer, v1::GetWorkerResponse> {
+   public:
+    explicit Introduction(const v1::GetWorkerResponse& worker) {
+      StartWriteAndFinish(&worker, grpc::WriteOptions(), grpc::Status::OK);
+    }
+    void OnDone() override { delete this; }
+  };
+
   v1::GetWorkerResponse worker_;
 };
 
@@ -78,8 +75,8 @@ constexpr int kClientKeepaliveTimeoutMs = 20 * 1000;
 constexpr int kLeastPingIntervalMs = 10 * 1000;
 // All messages on their way together. gRPC 1.51 reads a message whole before it looks whether it is too long; with this
 // it stops reading, and ends one of the calls that are being read with RESOURCE_EXHAUSTED.
-constexpr size_t kLeastMemoryMib = 256;
-constexpr size_t kLongestMessagesInMemory = 8;
+constexpr size_t kLeastMemoryMib = 160;
+constexpr size_t kLongestMessagesInMemory = 5;
 
 // How long no call must have been under way before a server that stops leaves its callers: they have been told to go
 // elsewhere, and what they sent before they heard of it has arrived.
@@ -120,7 +117,11 @@ absl::Status Server::Listen(const ServerOptions& options, grpc::ServerBuilder& b
   if (options.tls.has_value()) {
     ASSIGN_OR_RETURN(credentials, MakeServerCredentials(*options.tls));
   }
-  EnableHealthAndReflectionOnce();
+  // A switch of the whole process that holds for servers built later.
+  [[maybe_unused]] static const bool health = (grpc::EnableDefaultHealthCheckService(true), true);
+  std::vector<std::string> names;
+  for (const NamedService& service : services_) names.push_back(service.name);
+  services_.push_back({"", MakeReflectionService(std::move(names))});
   if (options.listen_address.starts_with("unix:")) {
     address_ = options.listen_address;
     builder.AddListeningPort(address_, credentials);

@@ -2,9 +2,11 @@
 #include "worker_runtime/grpc/server_call.h"
 
 #include <fmt/format.h>
+#include <grpc/grpc_security_constants.h>
 
 #include <algorithm>
 #include <chrono>
+#include <vector>
 
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/logging/log.h"
@@ -20,12 +22,11 @@ std::string_view Cut(std::string_view text, size_t limit) { return text.substr(0
 
 }  // namespace
 
-RpcRecord::RpcRecord(WorkerContext& worker, std::string_view rpc, CallIds ids)
+RpcRecord::RpcRecord(WorkerContext& worker, std::string_view rpc)
     : worker_(worker),
       counters_(worker.rpc_metrics.Of(rpc)),
       open_calls_(worker.rpc_metrics.open_calls()),
       rpc_(rpc),
-      ids_(std::move(ids)),
       arrival_(worker.clock.Elapsed()) {
   ++*open_calls_;
   counters_.Begin();
@@ -57,6 +58,7 @@ void RpcRecord::End(const absl::Status& status, int64_t message_count) {
   Log(*worker_.logger, good ? spdlog::level::info : spdlog::level::warn, fmt::format("{} {}", rpc_, code),
       {{"rpc", rpc_},
        {"code", code},
+       {"caller", Cut(caller_, kLongestId)},
        {"request_id", Cut(ids_.request_id, kLongestId)},
        {"job_id", Cut(ids_.job_id, kLongestId)},
        {"batch_id", Cut(ids_.batch_id, kLongestId)},
@@ -66,7 +68,7 @@ void RpcRecord::End(const absl::Status& status, int64_t message_count) {
        {"error", error}});
 }
 
-absl::Time internal::DeadlineOf(const grpc::CallbackServerContext& context) {
+absl::Time DeadlineOf(const grpc::CallbackServerContext& context) {
   const std::chrono::system_clock::time_point deadline = context.deadline();
   if (deadline == std::chrono::system_clock::time_point::max()) return absl::InfiniteFuture();
   return absl::FromChrono(deadline);
@@ -74,27 +76,42 @@ absl::Time internal::DeadlineOf(const grpc::CallbackServerContext& context) {
 
 namespace {
 
-// One call from arrival to answer. Deletes itself when gRPC is done with it, which is never before Finish.
-class UnaryCall final : public grpc::ServerUnaryReactor {
+// One call from arrival to answer. Deletes itself when gRPC is done with it, which is never before it has ended.
+class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
-  UnaryCall(WorkerContext& worker, std::string_view method, CallIds ids, absl::Time deadline)
-      : worker_(worker), call_(ids.request_id, deadline, worker.clock), record_(worker, method, std::move(ids)) {}
+  ServerCall(WorkerContext& worker, std::string_view rpc, const grpc::CallbackServerContext& context, CallSteps steps)
+      : worker_(worker), call_("", DeadlineOf(context), worker.clock), record_(worker, rpc), steps_(std::move(steps)) {}
 
-  void Start(std::function<absl::Status(CallContext&)> work) {
-    if (worker_.executor.TrySubmit([this, work = std::move(work)] { Run(work); })) return;
-    End(record_.Refuse());
+  CallContext& call() { return call_; }
+
+  void Start(const absl::Status& admitted) {
+    record_.SetCaller(call_.caller().name);
+    if (!admitted.ok()) return End(admitted);
+    StartRead(&message_);
   }
 
  private:
-  void Run(const std::function<absl::Status(CallContext&)>& work) {
+  void OnReadDone(bool has_message) override {
+    if (!has_message && call_.cancellation().cancelled()) return End(call_.CheckAlive());
+    if (has_message) ++message_count_;
+    if (worker_.executor.TrySubmit([this, has_message] { Step(has_message); })) return;
+    End(record_.Refuse());
+  }
+
+  void Step(bool has_message) {
     record_.Begin();
-    absl::Status status = call_.CheckAlive();
-    if (status.ok()) status = work(call_);
-    End(status);
+    if (const absl::Status alive = call_.CheckAlive(); !alive.ok()) return End(alive);
+    absl::StatusOr<std::optional<grpc::ByteBuffer>> answer =
+        has_message ? steps_.take(message_, call_, record_) : steps_.finish(call_);
+    if (!answer.ok()) return End(answer.status());
+    if (!answer->has_value()) return StartRead(&message_);
+    answer_ = **std::move(answer);
+    record_.End(absl::OkStatus(), steps_.is_stream ? message_count_ : -1);
+    StartWriteAndFinish(&answer_, grpc::WriteOptions(), grpc::Status::OK);
   }
 
   void End(const absl::Status& status) {
-    record_.End(status);
+    record_.End(status, steps_.is_stream ? message_count_ : -1);
     Finish(ToGrpcStatus(status));
   }
 
@@ -104,41 +121,46 @@ class UnaryCall final : public grpc::ServerUnaryReactor {
   WorkerContext& worker_;
   CallContext call_;
   RpcRecord record_;
+  const CallSteps steps_;
+  int64_t message_count_ = 0;
+  grpc::ByteBuffer message_;
+  grpc::ByteBuffer answer_;
 };
 
 }  // namespace
 
-grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view method, CallIds ids,
-                                     grpc::CallbackServerContext& context,
-                                     std::function<absl::Status(CallContext&)> work) {
-  auto* call = new UnaryCall(worker, method, std::move(ids), internal::DeadlineOf(context));
-  call->Start(std::move(work));
-  return call;
+absl::Status Service::Admit(grpc::CallbackServerContext& context, CallContext& call) {
+  const auto peer = context.auth_context();
+  if (peer == nullptr || !peer->IsPeerAuthenticated()) return absl::OkStatus();
+  std::vector<std::string> names;
+  for (const char* property : {GRPC_X509_CN_PROPERTY_NAME, GRPC_X509_SAN_PROPERTY_NAME}) {
+    for (const grpc::string_ref& name : peer->FindPropertyValues(property))
+      names.emplace_back(name.data(), name.size());
+  }
+  call.set_caller({names.empty() ? "" : names.front(), {}});
+  const std::vector<std::string>& believed = worker_.client_names;
+  const auto is_believed = [&](const std::string& name) { return std::ranges::find(believed, name) != believed.end(); };
+  if (believed.empty() || std::ranges::any_of(names, is_believed)) return absl::OkStatus();
+  return absl::PermissionDeniedError(fmt::format(
+      "the certificate of \"{}\" is none that may call here (runtime.tls.client_names)", call.caller().name));
+}
+
+void Service::AddSteps(const std::string& rpc, std::function<CallSteps()> make) {
+  using Handler = grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, grpc::ByteBuffer>;
+  AddMethod(rpc, new Handler([this, rpc, make = std::move(make)](grpc::CallbackServerContext* context) {
+              auto* call = new ServerCall(worker_, rpc, *context, make());
+              call->Start(Admit(*context, call->call()));
+              return call;
+            }));
+}
+
+// On the wire all calls are streams both ways; as such gRPC gives them away with their headers, and reads no message
+// unasked.
+void Service::AddMethod(const std::string& rpc, grpc::internal::MethodHandler* handler) {
+  paths_.push_back("/" + name_ + "/" + rpc);
+  grpc::Service::AddMethod(
+      new grpc::internal::RpcServiceMethod(paths_.back().c_str(), grpc::internal::RpcMethod::BIDI_STREAMING, nullptr));
+  MarkMethodRawCallback(paths_.size() - 1, handler);
 }
 
 }  // namespace flair::runtime
-
-namespace flair::runtime::internal {
-
-StreamState::StreamState(WorkerContext& worker, std::string_view method, const grpc::CallbackServerContext& context)
-    : worker_(worker), call_("", DeadlineOf(context), worker.clock), record_(worker, method, {}) {}
-
-void StreamState::Submit(const std::function<absl::Status(CallContext&)>& step,
-                         std::function<void(absl::Status)> next) {
-  // By reference, so that nothing of the call outlives it in the executor's hands.
-  const auto run = [this, &step, next] {
-    record_.Begin();
-    absl::Status status = call_.CheckAlive();
-    if (status.ok()) status = step(call_);
-    next(status);
-  };
-  if (worker_.executor.TrySubmit(run)) return;
-  next(record_.Refuse());
-}
-
-grpc::Status StreamState::End(const absl::Status& status) {
-  record_.End(status, message_count_);
-  return ToGrpcStatus(status);
-}
-
-}  // namespace flair::runtime::internal

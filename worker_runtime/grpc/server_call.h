@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a service answers calls: queue, log line, figures and status of each.
+// How a service answers calls: who is let in, queue, log line, figures and status of each.
 #pragma once
 
+#include <grpcpp/impl/codegen/server_callback_handlers.h>
+#include <grpcpp/impl/codegen/service_type.h>
 #include <grpcpp/server_context.h>
+#include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/server_callback.h>
 
 #include <atomic>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +24,7 @@
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/grpc/message_bytes.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
@@ -35,13 +41,14 @@ struct CallIds {
 class RpcRecord {
  public:
   // The call has arrived.
-  RpcRecord(WorkerContext& worker, std::string_view rpc, CallIds ids);
+  RpcRecord(WorkerContext& worker, std::string_view rpc);
   // gRPC is done with it.
   ~RpcRecord();
   RpcRecord(const RpcRecord&) = delete;
   RpcRecord& operator=(const RpcRecord&) = delete;
 
-  // Known only now, as with a stream's first message.
+  // Known from its headers, and from its first message.
+  void SetCaller(const std::string& caller) { caller_ = caller; }
   void SetIds(CallIds ids) { ids_ = std::move(ids); }
 
   // A thread works on it; the first time counts.
@@ -58,12 +65,24 @@ class RpcRecord {
   RpcCounters& counters_;
   const std::shared_ptr<std::atomic<int>> open_calls_;
   const std::string rpc_;
+  std::string caller_;
   CallIds ids_;
   const absl::Duration arrival_;
   absl::Duration wait_ = absl::InfiniteDuration();
 };
 
-namespace internal {
+// What a call does with the bytes that it is sent, until there is an answer. One for each call; its steps never run at
+// the same time. `call` and `record` are the call's.
+struct CallSteps {
+  // Takes the next message; the answer, when that was all.
+  std::function<absl::StatusOr<std::optional<grpc::ByteBuffer>>(grpc::ByteBuffer& message, CallContext& call,
+                                                                RpcRecord& record)>
+      take;
+  // The answer, after the last message.
+  std::function<absl::StatusOr<grpc::ByteBuffer>(CallContext& call)> finish;
+  // Of many messages.
+  bool is_stream = false;
+};
 
 // The ids under which a request is known: its own, which holds that of its job where it has one, or of what it is
 // about.
@@ -81,147 +100,108 @@ CallIds CallIdsOf(const Request& request) {
   return ids;
 }
 
-}  // namespace internal
+// A service that lets callers in by their headers, before it reads a message. Messages are parsed and answered on the
+// worker's executor: RESOURCE_EXHAUSTED when its queue is full, CANCELLED or DEADLINE_EXCEEDED without running the
+// handler when nobody waits any more. Logs one line per call. An answer that names its producer gets the worker's build
+// and configuration. Use:
+//   class Solver final : public runtime::Service {
+//     explicit Solver(WorkerContext& worker) : Service(worker, v1::OptimizerService::service_full_name()) {
+//       Unary<v1::SolveRequest>("Solve", solve_handler_);
+//     }
+class Service : public grpc::Service {
+ protected:
+  // `worker` outlives the server.
+  Service(WorkerContext& worker, std::string name) : worker_(worker), name_(std::move(name)) {}
 
-// Queues `work` on the worker's executor and finishes the call with what it returns: RESOURCE_EXHAUSTED when the queue
-// is full, CANCELLED or DEADLINE_EXCEEDED without running it when nobody waits any more. `work` may use the call's
-// request and response. Logs one line per call, with `ids`. `worker` must outlive the server.
-grpc::ServerUnaryReactor* StartUnary(WorkerContext& worker, std::string_view method, CallIds ids,
-                                     grpc::CallbackServerContext& context,
-                                     std::function<absl::Status(CallContext&)> work);
-
-namespace internal {
-// absl::InfiniteFuture() when the caller set none.
-absl::Time DeadlineOf(const grpc::CallbackServerContext& context);
-}  // namespace internal
-
-// Answers a unary call of the callback API with a plain handler. `handler` is an object with
-//   absl::StatusOr<Response> Handle(const Request&, CallContext&)
-// or a callable of that form; it is called from several threads at once and must outlive the server. An answer that
-// names its producer gets the worker's build and configuration. Use:
-//   grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
-//                                   v1::SolveResponse* response) override {
-//     return runtime::ServeUnary(worker_, "Solve", context, request, response, solve_handler_);
-//   }
-template <typename Request, typename Response, typename Handler>
-grpc::ServerUnaryReactor* ServeUnary(WorkerContext& worker, std::string_view method,
-                                     grpc::CallbackServerContext* context, const Request* request, Response* response,
-                                     Handler& handler) {
-  return StartUnary(worker, method, internal::CallIdsOf(*request), *context,
-                    [&worker, request, response, &handler](CallContext& call) -> absl::Status {
-                      if constexpr (requires { handler.Handle(*request, call); }) {
-                        ASSIGN_OR_RETURN(*response, handler.Handle(*request, call));
-                      } else {
-                        ASSIGN_OR_RETURN(*response, handler(*request, call));
-                      }
-                      if constexpr (requires { response->mutable_producer(); }) {
-                        if (response->has_producer()) SignProducer(worker, *response->mutable_producer());
-                      }
-                      return absl::OkStatus();
-                    });
-}
-
-// What a call of many messages and one answer consists of, without its message types. One for each call, deleted with
-// it; its steps never run at the same time.
-struct ClientStreamSteps {
-  // Takes the message that was read last. `call` as for a unary call.
-  std::function<absl::Status(CallContext& call)> take;
-  // Writes the answer, after the last message.
-  std::function<absl::Status(CallContext& call)> finish;
-};
-
-namespace internal {
-
-// Queue, log line and status of a stream; gRPC calls it through ClientStreamCall.
-class StreamState {
- public:
-  StreamState(WorkerContext& worker, std::string_view method, const grpc::CallbackServerContext& context);
-  // Runs `step` on the executor and tells `next` how it ended; RESOURCE_EXHAUSTED at once when the queue is full.
-  // `step` must live until then; `next` may delete this object.
-  void Submit(const std::function<absl::Status(CallContext&)>& step, std::function<void(absl::Status)> next);
-  // Counts and logs the call, and returns what gRPC is to be told.
-  grpc::Status End(const absl::Status& status);
-  CallContext& call() { return call_; }
-  // The first message tells what the call is about.
-  void CountMessage(CallIds ids) {
-    if (message_count_++ == 0) record_.SetIds(std::move(ids));
-  }
-
- private:
-  WorkerContext& worker_;
-  CallContext call_;
-  RpcRecord record_;
-  int message_count_ = 0;
-};
-
-// One call from arrival to answer. Deletes itself when gRPC is done with it.
-template <typename Request>
-class ClientStreamCall final : public grpc::ServerReadReactor<Request> {
- public:
-  ClientStreamCall(WorkerContext& worker, std::string_view method, const grpc::CallbackServerContext& context)
-      : state_(worker, method, context) {}
-
-  const Request& message() const { return message_; }
-  void Start(ClientStreamSteps steps) {
-    steps_ = std::move(steps);
-    this->StartRead(&message_);
-  }
-
- private:
-  void OnReadDone(bool has_message) override {
-    if (!has_message && state_.call().cancellation().cancelled()) {
-      End(state_.call().CheckAlive());
-    } else if (has_message) {
-      state_.CountMessage(CallIdsOf(message_));
-      // The next message is read when this one has been taken, so that one is held at a time.
-      state_.Submit(steps_.take, [this](const absl::Status& status) {
-        if (status.ok()) {
-          this->StartRead(&message_);
-        } else {
-          End(status);
-        }
-      });
+  // Answers a call by a handler: an object that outlives the server, with
+  //   absl::StatusOr<Response> Handle(const Request&, CallContext&)
+  // or a callable of that form. It is called from several threads at once.
+  template <typename Request, typename Handler>
+  void Unary(const std::string& rpc, Handler&& handler) {
+    if constexpr (requires(const Request& request, CallContext& call) { handler.Handle(request, call); }) {
+      AddUnary<Request>(
+          rpc, [&handler](const Request& request, CallContext& call) { return handler.Handle(request, call); });
     } else {
-      state_.Submit(steps_.finish, [this](const absl::Status& status) { End(status); });
+      AddUnary<Request>(rpc, std::forward<Handler>(handler));
     }
   }
-  void End(const absl::Status& status) { this->Finish(state_.End(status)); }
-  void OnCancel() override { state_.call().cancellation().Cancel(); }
-  void OnDone() override { delete this; }
 
-  StreamState state_;
-  Request message_;
-  ClientStreamSteps steps_;
+  // Answers a call of many messages. `make` returns a std::unique_ptr to an object of this call alone with
+  //   absl::Status Take(const Request&, CallContext&)         for every message, in order
+  //   absl::StatusOr<Response> Finish(CallContext&)           after the last
+  // Each step waits in the worker's queue like a unary call, and the next message is read after the step: a slow caller
+  // holds no thread, a fast one no memory. The first error ends the call.
+  template <typename Request, typename Make>
+  void ClientStream(const std::string& rpc, Make make) {
+    AddSteps(rpc, [this, make]() -> CallSteps {
+      // Shared by the steps, which std::function copies.
+      const std::shared_ptr taker = make();
+      return {.take = [taker](grpc::ByteBuffer& bytes, CallContext& call,
+                              RpcRecord& record) -> absl::StatusOr<std::optional<grpc::ByteBuffer>> {
+                Request request;
+                RETURN_IF_ERROR(ParseMessage(bytes, request));
+                if (CallIds ids = CallIdsOf(request); !ids.request_id.empty()) record.SetIds(std::move(ids));
+                RETURN_IF_ERROR(taker->Take(request, call));
+                return std::nullopt;
+              },
+              .finish = [this, taker](CallContext& call) { return Answer(taker->Finish(call)); },
+              .is_stream = true};
+    });
+  }
+
+  // Answers a call by a reactor of its own, which is made when the headers have come.
+  template <typename Response>
+  void ServerStream(
+      const std::string& rpc,
+      std::function<grpc::ServerBidiReactor<grpc::ByteBuffer, Response>*(grpc::CallbackServerContext*)> make) {
+    AddMethod(rpc, new grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, Response>(std::move(make)));
+  }
+
+  // Whether the call may go on, and whose it is (call.set_caller). As it is: whose certificate has one of the names
+  // that the worker believes, where it believes some (TlsConfig.client_names).
+  virtual absl::Status Admit(grpc::CallbackServerContext& context, CallContext& call);
+
+  WorkerContext& worker_;
+
+ private:
+  template <typename Request, typename Function>
+  void AddUnary(const std::string& rpc, Function function) {
+    AddSteps(rpc, [this, function]() -> CallSteps {
+      return {.take = [this, &function](grpc::ByteBuffer& bytes, CallContext& call,
+                                        RpcRecord& record) -> absl::StatusOr<std::optional<grpc::ByteBuffer>> {
+                Request request;
+                RETURN_IF_ERROR(ParseMessage(bytes, request));
+                CallIds ids = CallIdsOf(request);
+                call.set_request_id(ids.request_id);
+                record.SetIds(std::move(ids));
+                return Answer(function(request, call));
+              },
+              .finish = [](CallContext&) { return absl::InvalidArgumentError("the call has no request"); }};
+    });
+  }
+
+  template <typename Response>
+  absl::StatusOr<grpc::ByteBuffer> Answer(absl::StatusOr<Response> response) {
+    RETURN_IF_ERROR(response.status());
+    if constexpr (requires { response->mutable_producer(); }) {
+      if (response->has_producer()) SignProducer(worker_, *response->mutable_producer());
+    }
+    return BytesOf(*response);
+  }
+
+  void AddSteps(const std::string& rpc, std::function<CallSteps()> make);
+  void AddMethod(const std::string& rpc, grpc::internal::MethodHandler* handler);
+
+  const std::string name_;
+  // gRPC keeps no copies.
+  std::deque<std::string> paths_;
 };
 
-}  // namespace internal
+// absl::InfiniteFuture() when the caller set none.
+absl::Time DeadlineOf(const grpc::CallbackServerContext& context);
 
-// Answers a client-streaming call of the callback API. `taker` is an object of this call alone with
-//   absl::Status Take(const Request&, CallContext&)         for every message, in order
-//   absl::StatusOr<Response> Finish(CallContext&)           after the last
-// Each step waits in the worker's queue like a unary call, and the next message is read after the step: a slow caller
-// holds no thread, a fast one no memory. The first error ends the call. An answer that names its producer gets the
-// worker's build. `worker` must outlive the server.
-template <typename Request, typename Response, typename Taker>
-grpc::ServerReadReactor<Request>* ServeClientStream(WorkerContext& worker, std::string_view method,
-                                                    grpc::CallbackServerContext* context, Response* response,
-                                                    std::unique_ptr<Taker> taker) {
-  auto* call = new internal::ClientStreamCall<Request>(worker, method, *context);
-  // Shared by the two steps, which std::function copies.
-  const std::shared_ptr<Taker> shared = std::move(taker);
-  call->Start({.take = [call, shared](CallContext& of) { return shared->Take(call->message(), of); },
-               .finish = [&worker, shared, response](CallContext& of) -> absl::Status {
-                 ASSIGN_OR_RETURN(*response, shared->Finish(of));
-                 if constexpr (requires { response->mutable_producer(); }) {
-                   if (response->has_producer()) response->mutable_producer()->set_build(worker.build);
-                 }
-                 return absl::OkStatus();
-               }});
-  return call;
-}
-
-// A handler for ServeUnary that tells `observe(request, response, duration)` of every good answer of another handler,
-// for counting. The arguments outlive it; `observe` is called from several threads at once.
+// A handler for Service::Unary that tells `observe(request, response, duration)` of every good answer of another
+// handler, for counting. The arguments outlive it; `observe` is called from several threads at once.
 template <typename Handler, typename Observe>
 class ObservedHandler {
  public:

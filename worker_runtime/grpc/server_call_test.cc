@@ -47,18 +47,10 @@ class Taker {
   std::string captions_;
 };
 
-class Service final : public v1::RendererService::CallbackService {
- public:
-  Service(WorkerContext& worker, Script& script) : worker_(worker), script_(script) {}
-  grpc::ServerReadReactor<Request>* ComposeContactSheet(grpc::CallbackServerContext* context,
-                                                        Response* response) override {
-    return ServeClientStream<Request>(worker_, "ComposeContactSheet", context, response,
-                                      std::make_unique<Taker>(script_));
+struct SheetService final : Service {
+  SheetService(WorkerContext& worker, Script& script) : Service(worker, v1::RendererService::service_full_name()) {
+    ClientStream<Request>("ComposeContactSheet", [&script] { return std::make_unique<Taker>(script); });
   }
-
- private:
-  WorkerContext& worker_;
-  Script& script_;
 };
 
 class ClientStream : public testing::Test {
@@ -72,7 +64,7 @@ class ClientStream : public testing::Test {
                                       [&](WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
                                         context.build = "build 7";
                                         executor_ = &context.executor;
-                                        return std::make_unique<Service>(context, script_);
+                                        return std::make_unique<SheetService>(context, script_);
                                       });
     stub_ = v1::RendererService::NewStub(server_->channel());
   }

@@ -36,17 +36,10 @@ using ::testing::StartsWith;
 using SolveFunction = std::function<absl::StatusOr<v1::SolveResponse>(const v1::SolveRequest&, CallContext&)>;
 
 // An optimizer that does what a test tells it.
-class TestService final : public v1::OptimizerService::CallbackService {
- public:
-  TestService(WorkerContext& worker, SolveFunction solve) : worker_(worker), solve_(std::move(solve)) {}
-  grpc::ServerUnaryReactor* Solve(grpc::CallbackServerContext* context, const v1::SolveRequest* request,
-                                  v1::SolveResponse* response) override {
-    return ServeUnary(worker_, "Solve", context, request, response, solve_);
+struct TestService final : Service {
+  TestService(WorkerContext& worker, SolveFunction solve) : Service(worker, v1::OptimizerService::service_full_name()) {
+    Unary<v1::SolveRequest>("Solve", std::move(solve));
   }
-
- private:
-  WorkerContext& worker_;
-  SolveFunction solve_;
 };
 
 config::v1::RuntimeConfig SmallConfig() {
@@ -72,24 +65,32 @@ absl::StatusOr<v1::SolveResponse> Solve(std::shared_ptr<grpc::Channel> channel, 
   return UnaryRequest(*stub, &v1::OptimizerService::StubInterface::Solve, request, call);
 }
 
-// Answers of the health service, as numbers of grpc.health.v1.HealthCheckResponse.ServingStatus; no health.proto is
-// shipped, so the two messages of one field each are written and read by hand.
-absl::StatusOr<int> Health(std::shared_ptr<grpc::Channel> channel, const std::string& service) {
-  std::string request;
-  if (!service.empty()) request = std::string("\x0a") + static_cast<char>(service.size()) + service;
+// What the server answers to one message of a method, byte by byte.
+absl::StatusOr<std::string> AskRaw(std::shared_ptr<grpc::Channel> channel, const char* method,
+                                   const std::string& request) {
   grpc::Slice slice(request);
   grpc::ByteBuffer in(&slice, 1);
   grpc::ByteBuffer out;
   grpc::GenericStub stub(channel);
   grpc::ClientContext context;
   std::promise<grpc::Status> done;
-  stub.UnaryCall(&context, "/grpc.health.v1.Health/Check", {}, &in, &out,
-                 [&done](grpc::Status status) { done.set_value(status); });
+  stub.UnaryCall(&context, method, {}, &in, &out, [&done](grpc::Status status) { done.set_value(status); });
   const grpc::Status status = done.get_future().get();
   if (!status.ok()) return FromGrpcStatus(status);
   std::vector<grpc::Slice> slices;
   (void)out.Dump(&slices);
-  return slices.empty() || slices[0].size() < 2 ? 0 : slices[0].begin()[1];
+  std::string answer;
+  for (const grpc::Slice& part : slices) answer.append(reinterpret_cast<const char*>(part.begin()), part.size());
+  return answer;
+}
+
+// Answers of the health service, as numbers of grpc.health.v1.HealthCheckResponse.ServingStatus; no health.proto is
+// shipped, so the two messages of one field each are written and read by hand.
+absl::StatusOr<int> Health(std::shared_ptr<grpc::Channel> channel, const std::string& service) {
+  std::string request;
+  if (!service.empty()) request = std::string("\x0a") + static_cast<char>(service.size()) + service;
+  ASSIGN_OR_RETURN(const std::string answer, AskRaw(channel, "/grpc.health.v1.Health/Check", request));
+  return answer.size() < 2 ? 0 : answer[1];
 }
 
 TEST(Server, CarriesCodesAndMessagesOfAHandler) {
@@ -204,6 +205,24 @@ TEST_F(ListeningServer, ReportsHealthByServiceName) {
   EXPECT_EQ(*Health(channel_, ""), kServing);
   EXPECT_EQ(*Health(channel_, "flair.v1.OptimizerService"), kServing);
   EXPECT_EQ(Health(channel_, "flair.v1.LanguageService").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(ListeningServer, TellsToolsItsServicesAndTheirMessages) {
+  constexpr char kAsk[] = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo";
+  EXPECT_THAT(*AskRaw(channel_, kAsk, "\x3a\x01*"), HasSubstr("flair.v1.OptimizerService"));
+  EXPECT_THAT(*AskRaw(channel_, kAsk,
+                      "\x22\x19"
+                      "flair.v1.OptimizerService"),
+              HasSubstr("SolveRestartsRequest"));
+  EXPECT_THAT(*AskRaw(channel_, kAsk, "\x22\x01x"), HasSubstr("not found: x"));
+}
+
+TEST_F(ListeningServer, AMessageThatWouldUnfoldIsNotParsed) {
+  std::string request;
+  while (request.size() < 4 << 20) request += std::string("\x12\x02\x0a\0", 4);
+  const absl::Status status = AskRaw(channel_, "/flair.v1.OptimizerService/Solve", request).status();
+  EXPECT_EQ(status.code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_THAT(std::string(status.message()), HasSubstr("MiB of memory; send fewer fields at once"));
 }
 
 TEST(Server, SaysWhichProgramAndRevisionItIs) {
