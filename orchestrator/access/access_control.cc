@@ -30,6 +30,13 @@ absl::Status Caller::CheckOperator(std::string_view what) const {
 namespace {
 
 constexpr absl::Duration kLookAfter = absl::Seconds(1);
+
+// When the day "2027-12-31" is over; nothing for what is no day.
+std::optional<absl::Time> EndOf(const std::string& day) {
+  absl::Time begin;
+  if (day.size() != 10 || !absl::ParseTime("%Y-%m-%d", day, absl::UTCTimeZone(), &begin, nullptr)) return std::nullopt;
+  return begin + absl::Hours(24);
+}
 constexpr size_t kSchemeLength = 7;
 // Longer ones are not hashed: somebody sends them to keep us busy.
 constexpr size_t kTokenLength = 1024;
@@ -73,6 +80,10 @@ absl::StatusOr<Caller> AccessControl::Admit(std::optional<std::string_view> auth
   const config::v1::TokenEntry* entry = Find(token);
   if (entry == nullptr) {
     return absl::UnauthenticatedError("this orchestrator does not know the token; it may have been replaced");
+  }
+  if (!entry->last_day().empty() && clock_.Now() >= EndOf(entry->last_day())) {
+    return absl::UnauthenticatedError(
+        fmt::format("the token of \"{}\" was good until {}; ask for a new one", entry->name(), entry->last_day()));
   }
   const int limit = entry->calls_per_minute_limit();
   if (limit == 0) return CallerOf(*entry);
@@ -142,6 +153,10 @@ void CheckEntry(const config::v1::TokenEntry& entry, const std::string& path, ru
   if (!IsDigest(entry.sha256())) {
     checker.Report(path + ".sha256",
                    "expected the SHA-256 of a token, 64 digits 0-9 a-f, as \"flair token new\" prints it");
+  }
+  if (!entry.last_day().empty() && !EndOf(entry.last_day()).has_value()) {
+    checker.Report(path + ".last_day", fmt::format("\"{}\" is no day; expected one such as \"2027-12-31\"",
+                                                   entry.last_day().substr(0, 20)));
   }
   if (entry.open_job_limit() != 0) checker.Range(path + ".open_job_limit", entry.open_job_limit(), 1, 1000000);
   if (entry.calls_per_minute_limit() != 0) {

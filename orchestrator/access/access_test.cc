@@ -58,6 +58,20 @@ TEST_F(Access, WithoutAFileEverybodyMayDoEverything) {
   EXPECT_EQ(caller->RequestKey("r1"), "r1");
 }
 
+TEST_F(Access, ATokenIsGoodUntilItsLastDayIsOver) {
+  const absl::Time begin = absl::FromCivil(absl::CivilDay(2027, 12, 31), absl::UTCTimeZone());
+  clock_.Advance(begin - clock_.Now());
+  Open(Entry("alice", "secret-a", "last_day: \"2027-12-31\"") + Entry("bob", "secret-b"));
+  clock_.Advance(absl::Hours(24) - absl::Seconds(1));
+  EXPECT_TRUE(access_->Admit("Bearer secret-a").ok());
+  clock_.Advance(absl::Seconds(1));
+  EXPECT_EQ(access_->Admit("Bearer secret-a").status(),
+            absl::UnauthenticatedError("the token of \"alice\" was good until 2027-12-31; ask for a new one"));
+  EXPECT_TRUE(access_->Admit("Bearer secret-b").ok());
+  EXPECT_THAT(std::string(Problem(Entry("alice", "secret-a", "last_day: \"31.12.2027\"")).message()),
+              HasSubstr("tokens[0].last_day: \"31.12.2027\" is no day; expected one such as \"2027-12-31\""));
+}
+
 TEST_F(Access, ATokenSaysWhoCalls) {
   Open(Entry("alice", "secret-a", "open_job_limit: 7") + Entry("root", "secret-r", "operator: true"));
   const auto alice = access_->Admit("Bearer secret-a");

@@ -111,6 +111,9 @@ void CheckTls(const config::v1::TlsConfig& tls, ConfigChecker& checker) {
   if (tls.require_client_certificate() && tls.authority_path().empty()) {
     checker.Report("runtime.tls.authority_path", missing + " with the authorities of the callers' certificates");
   }
+  if (!tls.client_names().empty() && !tls.require_client_certificate()) {
+    checker.Report("runtime.tls.client_names", "names nobody has to show; set require_client_certificate");
+  }
 }
 
 // Whether the program asks its callers for tokens, if it can: its config has a tokens_path then.

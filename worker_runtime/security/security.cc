@@ -76,30 +76,31 @@ std::optional<int> PortOf(std::string_view address) {
 
 namespace {
 
-bool Exposed(const std::string& address, const config::v1::RuntimeConfig& runtime) {
-  return !address.empty() && !IsLocalAddress(address) && !runtime.allow_insecure();
+bool Exposed(const std::string& address, bool allowed) {
+  return !address.empty() && !IsLocalAddress(address) && !allowed;
 }
 
 constexpr char kElse[] =
-    "or listen on 127.0.0.1, or set runtime.allow_insecure: true if only trusted machines can reach that network";
+    "or listen on 127.0.0.1, or set runtime.{}: true if only trusted machines can reach that network";
 
 }  // namespace
 
 std::string ExposureFault(const config::v1::RuntimeConfig& runtime, std::optional<bool> asks_for_tokens) {
-  if (!Exposed(runtime.listen_address(), runtime)) return "";
+  if (!Exposed(runtime.listen_address(), runtime.allow_insecure())) return "";
   const bool knows_callers = asks_for_tokens.value_or(false) || runtime.tls().require_client_certificate();
   if (runtime.has_tls() && knows_callers) return "";
   return fmt::format("\"{}\" can be reached from other machines, {}; set runtime.tls{}, {}", runtime.listen_address(),
                      runtime.has_tls() ? "but anybody may call" : "but in plain text, which others can read and change",
                      asks_for_tokens.has_value() ? " and one of tokens_path and runtime.tls.require_client_certificate"
                                                  : " with require_client_certificate",
-                     kElse);
+                     fmt::format(kElse, "allow_insecure"));
 }
 
 std::string MetricsExposureFault(const config::v1::RuntimeConfig& runtime) {
-  if (!Exposed(runtime.metrics_address(), runtime)) return "";
+  const bool allowed = runtime.allow_insecure() || runtime.allow_insecure_metrics();
+  if (!Exposed(runtime.metrics_address(), allowed)) return "";
   return fmt::format("\"{}\" can be reached from other machines, in plain text and by anybody; remove it, {}",
-                     runtime.metrics_address(), kElse);
+                     runtime.metrics_address(), fmt::format(kElse, "allow_insecure_metrics"));
 }
 
 namespace {

@@ -68,6 +68,15 @@ TEST(Exposure, MayBeWanted) {
   EXPECT_EQ(MetricsExposureFault(runtime), "");
 }
 
+TEST(Exposure, FiguresForOthersOpenNothingElse) {
+  config::v1::RuntimeConfig runtime = Listening("0.0.0.0:50051");
+  runtime.set_metrics_address("0.0.0.0:9090");
+  EXPECT_THAT(MetricsExposureFault(runtime), HasSubstr("runtime.allow_insecure_metrics: true"));
+  runtime.set_allow_insecure_metrics(true);
+  EXPECT_EQ(MetricsExposureFault(runtime), "");
+  EXPECT_THAT(ExposureFault(runtime, std::nullopt), HasSubstr("plain text"));
+}
+
 class TlsFiles : public ::testing::Test {
  protected:
   TlsFiles() { std::filesystem::create_directories(folder_); }
