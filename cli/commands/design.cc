@@ -146,7 +146,10 @@ absl::Status Design(const DesignArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::Job created, session->CreateJob(spec));
   absl::Status finished;
   {
-    const std::unique_ptr<Progress> progress = MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet));
+    // Without the user and password that it may hold.
+    const std::string url = llm.has_value() ? llm->base_url() : "";
+    const std::unique_ptr<Progress> progress =
+        MakeProgress(ChooseProgressForm(arguments.json, arguments.quiet), url.substr(url.rfind('@') + 1));
     finished = WaitForJob(*session, created.id(), *progress);
   }
   if (!finished.ok()) {

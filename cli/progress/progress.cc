@@ -7,12 +7,14 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "orchestrator/pipeline/stage.h"
 
 namespace flair::cli {
 namespace {
@@ -38,7 +40,8 @@ class JsonLines : public Progress {
 // A line per stage that has ended, on a terminal with a mark and what runs now.
 class Lines : public Progress {
  public:
-  explicit Lines(bool is_terminal) : is_terminal_(is_terminal) {}
+  Lines(bool is_terminal, const std::string& model)
+      : is_terminal_(is_terminal), late_(model.empty() ? "" : fmt::format(", no answer of {} yet", model)) {}
   ~Lines() override { Erase(); }
 
   void See(const v1::JobEvent& event) override {
@@ -68,18 +71,22 @@ class Lines : public Progress {
   }
   void ShowRunning() {
     if (running_.empty() || !is_terminal_) return;
-    fmt::print(stderr, "\x1b[2m… {}\x1b[0m", fmt::join(running_, ", "));
+    const std::string text = fmt::format("… {}", fmt::join(running_, ", "));
+    fmt::print(stderr, "\x1b[2m{}\x1b[0m", text);
     std::fflush(stderr);
-    shown_ = true;
+    const bool asks_model = orchestrator::StageIndex(running_.front()) < orchestrator::StageIndex("solve");
+    note_.emplace(text, asks_model ? late_ : "");
   }
   void Erase() {
-    if (shown_) fmt::print(stderr, "\r\x1b[K");
-    shown_ = false;
+    if (note_.has_value()) fmt::print(stderr, "\r\x1b[K");
+    note_.reset();
   }
 
   const bool is_terminal_;
+  const std::string late_;
   std::vector<std::string> running_;
-  bool shown_ = false;
+  // Of what runs, while it is shown.
+  std::optional<SlowNote> note_;
 };
 
 }  // namespace
@@ -92,11 +99,11 @@ ProgressForm ChooseProgressForm(bool json, bool quiet) {
   return isatty(STDERR_FILENO) && !plain ? ProgressForm::kTerminal : ProgressForm::kLines;
 }
 
-std::unique_ptr<Progress> MakeProgress(ProgressForm form) {
+std::unique_ptr<Progress> MakeProgress(ProgressForm form, const std::string& model) {
   switch (form) {
     case ProgressForm::kTerminal:
     case ProgressForm::kLines:
-      return std::make_unique<Lines>(form == ProgressForm::kTerminal);
+      return std::make_unique<Lines>(form == ProgressForm::kTerminal, model);
     case ProgressForm::kJsonLines:
       return std::make_unique<JsonLines>();
     case ProgressForm::kQuiet:
@@ -107,7 +114,8 @@ std::unique_ptr<Progress> MakeProgress(ProgressForm form) {
 
 using std::chrono::seconds;
 
-SlowNote::SlowNote(std::string what) : what_(std::move(what)), thread_([this] { Run(); }) {}
+SlowNote::SlowNote(std::string what, std::string late)
+    : what_(std::move(what)), late_(std::move(late)), thread_([this] { Run(); }) {}
 
 SlowNote::~SlowNote() {
   {
@@ -136,7 +144,8 @@ void SlowNote::Run() {
   }
   do {
     const auto taken = std::chrono::duration_cast<seconds>(std::chrono::steady_clock::now() - start);
-    std::fprintf(stderr, "\r\x1b[2K%s, %lld s", what_.c_str(), static_cast<long long>(taken.count()));
+    std::fprintf(stderr, "\r\x1b[2K%s, %lld s%s", what_.c_str(), static_cast<long long>(taken.count()),
+                 taken >= seconds(20) ? late_.c_str() : "");
     std::fflush(stderr);
   } while (!ended_.wait_for(lock, seconds(1), [this] { return end_; }));
   std::fprintf(stderr, "\r\x1b[2K");

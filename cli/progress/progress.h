@@ -33,14 +33,15 @@ enum class ProgressForm {
 // The form for a command: as asked, else by whether standard error is a terminal.
 ProgressForm ChooseProgressForm(bool json, bool quiet);
 
-std::unique_ptr<Progress> MakeProgress(ProgressForm form);
+// `model`: the address of the language model, which is named on a terminal when a stage that asks it takes long.
+std::unique_ptr<Progress> MakeProgress(ProgressForm form, const std::string& model = "");
 
 // Says on standard error what goes on when it takes longer than two seconds: on a terminal with the seconds so far,
 // gone when it ends; elsewhere in a line a minute. Lives as long as the work.
 class SlowNote {
  public:
-  // `what` is such as "tracing 16 paths per pixel".
-  explicit SlowNote(std::string what);
+  // `what` is such as "tracing 16 paths per pixel"; `late` is added on a terminal after twenty seconds.
+  explicit SlowNote(std::string what, std::string late = "");
   ~SlowNote();
   SlowNote(const SlowNote&) = delete;
   SlowNote& operator=(const SlowNote&) = delete;
@@ -54,6 +55,7 @@ class SlowNote {
   std::mutex mutex_;
   std::condition_variable ended_;
   std::string what_;
+  const std::string late_;
   bool end_ = false;
   std::thread thread_;
 };

@@ -74,9 +74,9 @@ class Transfer {
   // `deadline` is when the caller stops waiting; times are SystemClock().Elapsed(). All arguments outlive it.
   Transfer(const HttpRequest& request, const HttpOptions& options, absl::Duration deadline)
       : request_(request),
-        timeouts_(options.timeouts),
+        timeouts_(Within(options.timeouts, deadline - Now())),
         body_byte_limit_(options.body_byte_limit),
-        total_end_(Now() + options.timeouts.total),
+        total_end_(Now() + timeouts_.total),
         deadline_(deadline),
         handle_(curl_easy_init()) {
     if (handle_ == nullptr) return;
@@ -95,7 +95,6 @@ class Transfer {
 
   // The error of a transfer that has run out of time at `now`; else OK.
   absl::Status Expired(absl::Duration now) const {
-    if (now >= deadline_) return absl::DeadlineExceededError("the call's deadline has passed");
     const std::string address = PublicAddress(request_.url);
     if (now >= total_end_) {
       return Unavailable("{}: no complete answer within {}", address, absl::FormatDuration(timeouts_.total));
@@ -103,6 +102,7 @@ class Transfer {
     if (now >= silent_since_ + timeouts_.first_byte) {
       return Unavailable("{}: silent for {}", address, absl::FormatDuration(timeouts_.first_byte));
     }
+    if (now >= deadline_) return absl::DeadlineExceededError("the call's deadline has passed");
     return absl::OkStatus();
   }
 
@@ -119,6 +119,13 @@ class Transfer {
     void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
     void operator()(curl_slist* list) const { curl_slist_free_all(list); }
   };
+
+  // Shorter ones where the caller waits no longer: who is to blame is said before the caller's time is up.
+  static HttpTimeouts Within(HttpTimeouts timeouts, absl::Duration left) {
+    timeouts.first_byte = std::min(timeouts.first_byte, left * 0.9);
+    timeouts.total = std::min(timeouts.total, left * 0.95);
+    return timeouts;
+  }
 
   void SetOptions(const HttpOptions& options) {
     CURL* const handle = handle_.get();

@@ -172,12 +172,19 @@ RetryingLlmClient::RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPoli
     : LlmClientWrapper(std::move(inner)), policy_(policy), clock_(clock), wait_(std::move(wait)) {}
 
 absl::StatusOr<ChatAnswer> RetryingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
+  // Unless the server itself asks for more, half the caller's time is spent on attempts at most; one that hung may hang
+  // as long again.
+  const absl::Time half = clock_.Now() + (call.deadline() - clock_.Now()) / 2;
   for (int attempt = 1;; ++attempt) {
+    const absl::Time begin = clock_.Now();
     absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
     if (answer.ok()) return answer;
     const std::optional<absl::Duration> delay =
         policy_.DelayAfter(answer.status(), attempt, call.request_id() + "/" + request.step);
-    if (!delay.has_value() || clock_.Now() + *delay >= call.deadline()) return AfterAttempts(answer.status(), attempt);
+    const absl::Time end = RetryAfter(answer.status()).has_value() ? call.deadline() : half;
+    if (!delay.has_value() || clock_.Now() + *delay + (clock_.Now() - begin) >= end) {
+      return AfterAttempts(answer.status(), attempt);
+    }
     wait_(*delay, call);
     RETURN_IF_ERROR(call.CheckAlive());
   }

@@ -89,6 +89,18 @@ TEST_F(RetryingLlmClientTest, DoesNotBeginAWaitThatOutlastsTheDeadline) {
   EXPECT_THAT(delays_, IsEmpty());
 }
 
+TEST_F(RetryingLlmClientTest, AServerThatHangsHasHalfTheCallersTime) {
+  runtime::CallContext call("job-2", clock_.Now() + absl::Minutes(10), clock_);
+  model_->answer = [this](size_t) {
+    clock_.Advance(absl::Minutes(2));
+    return Down();
+  };
+  const absl::Time begin = clock_.Now();
+  EXPECT_TRUE(absl::IsUnavailable(client_.Ask(AskFor("zones"), call).status()));
+  EXPECT_LE(clock_.Now() - begin, absl::Minutes(5));
+  EXPECT_THAT(model_->requests, SizeIs(2));
+}
+
 TEST_F(RetryingLlmClientTest, ACancelledCallDoesNotWaitForItsNextAttempt) {
   auto* model = new TestLlmClient();
   RetryingLlmClient client(std::unique_ptr<LlmClient>(model), {.first_delay = absl::Hours(1)}, clock_);
