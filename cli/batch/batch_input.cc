@@ -209,6 +209,12 @@ absl::StatusOr<std::unique_ptr<BatchFolder>> BatchFolder::Hold(const std::filesy
   }
   std::filesystem::create_directories(path, error);
   if (error) return FileError("{}: cannot be created: {}", path.string(), error.message());
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(path, error)) {
+    if (entry.is_symlink(error)) {
+      return FileError("{}: is a symbolic link; nothing is written through one: remove it, or link --out itself",
+                       entry.path().string());
+    }
+  }
   const std::filesystem::path lock_path = path / ".lock";
   const int lock = ::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (lock < 0) return FileError("{}: cannot be written: {}", path.string(), std::strerror(errno));

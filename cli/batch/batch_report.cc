@@ -82,7 +82,9 @@ std::string Figure(double value) {
   return value >= 1000 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
-std::string Quoted(const std::string& text) {
+std::string Quoted(std::string text) {
+  // What spreadsheets would take for a formula, they take for text with this before it.
+  if (text.find_first_of("=+-@\t\r") == 0) text.insert(0, "'");
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {

@@ -25,6 +25,7 @@ class BatchReportTest : public ::testing::Test {
       row.Set("state", i < 7 ? "succeeded" : "failed");
       if (i < 7) row.Set("time_s", i + 1.0);
       if (i >= 7) row.Set("failure_kind", i == 7 ? "input" : "worker");
+      if (i == 0) row.Set("key", "=1+1");
       if (i >= 7) row.Set("error", fmt::format("because of \"{}\",\nreally", i));
       EXPECT_TRUE(results_->Put(row).ok());
     }
@@ -61,6 +62,7 @@ TEST_F(BatchReportTest, CsvHasTheColumnsAndQuotesWhatNeedsIt) {
   const std::string csv = testing::ReadAll(folder_ / "a.csv");
   EXPECT_THAT(csv, StartsWith("batch_index,line,key,job_id,state,"));
   EXPECT_THAT(csv, HasSubstr("\r\n7,8,,,failed,input,,\"because of \"\"7\"\",\nreally\","));
+  EXPECT_THAT(csv, HasSubstr("\r\n0,1,'=1+1,")) << "no formula";
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.csv.partial"));
   EXPECT_FALSE(WriteResultsCsv(*results_, folder_ / "no" / "such" / "a.csv").ok());
 }

@@ -121,6 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
               {"solve.max_restart_count: 0"}},
         Wrong{"OptionsOfAnotherType", R"({"text": "A room.", "render": "plan"})", {"render: is \"plan\"", "object"}},
         Wrong{"BriefAndItsFields", R"({"brief": {"text": "A room."}, "seed": 3})", {"seed: not beside \"brief\""}},
+        Wrong{"RepeatedKey", R"({"text": "A room.", "solve": {"seed": 1, "seed": 2}})", {"\"seed\" stands twice"}},
         Wrong{"EmptyId", R"({"text": "A room.", "id": ""})", {"id: is \"\""}},
         Wrong{"Deep", "{\"room\":" + std::string(100000, '['), {"nests deeper than 64"}},
         Wrong{"TooLongText", std::string(4001, 'a'), {"brief.text", "4000"}}),

@@ -10,6 +10,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "cli/exit_code.h"
 #include "cli/output/output_folder.h"
@@ -232,7 +233,23 @@ absl::Status ListProblems(const std::string& name, const std::vector<validation:
   return Join(lines, problems.size() - listed);
 }
 
+std::string RepeatedKey(std::string_view json) {
+  using Event = nlohmann::json::parse_event_t;
+  std::vector<std::set<std::string>> objects;
+  std::string repeated;
+  const auto see = [&](int, Event event, nlohmann::json& value) {
+    if (event == Event::object_start) objects.emplace_back();
+    if (event == Event::object_end) objects.pop_back();
+    if (event == Event::key && !objects.back().insert(value.get<std::string>()).second) repeated = value;
+    return true;
+  };
+  return nlohmann::json::parse(json, see, false).is_discarded() ? "" : repeated;
+}
+
 absl::Status ParseJsonMessage(const std::string& name, const std::string& json, google::protobuf::Message& message) {
+  if (const std::string key = RepeatedKey(json); !key.empty()) {
+    return InvalidArgument("{}: \"{}\" stands twice in one object; keep one", name, key);
+  }
   const auto status = google::protobuf::util::JsonStringToMessage(json, &message);
   if (status.ok()) return absl::OkStatus();
   if (const std::optional<Fault> fault = FindSyntaxFault(json)) {

@@ -261,6 +261,13 @@ absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, 
   const NatsMessagePtr owned(answer);
   if (status == NATS_OK) return Read(answer);
   if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader at the moment");
+  // nats-server 2.9 stops for good when its disk is full.
+  if (status == NATS_TIMEOUT && connected()) {
+    return absl::UnavailableError(
+        fmt::format("JetStream does not answer, though {} is connected; if its disk was full, make room and restart "
+                    "nats-server there: work goes on by itself then",
+                    address_));
+  }
   return Unreachable(natsStatus_GetText(status));
 }
 

@@ -125,6 +125,12 @@ absl::StatusOr<v1::ListBatchesResponse> OrchestratorHandlers::ListBatches(const 
   filter.before = request.page_token();
   filter.owner = caller.OwnerFilter();
   ASSIGN_OR_RETURN(std::vector<v1::Batch> batches, queue_.ListBatches(filter));
+  for (v1::Batch& batch : batches) {
+    const absl::StatusOr<v1::Batch> counted = queue_.GetBatch(batch.id());
+    // Deleted meanwhile.
+    if (!counted.ok() && !absl::IsNotFound(counted.status())) return counted.status();
+    if (counted.ok()) batch = *counted;
+  }
   return PageOf<v1::ListBatchesResponse>(std::move(batches), limit,
                                          [](v1::ListBatchesResponse& page) { return page.mutable_batches(); });
 }

@@ -268,6 +268,7 @@ TEST_F(BatchServiceTest, ListsBatchesAndTellsOfTheCluster) {
   ASSERT_THAT(rest.batches(), SizeIs(1));
   EXPECT_LT(rest.batches(0).id(), page.batches(1).id());
   Watch(rest.batches(0).id());
+  EXPECT_EQ(orchestrator_->Ask(&Stub::ListBatches, list)->batches(0).succeeded_count(), 1);
   auto cluster = *orchestrator_->Ask(&Stub::GetCluster, v1::GetClusterRequest());
   ASSERT_THAT(cluster.orchestrators(), SizeIs(1));
   EXPECT_EQ(cluster.orchestrators(0).running_limit(), 2);

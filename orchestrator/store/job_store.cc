@@ -51,7 +51,9 @@ bool OwnerLock::IsDead(const std::string& folder, const std::string& id) {
 absl::StatusOr<std::unique_ptr<JobStore>> JobStore::Open(const std::string& path) {
   if (path.empty()) return absl::InvalidArgumentError("store_path: missing; expected a folder for jobs and artifacts");
   std::error_code error;
-  std::filesystem::create_directories(path, error);
+  // What a store holds is its owner's business.
+  const bool is_new = std::filesystem::create_directories(path, error);
+  if (is_new) std::filesystem::permissions(path, std::filesystem::perms::owner_all, error);
   if (error) {
     return absl::UnavailableError(fmt::format("store_path: cannot create the folder {}: {}", path, error.message()));
   }

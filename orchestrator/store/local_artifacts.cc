@@ -135,7 +135,8 @@ absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::st
 
 absl::Status ArtifactFiles::MakeFolder(const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  const bool is_new = std::filesystem::create_directories(folder, error);
+  if (is_new) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
   if (error || ::access(folder.c_str(), W_OK) != 0) {
     return absl::UnavailableError(fmt::format("the folder for artifacts, {}, cannot be {}: {}", folder,
                                               error ? "made" : "written to",
