@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include "cli/exit_code.h"
 #include "cli/top/cluster_state.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "worker_runtime/grpc/in_process_server.h"
@@ -71,7 +72,8 @@ TEST(ClusterClient, SaysWhyItSeesNothing) {
   Cluster cluster(false);
   Session session(cluster.server->channel(), "the test");
   const absl::StatusOr<ClusterLook> look = ClusterClient(session).Look();
-  EXPECT_EQ(look.status(), absl::PermissionDeniedError("only operators may"));
+  EXPECT_EQ(look.status().message(), "only operators may");
+  EXPECT_EQ(ExitCodeOf(look.status()), kExitBadInput);
 }
 
 }  // namespace

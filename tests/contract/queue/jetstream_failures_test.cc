@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "orchestrator/jetstream/streams.h"
+#include "orchestrator/service/watches.h"
 #include "tests/contract/queue/watched_queue.h"
 #include "tests/fixtures/nats_server.h"
 #include "worker_runtime/clock/clock.h"
@@ -71,6 +73,24 @@ TEST_F(JetStreamFailures, ARunKeepsItsJobForAsLongAsItTakes) {
   }));
   EXPECT_FALSE(lease->lost());
   EXPECT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
+}
+
+TEST_F(JetStreamFailures, ALostRecordOfAJobKeepsNobodyFromTheOthers) {
+  Serve(1);
+  const auto queue = Open();
+  Make(*queue, "b1", 2);
+  for (int i = 0; i < 2; ++i) {
+    const auto lease = queue->Take();
+    ASSERT_NE(lease, nullptr);
+    ASSERT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
+  }
+  Ask("STREAM.PURGE.KV_flair-jobs", {{"filter", "$KV.flair-jobs." + BatchJobId("b1", 0)}});
+  const auto ends = orchestrator::BatchSource(*queue->operator->(), "b1").next(0);
+  ASSERT_TRUE(ends.ok()) << ends.status();
+  std::map<std::string, v1::FailureKind> kinds;
+  for (const auto& end : *ends) kinds[end.job().id()] = end.job().failure_kind();
+  EXPECT_EQ(kinds, (std::map<std::string, v1::FailureKind>{{BatchJobId("b1", 0), v1::FAILURE_KIND_STORE},
+                                                           {BatchJobId("b1", 1), v1::FAILURE_KIND_UNSPECIFIED}}));
 }
 
 TEST_F(JetStreamFailures, ALostLeaseWritesNothingAnyMore) {
