@@ -13,8 +13,6 @@
 namespace flair::language {
 namespace {
 
-// [Handbook facts] the recorded rooms cover 20 to 29 % of the floor, small bedrooms up to 49 %.
-constexpr double kCoverLimit = 0.45;
 // What the brief asks for may cover a little more before any of it goes.
 constexpr double kCoverLimitIfAsked = 0.52;
 

@@ -20,6 +20,7 @@
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/rooms/wall_run.h"
 #include "language_worker/handbook/styling/choose_style.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -35,6 +36,7 @@ class ObjectLister {
       : room_(room),
         zones_(zones),
         handbook_(handbook),
+        choice_(choice),
         style_(facts, handbook, choice),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
         facts_(facts) {}
@@ -43,6 +45,7 @@ class ObjectLister {
     std::vector<LeftOut> left_out;
     const std::vector<SizedItem> fitting = FitFloor(program_, handbook_, ExtentOf(room_), left_out);
     AddFloorObjects(fitting);
+    FitRun(fitting);
     TellLeftOut(left_out);
     TellPlaces(fitting);
   }
@@ -52,6 +55,9 @@ class ObjectLister {
   void ListTertiaries(const v1::ObjectList& floor_objects, const std::set<std::string>& there) {
     v1::ObjectList pieces = floor_objects;
     Sharer sharer(program_, pieces, room_, handbook_, facts_);
+    for (const RunPlace& place : PlanRun(room_, floor_objects, facts_, handbook_, choice_)) {
+      sharer.LimitWall(place.object->id(), place.clear_above_m);
+    }
     std::vector<LeftOut> left_out;
     int listed = 0;
     for (const ProgramItem* item : CarriersFirst()) {
@@ -114,6 +120,26 @@ class ObjectLister {
       omission.set_reason(left.Told());
       omission.set_requested(left.requested);
     }
+  }
+
+  // Worktops of which nobody asked for a size are as wide as their run has room for.
+  void FitRun(const std::vector<SizedItem>& fitting) {
+    std::set<std::string> fitted;
+    for (const v1::Object& object : list_.objects()) {
+      const bool asked = std::ranges::any_of(fitting, [&](const SizedItem& sized) {
+        return sized.item.furniture->name() == object.name() && sized.item.size.width_m.has_value();
+      });
+      if (!asked) fitted.insert(object.id());
+    }
+    const v1::ObjectList before = list_;
+    for (const RunPlace& place : PlanRun(room_, before, facts_, handbook_, choice_, fitted)) {
+      for (v1::Object& object : *list_.mutable_objects()) {
+        if (object.id() == place.object->id()) object.set_width_m(place.width_m);
+      }
+    }
+    double covered_m2 = 0;
+    for (const v1::Object& object : list_.objects()) covered_m2 += object.width_m() * object.depth_m();
+    if (covered_m2 > kCoverLimit * FloorArea(room_)) list_ = before;
   }
 
   // Floor objects have their final ids from the start, because tertiaries name them as hosts.
@@ -207,8 +233,9 @@ class ObjectLister {
 
   static void SizeByHost(const HostedPiece& piece, v1::Object& object) {
     const hb::Furniture& furniture = *piece.item->furniture;
-    if (piece.host == nullptr || !furniture.sized_by_target()) return;
     const double reach_m = 2 * furniture.reach_beyond_target_m();
+    if (piece.window != nullptr) object.set_width_m(Clamp(piece.window->width_m() + reach_m, furniture.width_m()));
+    if (piece.host == nullptr || !furniture.sized_by_target()) return;
     object.set_width_m(Clamp(piece.host->width_m() + reach_m, furniture.width_m()));
     object.set_depth_m(Clamp(piece.host->depth_m() + reach_m, furniture.depth_m()));
   }
@@ -265,6 +292,7 @@ class ObjectLister {
   const v1::Room& room_;
   const v1::ZonePlan& zones_;
   const Handbook& handbook_;
+  const Choice& choice_;
   const StyleChoice style_;
   const RoomProgram program_;
   const BriefFacts& facts_;

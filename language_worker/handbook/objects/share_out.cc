@@ -44,7 +44,9 @@ const Place* CarriedAt(const hb::Furniture& furniture, const BriefFacts& facts) 
 Sharer::Sharer(const RoomProgram& program, const v1::ObjectList& pieces, const v1::Room& room, const Handbook& handbook,
                const BriefFacts& facts)
     : program_(program), pieces_(pieces), handbook_(handbook), facts_(facts) {
-  for (const v1::Opening& opening : room.openings()) windows_ += opening.kind() == v1::OPENING_KIND_WINDOW ? 1 : 0;
+  for (const v1::Opening& opening : room.openings()) {
+    if (opening.kind() == v1::OPENING_KIND_WINDOW) windows_.push_back(&opening);
+  }
 }
 
 std::vector<HostedPiece> Sharer::Share(const ProgramItem& item) {
@@ -55,7 +57,7 @@ std::vector<HostedPiece> Sharer::Share(const ProgramItem& item) {
   const bool told = item.requested && item.count > 1;
   if (item.entry != nullptr && item.entry->per_host() && !told && !hosts.empty())
     count *= static_cast<int>(hosts.size());
-  if (furniture.at_window()) count = windows_;
+  if (furniture.at_window()) count = static_cast<int>(windows_.size());
   std::vector<HostedPiece> pieces;
   const bool on_a_top = furniture.kind() == hb::FURNITURE_KIND_SURFACE;
   const bool put_there = CarriedAt(furniture, facts_) != nullptr;
@@ -72,7 +74,7 @@ std::vector<HostedPiece> Sharer::Share(const ProgramItem& item) {
       if (!item.requested && !MayHangAnywhere(item)) continue;
       host = nullptr;
     }
-    pieces.push_back({&item, host});
+    pieces.push_back({&item, host, furniture.at_window() ? windows_[static_cast<std::size_t>(i)] : nullptr});
   }
   return pieces;
 }
@@ -83,9 +85,12 @@ bool Sharer::FindHosts(const ProgramItem& item, std::vector<const v1::Object*>& 
   if (FindToldHosts(*item.furniture, hosts)) return true;
   const std::vector<std::string> classes = HostClasses(item, program_);
   for (const std::string& name : classes) {
-    if (IsRoomWord(name)) return !on_surface && (name != "window" || windows_ > 0);
+    if (IsRoomWord(name)) return !on_surface && (name != "window" || !windows_.empty());
     for (const v1::Object& object : pieces_.objects()) {
-      if (object.name() == name) hosts.push_back(&object);
+      const auto wall = free_wall_m_.find(object.id());
+      const bool behind_window = item.furniture->kind() == hb::FURNITURE_KIND_WALL && wall != free_wall_m_.end() &&
+                                 wall->second < item.furniture->width_m().typical();
+      if (object.name() == name && !behind_window) hosts.push_back(&object);
     }
     if (!hosts.empty()) return true;
   }

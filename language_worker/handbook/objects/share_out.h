@@ -17,6 +17,7 @@ namespace flair::language {
 struct HostedPiece {
   const ProgramItem* item = nullptr;
   const v1::Object* host = nullptr;
+  const v1::Opening* window = nullptr;  // before which it hangs
 };
 
 // What the brief says of what carries the pieces of a class; null where it says nothing.
@@ -28,6 +29,9 @@ class Sharer {
   // `pieces` are those that are there; it may grow meanwhile.
   Sharer(const RoomProgram& program, const v1::ObjectList& pieces, const v1::Room& room, const Handbook& handbook,
          const BriefFacts& facts);
+
+  // Nothing wider hangs above that piece: there is a window.
+  void LimitWall(const std::string& host_id, double width_m) { free_wall_m_[host_id] = width_m; }
 
   // The pieces of one line of the program; those whose host is missing or full are left out.
   std::vector<HostedPiece> Share(const ProgramItem& item);
@@ -51,7 +55,8 @@ class Sharer {
   const v1::ObjectList& pieces_;
   const Handbook& handbook_;
   const BriefFacts& facts_;
-  int windows_ = 0;
+  std::vector<const v1::Opening*> windows_;
+  std::map<std::string, double> free_wall_m_;
   std::map<std::string, Top> tops_;
   std::map<std::string, double> hung_m_;
 };

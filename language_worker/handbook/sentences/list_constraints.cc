@@ -16,6 +16,7 @@
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
+#include "language_worker/handbook/rooms/wall_run.h"
 #include "language_worker/handbook/rooms/walls.h"
 #include "language_worker/handbook/sentences/fill.h"
 #include "language_worker/handbook/sentences/place_writer.h"
@@ -57,6 +58,7 @@ class ConstraintLister {
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
         writer_(room, zones, objects, handbook, program_, choice, spoken),
         place_writer_(room, program_, writer_),
+        run_(PlanRun(room, objects, facts, handbook, choice)),
         kept_(facts.places.size(), false) {}
 
   // What of all that is how one uses the pieces.
@@ -107,6 +109,13 @@ class ConstraintLister {
     const hb::Furniture* furniture = handbook_.FindFurniture(name);
     std::set<std::string> topics;
     WritePlaces(name, group, topics);
+    for (const v1::Sentence& sentence : place_writer_.WriteRun(run_, group)) {
+      sentences_.push_back(sentence);
+      uses_.push_back({sentence, {"wall", "walls", "corner", "corners"}});
+      topics.insert({"back", "run", "corner", "draught"});
+      // One stands before what is set into the worktop; at a corner before no more of it.
+      if (furniture->run() == hb::RUN_PART_WORKTOP) topics.insert("access");
+    }
     if (WriteEntrySentence(name, group)) topics.insert("place");
     Relations special;
     for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
@@ -234,6 +243,7 @@ class ConstraintLister {
   const RoomProgram program_;
   const SentenceWriter writer_;
   const PlaceWriter place_writer_;
+  const std::vector<RunPlace> run_;  // of what has a part in one
   std::vector<bool> kept_;  // of a place: sentences were written
   std::vector<v1::Sentence> sentences_;
   std::vector<UseSentence> uses_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -60,7 +61,19 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     relation.set_text("The {object} is on the {corner} corner of the {target}.");
   // What stands beside a thing stands on that one's host.
   if (place.target != nullptr && carried != hb::CARRIED_ALONG) relation.add_targets(place.target->name());
-  return writer_.Write(relation, subjects, further);
+  // What one walks round stands in no row without gaps.
+  constexpr double kPassM = 0.3;
+  const auto parts = static_cast<std::size_t>(std::max(1, place.asked->parts()));
+  if (parts > 1 && place.furniture->clear_sides_m() >= kPassM) return {};
+  std::vector<v1::Sentence> sentences;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const auto at = [&](std::size_t part) {
+      return subjects.begin() + static_cast<std::ptrdiff_t>(subjects.size() * part / parts);
+    };
+    const std::vector<v1::Sentence> about = writer_.Write(relation, Group(at(i), at(i + 1)), further);
+    sentences.insert(sentences.end(), about.begin(), about.end());
+  }
+  return sentences;
 }
 
 Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
@@ -131,6 +144,51 @@ std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Gro
   for (v1::Sentence& sentence :
        writer_.Write(side, {group.front()}, {{"wall", TheWall(room_, on_after ? before : after)}})) {
     sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteRun(const std::vector<RunPlace>& run, const Group& group) const {
+  constexpr double kSmallM = 1e-6;
+  std::vector<v1::Sentence> sentences;
+  const auto write = [&](const RunPlace& of, const std::string& text, const std::string& reason, const Group& targets,
+                         int wall) {
+    hb::Relation relation;
+    relation.set_text(text);
+    relation.set_reason(reason);
+    relation.set_weight(3);
+    Slots further;
+    if (wall >= 0) further["wall"] = TheWall(room_, wall);
+    sentences.push_back(writer_.WriteOne(relation, {of.object}, targets, 0, further));
+  };
+  for (const RunPlace& place : run) {
+    if (std::ranges::find(group, place.object) == group.end()) continue;
+    write(place, "The {object}'s back is against {wall}.", "the run has this wall", {}, place.wall);
+    const int count = room_.walls_size(), before = (place.wall + count - 1) % count, after = (place.wall + 1) % count;
+    for (const RunPlace& other : run) {
+      if (other.wall == place.wall && std::abs(other.end_m() - place.offset_m) < kSmallM) {
+        write(place, "The left side of the {object} is against the right side of the {target}.",
+              "the run shares one worktop", {other.object}, -1);
+      }
+      const bool fills_corner = other.offset_m < kSmallM && other.wall == after;
+      if (fills_corner && place.end_m() > kSmallM &&
+          std::abs(WallLength(room_, place.wall) - place.end_m() - other.object->depth_m()) < kSmallM) {
+        write(place, "The right side of the {object} is against the front of the {target}.",
+              "the worktop goes round the corner", {other.object}, -1);
+      }
+      if (other.wall == before && std::abs(WallLength(room_, before) - other.end_m()) < kSmallM &&
+          std::abs(place.offset_m - other.object->depth_m()) < kSmallM) {
+        write(place, "The left side of the {object} is against the front of the {target}.",
+              "the worktop goes round the corner", {other.object}, -1);
+      }
+    }
+    if (place.at_window) write(place, "The {object} is under a window.", "a view and light while washing up", {}, -1);
+    if (place.offset_m < kSmallM && !IsReentrant(room_, place.wall)) {
+      write(place, "The {object}'s left side is against {wall}.", "the run begins in the corner", {}, before);
+    }
+    if (WallLength(room_, place.wall) - place.end_m() < kSmallM && !IsReentrant(room_, after)) {
+      write(place, "The {object}'s right side is against {wall}.", "the run ends in the corner", {}, after);
+    }
   }
   return sentences;
 }

@@ -8,6 +8,7 @@
 #include "flair/v1/room.pb.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/rooms/wall_run.h"
 #include "language_worker/handbook/sentences/sentence_writer.h"
 
 namespace flair::language {
@@ -22,6 +23,9 @@ class PlaceWriter {
   // The sentences about those of `group` whose place it is, without ids; empty when the room has none of what the place
   // is told by.
   std::vector<v1::Sentence> Write(const Place& place, const Group& group) const;
+
+  // What keeps those of `group` that are in a run at their places of it: their wall, and what is at their sides.
+  std::vector<v1::Sentence> WriteRun(const std::vector<RunPlace>& run, const Group& group) const;
 
  private:
   // "One desk by the door": the group may be a part of all that have the name.
