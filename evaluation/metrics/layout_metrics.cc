@@ -123,6 +123,7 @@ v1::Finding NotMet(const v1::Sentence& sentence, const v1::EdgeOutcome* missed) 
 }  // namespace
 
 double CoveredLength(const LayoutView& view, size_t i, const Opening& opening) {
+  if (view.scene.objects[i].at_window && opening.kind == OpeningKind::kWindow) return 0;
   const Wall& wall = view.scene.room.walls[static_cast<size_t>(opening.wall)];
   const double half_depth = view.scene.objects[i].footprint.depth_m / 2;
   if (std::abs(wall.Height(Center(view.layout[i]))) > half_depth + kNearWall_m) return 0;

@@ -100,6 +100,18 @@ TEST(Heights, ATallPieceCannotStandUnderAWindowThatItMustNotBlock) {
   }
 }
 
+TEST(Heights, CurtainsHangBeforeTheWindowAndADeskStandsBelow) {
+  const Piece curtains{"curtains", "WALL", 1.6, 0.1, 1.5, 0.8}, desk{"desk", "FLOOR", 1.2, 0.6, 0.75};
+  const std::string edges = EdgeText("e1", "under_window", Text("object", "curtains")) +
+                            EdgeText("e2", "under_window", Text("object", "desk"));
+  for (const std::string& room : Rooms()) {
+    const v1::SolvedLayout layout = Solve(room, {desk, curtains}, edges);
+    for (int e = 0; e < 2; ++e) EXPECT_TRUE(Holds(layout, e)) << layout.edge_outcomes(e).reason();
+    EXPECT_EQ(layout.metrics().findings_size(), 0) << layout.metrics().ShortDebugString();
+    EXPECT_GT(InFrontOfWindow(layout, curtains), 1.59);
+  }
+}
+
 TEST(Heights, AWallLampHangsAboveTheBed) {
   const std::string edges = EdgeText("e1", "against_wall", Text("object", "bed")) +
                             EdgeText("e2", "on_wall_above", Text("object", "lamp") + Text("target", "bed"));

@@ -216,6 +216,23 @@ absl::Status BadPlacement(int index, const std::string& problem) {
 
 }  // namespace
 
+namespace {
+
+// What hangs and is called to a window: curtains, blinds.
+void MarkAtWindows(const v1::LayoutGraph& graph, Scene& scene) {
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    if (edge.type() != "under_window") continue;
+    for (const v1::Argument& argument : edge.arguments()) {
+      const int object = scene.IndexOf(argument.value().text());
+      if (object < 0) continue;
+      Object& what = scene.objects[static_cast<size_t>(object)];
+      what.at_window = what.kind == ObjectKind::kWall;
+    }
+  }
+}
+
+}  // namespace
+
 absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
   RETURN_IF_ERROR(Validate(graph));
   ASSIGN_OR_RETURN(Room room, RoomFromProto(graph.room()));
@@ -229,6 +246,7 @@ absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
     const std::string& host = graph.object_list().objects(i).host_id();
     if (!host.empty()) scene.objects[static_cast<size_t>(i)].host = scene.IndexOf(host);
   }
+  MarkAtWindows(graph, scene);
   return scene;
 }
 

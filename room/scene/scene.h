@@ -44,6 +44,8 @@ struct Object {
   std::string category;
   // Index in Scene::objects of what it stands on or is attached to, -1 for none.
   int host = -1;
+  // Hangs before a window, which is then no hindrance.
+  bool at_window = false;
 };
 
 // Stands on the floor and is in the way.

@@ -75,7 +75,9 @@ inline void BlockSwept(const Polygon& swept, double depth_m, HangingWall& place)
 inline std::vector<HangingWall> HangingWalls(const Scene& scene, int object) {
   std::vector<HangingWall> places;
   for (const Wall& wall : scene.room.walls) places.push_back({wall, {}});
+  const bool at_window = scene.objects[static_cast<size_t>(object)].at_window;
   for (const Opening& opening : scene.room.openings) {
+    if (at_window && opening.kind == OpeningKind::kWindow) continue;
     if (opening.sill_height_m >= scene.TopOf(object) || opening.head_height_m <= scene.BottomOf(object)) continue;
     places[static_cast<size_t>(opening.wall)].blocked.push_back({opening.offset_m, opening.offset_m + opening.width_m});
     for (const Polygon& swept : ConvexSwingAreas(scene.room, opening)) {
