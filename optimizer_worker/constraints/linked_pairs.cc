@@ -66,7 +66,9 @@ void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
     Place(a.Object("object"), a.Object("target"), kAll);
     Place(a.Object("target"), a.Object("object"), kFront);
   } else if (type == "facing") {
-    // A chair that faces a desk is meant to be used there, whichever side it comes from.
+    // Two seats that face each other need their room; a chair that faces a desk is meant to be used there, whichever
+    // side it comes from.
+    if (a.Flag("both")) return;
     Place(a.Object("object"), a.Object("target"), kFront);
     Place(a.Object("target"), a.Object("object"), kAll);
   } else if (type == "on") {

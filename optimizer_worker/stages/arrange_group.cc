@@ -58,8 +58,13 @@ class GroupArranger {
     terms_.clear();
     const std::vector<Vec2<double>> centers(scene_.zones.size(), Vec2<double>{kEmptyZone_m, kEmptyZone_m});
     for (int e : group_.edges) {
-      const v1::ConstraintEdge& edge = input_.graph.edges(e);
+      v1::ConstraintEdge edge = input_.graph.edges(e);
       std::vector<int> named = NamedObjects(edge, scene_);
+      // Walls here have other names than those of the room.
+      auto& arguments = *edge.mutable_arguments();
+      arguments.erase(std::remove_if(arguments.begin(), arguments.end(),
+                                     [](const v1::Argument& argument) { return argument.name() == "wall"; }),
+                      arguments.end());
       // What a lone piece wants of the room is for later.
       if (free && named.size() < 2) continue;
       absl::StatusOr<std::unique_ptr<Cost>> cost = Bind(edge, {scene_, centers, &input_.linked});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -75,6 +76,26 @@ class GroupFinder {
       root[object] = parent_[object] < 0 ? object : root[parent_[object]];
       ++members[root[object]];
     }
+    JoinLoneOnes(members, root);
+  }
+
+  // What stands beside a smaller piece of a larger one's group belongs to that group: the refrigerator at the end of a
+  // run, the second bed at the nightstand between two.
+  void JoinLoneOnes(const std::map<int, size_t>& members, const std::map<int, int>& root) {
+    for (size_t i = 0; i < order_.size(); ++i) {
+      const int object = order_[i];
+      if (members.at(root.at(object)) > 1 || common_[MakeOf(scene_.objects[object])] >= kFewestAlike) continue;
+      double most = 0;
+      for (size_t k = i + 1; k < order_.size(); ++k) {
+        const double tie = input_.linked.TieOf(object, order_[k]);
+        const int other = root.at(order_[k]);
+        const bool larger = std::find(order_.begin(), order_.begin() + static_cast<int>(i), other) !=
+                            order_.begin() + static_cast<int>(i);
+        if (tie <= most || !larger || members.at(other) + 1 > kMostMembers) continue;
+        most = tie;
+        parent_[object] = order_[k];
+      }
+    }
   }
 
   // Where most of a make stand for themselves, all do: one of twelve chairs at the wall is not the coffee table's.
@@ -123,7 +144,7 @@ class GroupFinder {
       clusters[MakeOf(scene_.objects[groups_.all[g].objects[0]])].push_back(g);
     }
     for (const auto& [make, cluster] : clusters) {
-      if (cluster.size() < kFewestAlike) continue;
+      if (cluster.size() < kFewestAlike && !AreParallel(cluster)) continue;
       std::map<Kit, size_t> counts;
       for (int g : cluster) ++counts[KitOf(groups_.all[g])];
       const auto common = std::max_element(counts.begin(), counts.end(),
@@ -138,8 +159,22 @@ class GroupFinder {
         return std::pair(scene_.objects[first].zone, first) < std::pair(scene_.objects[second].zone, second);
       });
       Chain(pattern);
-      if (pattern.size() >= kFewestAlike) groups_.patterns.push_back(std::move(pattern));
+      if (pattern.size() >= std::min(kFewestAlike, cluster.size())) groups_.patterns.push_back(std::move(pattern));
     }
+  }
+
+  // Two or three that are each called parallel to another, such as twin beds.
+  bool AreParallel(const std::vector<int>& cluster) const {
+    std::set<int> parallel;
+    for (const v1::ConstraintEdge& edge : input_.graph.edges()) {
+      if (edge.type() != "parallel") continue;
+      std::vector<int> named = NamedObjects(edge, scene_);
+      const auto is_first = [&](int object) {
+        return std::any_of(cluster.begin(), cluster.end(), [&](int g) { return groups_.all[g].objects[0] == object; });
+      };
+      if (std::all_of(named.begin(), named.end(), is_first)) parallel.insert(named.begin(), named.end());
+    }
+    return parallel.size() == cluster.size();
   }
 
   // Within a zone, from one end of a row to the other: each next to one that it is tied to.

@@ -29,7 +29,7 @@ struct Groups {
   std::vector<Group> all;
   // Per object, its group; -1 for what has none: pinned, or not on the floor.
   std::vector<int> of;
-  // Groups (indices in `all`) that are alike, at least kFewest each.
+  // Groups (indices in `all`) that are alike: kFewestAlike each, or fewer that calls make parallel.
   std::vector<std::vector<int>> patterns;
 
   // The object that says in which stage and zone an object is placed: the first primary of its group or of those that

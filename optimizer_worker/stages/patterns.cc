@@ -321,6 +321,30 @@ double AreaOf(const SolveInput& input, const std::vector<int>& groups) {
   return area;
 }
 
+// As it is, and with the other primaries placed before the patterns: the counter of a café has its wall then.
+std::vector<PartialLayout> WithOthersFirst(const SolveInput& input, const StageSpec& stage,
+                                           const std::vector<std::vector<int>>& patterns, const PartialLayout& before) {
+  std::vector<int> others;
+  for (int object : stage.objects) {
+    const bool is_in_pattern = std::any_of(patterns.begin(), patterns.end(), [&](const std::vector<int>& pattern) {
+      return std::find(pattern.begin(), pattern.end(), input.groups.of[object]) != pattern.end();
+    });
+    const bool primary = input.scene.objects[object].role == ObjectRole::kPrimary;
+    if (primary && !is_in_pattern && !before.placed[object]) others.push_back(object);
+  }
+  if (others.empty()) return {before};
+  const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
+  const SceneCosts costs = BindCosts(input, centers);
+  const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
+  LayoutSearch search(search_input, MakeProblem(input, costs, {stage.kind, stage.zone, others}, before),
+                      before.layout);
+  Random random(RestartSeed(input.settings, stage, 0));
+  search.Construct(others, 0, random);
+  PartialLayout ahead = before;
+  for (int object : others) ahead.Place(object, search.layout()[object]);
+  return {before, ahead};
+}
+
 }  // namespace
 
 std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpec& stage, const PartialLayout& before) {
@@ -335,10 +359,11 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
       return input.groups.all[g].arrangements.empty() ||
              std::any_of(objects.begin(), objects.end(), [&](int o) { return !IsIn(stage, o) || before.placed[o]; });
     });
-    if (pattern.size() < kFewestAlike) continue;
+    if (pattern.size() < 2) continue;
+    if (starts.size() == 1) starts = WithOthersFirst(input, stage, patterns, starts[0]);
     std::vector<PartialLayout> next;
     for (const PartialLayout& start : starts) {
-      const size_t most = starts.size() == 1 ? kStarts : 1;
+      const size_t most = starts.size() < kStarts ? kStarts / starts.size() : 1;
       std::vector<PartialLayout> placed = PatternPlacer(input, stage, pattern).Place(start, most);
       if (placed.empty()) placed.push_back(start);
       std::move(placed.begin(), placed.end(), std::back_inserter(next));
