@@ -49,7 +49,6 @@ class BriefReader {
     if (facts_.reads_as_english) {
       for (const std::size_t i : facts_.told) used_[i] = true;
       Use(facts_.shape.begin, facts_.shape.end - facts_.shape.begin);
-      for (const std::string& thing : UnknownThings(tokens_, used_)) facts_.not_known.push_back(thing);
       for (const std::size_t i : pieces.counts) used_[i] = true;
       for (std::size_t i = 0; i < used_.size(); ++i) {
         const bool only = facts_.nothing_else && IsOneOf(tokens_[i].text, {"nothing", "else"});

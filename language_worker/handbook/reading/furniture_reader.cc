@@ -256,7 +256,7 @@ class FurnitureReader {
     for (const Wish& wish : facts_.wishes) {
       if (count.said || wish.seats == 0 || SeatOf(*wish.furniture, handbook_) != &furniture) continue;
       mentions_.push_back({&furniture, i, i + length, wish.count * wish.seats});
-      return TakeLooks(i, furniture);
+      return TakeLooks(i, length, furniture);
     }
     constexpr int kMostForEach = 4;
     if (count.number <= kMostForEach && !facts_.wishes.empty() && IsOneForEach(text_, used_, i, length)) {
@@ -274,7 +274,7 @@ class FurnitureReader {
     const bool further = IsFurther(text_, i);
     Mentioned(furniture, i, length, count);
     last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
-    TakeLooks(i, furniture);
+    TakeLooks(i, length, furniture);
     if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text_, i)) {
       if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text_.BehindPhrase(*at, "wall_mounted") - *at);
     }
@@ -345,7 +345,7 @@ class FurnitureReader {
 
   // "A green armchair", "two sage green velvet armchairs", "an oak and steel desk": colour and material are the
   // piece's, not the room's; of several the first.
-  void TakeLooks(std::size_t i, const hb::Furniture& furniture) {
+  void TakeLooks(std::size_t i, std::size_t name_length, const hb::Furniture& furniture) {
     bool coloured = false, made = false;
     std::size_t begin = text_.PhraseBegin(i);
     // "An oak and steel desk".
@@ -365,6 +365,12 @@ class FurnitureReader {
         Use(k, 1);
       }
     }
+    // "Cabinets pale blue, ...".
+    const std::size_t end = i + name_length;
+    const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, end, /*plural=*/false);
+    if (coloured || length == 0 || (end + length < tokens_.size() && !text_.IsSign(end + length))) return;
+    facts_.object_colours.emplace_back(&furniture, colour);
+    Use(end, length);
   }
 
   void Use(std::size_t start, std::size_t length) {

@@ -22,7 +22,8 @@ Landmark LandmarkReader::Read(std::size_t start) const {
   Landmark landmark = Pronoun(start);
   if (landmark.kind != Landmark::Kind::kNone) return landmark;
   const std::size_t at = BehindDeterminers(start);
-  landmark = Noun(at);
+  // "The fire" is a name by itself.
+  landmark = Noun(at > start && PieceAt(at - 1).second > 1 ? at - 1 : at);
   for (std::size_t i = start; i < at; ++i) {
     landmark.plural = landmark.plural || text_.At(i) == "two" || text_.At(i) == "2" || text_.At(i) == "both";
   }
@@ -85,7 +86,7 @@ Landmark LandmarkReader::Noun(std::size_t start) const {
       landmark.kind = feature;
       landmark.plural = tokens_[i].text.ends_with("s");
       landmark.end = i + 1;
-      for (std::size_t k = start; k < i; ++k) {
+      for (std::size_t k = start; k < i + (IsOfTheRoom(feature) ? 1 : 0); ++k) {
         if (tokens_[k].kind == Token::Kind::kWord)
           landmark.side += (landmark.side.empty() ? "" : " ") + tokens_[k].text;
       }
@@ -110,7 +111,14 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   if (IsIn("windows_of_the_room", text_.At(i))) return Landmark::Kind::kWindow;
   if (text_.At(i) == "wall" || text_.At(i) == "walls") return Landmark::Kind::kWall;
   if (text_.At(i) == "corner" || text_.At(i) == "corners") return Landmark::Kind::kCorner;
-  return Landmark::Kind::kNone;
+  // "The east end", "the left hand side", "on the left", "across the back": the wall there.
+  const std::size_t told = i > 1 && text_.At(i - 1) == "hand" ? i - 2 : i - 1;
+  const bool side = i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && text_.Is(told, "told_sides");
+  const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(i - 1, {"the", "your"});
+  const bool ends = i + 1 >= tokens_.size() || text_.IsSign(i + 1) || text_.Is(i + 1, "place_ends") ||
+                    text_.Is(i + 1, "thing_articles") || text_.BehindPhrase(i + 1, "of_the_room") ||
+                    text_.BehindPhrase(i + 1, "entering");
+  return (side || alone) && ends ? Landmark::Kind::kWall : Landmark::Kind::kNone;
 }
 
 void LandmarkReader::TakeSecond(Landmark& landmark) const {
@@ -140,15 +148,25 @@ void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
     if (door) add(opposite || farthest ? "far" : how == "with" ? "door" : "blank");
     if (window) add(opposite || farthest ? "across window" : how == "with" ? "window" : "blank");
     if (door || window) landmark.end = at + 1;
+    // "The wall across from it", "the wall opposite the bed".
+    const Landmark piece = door || window || !opposite ? Landmark() : Pronoun(at).end > 0 ? Pronoun(at) : Noun(at);
+    if (piece.end > 0) add("opposite");
+    landmark.end = std::max(landmark.end, piece.end);
   }
+  // "The wall to the left as you walk in."
+  const std::size_t told = landmark.end + 2;
+  if (text_.Says(landmark.end, {"to", "on"}) && text_.Is(told - 1, "determiners") && FeatureAt(told) == Landmark::Kind::kWall) {
+    add(text_.At(told));
+    landmark.end = told + 1;
+  }
+  if (const auto entering = text_.BehindPhrase(landmark.end, "entering")) landmark.end = *entering;
   // "The wall opposite", of what was spoken of before.
   if (how == "opposite" && how.data() == text_.At(landmark.end).data() &&
       (landmark.end + 1 >= text_.size() || text_.IsSign(landmark.end + 1))) {
     add("opposite");
     ++landmark.end;
   }
-  for (const Phrase& phrase : PhrasesOf("of_the_room"))
-    landmark.end += phrase.MatchAt(tokens_, landmark.end, /*plural=*/false);
+  landmark.end = text_.BehindPhrase(landmark.end, "of_the_room").value_or(landmark.end);
   landmark.side = sides;
 }
 

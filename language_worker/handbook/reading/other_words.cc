@@ -14,8 +14,6 @@ constexpr std::size_t kMostAdverbs = 4;
 constexpr std::size_t kMostBeforePersons = 2;
 constexpr double kMostCounted = 2000;
 constexpr std::size_t kMostThings = 8;
-constexpr std::size_t kMostWords = 5;
-constexpr std::size_t kMostBareWords = 3;
 constexpr std::size_t kShortText = 4;
 constexpr std::size_t kShortestName = 4;
 
@@ -107,73 +105,6 @@ class PeopleReader {
   std::vector<bool>& used_;
 };
 
-class ThingFinder {
- public:
-  ThingFinder(const std::vector<Token>& tokens, const std::vector<bool>& used)
-      : text_(tokens), tokens_(tokens), used_(used) {}
-
-  // Tokens [begin, end) of a thing; none when they are equal.
-  struct Found {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-  };
-
-  // The thing whose article or number is at `i`, if it is unknown.
-  Found ThingAt(std::size_t i) const {
-    if (used_[i] || !BeginsThing(i)) return {};
-    std::size_t end = i + 1;
-    while (end < tokens_.size() && Continues(end)) ++end;
-    while (end > i + 2 && tokens_[end - 1].text.ends_with("ed")) --end;  // "kneeler turned towards"
-    // The feet and inches of a size are no thing.
-    if (end == i + 1 || end > i + 1 + kMostWords || tokens_[i + 1].kind == Token::Kind::kSign) return {};
-    for (std::size_t k = i + 1; k < end; ++k) {
-      if (used_[k]) return {};
-    }
-    const std::string& first = tokens_[i + 1].text;
-    const std::string& last = tokens_[end - 1].text;
-    const bool none =
-        IsFormIn("no_things", first) || IsFormIn("no_things", last) || CountsPeople(last) || IsIn("openings", last);
-    return none ? Found() : Found{i + 1, end};
-  }
-
-  // The thing that is listed at `i` without an article: "a sofa, vending machine and bookshelf". Only one whose last
-  // word is said of things, since an adjective may be listed as well.
-  Found BareThingAt(std::size_t i) const {
-    if (i == 0 || !IsIn("listing", tokens_[i - 1].text)) return {};
-    std::size_t end = i;
-    for (; end < tokens_.size() && Continues(end) && end < i + kMostBareWords; ++end) {
-      if (used_[end] || IsIn("thing_articles", tokens_[end].text)) return {};
-    }
-    if (end == i || (end < tokens_.size() && Continues(end))) return {};
-    const bool thing = IsFormIn("thing_nouns", tokens_[end - 1].text) && !IsIn("thing_verbs", tokens_[i].text);
-    return thing ? Found{i, end} : Found();
-  }
-
- private:
-  bool BeginsThing(std::size_t i) const {
-    const Token& token = tokens_[i];
-    const bool number =
-        token.kind == Token::Kind::kNumber && i + 1 < tokens_.size() && !IsFormIn("unit_words", tokens_[i + 1].text);
-    if (!number && !IsIn("thing_articles", token.text) && !NumberWord(token.text)) return false;
-    if (i == 0) return true;
-    const Token& before = tokens_[i - 1];
-    return before.kind == Token::Kind::kSign ? before.text != "-" && before.text != "'"
-                                             : IsIn("before_things", before.text);
-  }
-
-  // Words, and the hyphens in them.
-  bool Continues(std::size_t i) const {
-    const Token& token = tokens_[i];
-    if (token.kind == Token::Kind::kSign) return (token.text == "-" || token.text == "'") && token.glued;
-    return token.kind == Token::Kind::kWord && !IsIn("after_things", token.text) &&
-           !(IsIn("thing_ends", token.text) && NamesNoThing(token.text));
-  }
-
-  const BriefText text_;
-  const std::vector<Token>& tokens_;
-  const std::vector<bool>& used_;
-};
-
 // Whether it asks for nothing by itself, in whatever form.
 bool IsIdle(std::string_view word) {
   return std::ranges::any_of(WordsOf("idle_lists"), [&](const std::string& list) { return IsFormIn(list, word); });
@@ -227,22 +158,6 @@ bool ReadsAsEnglish(const std::vector<Token>& tokens) {
   return words <= kShortText;
 }
 
-std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, std::vector<bool>& used) {
-  const ThingFinder finder(tokens, used);
-  const BriefText text(tokens);
-  std::vector<std::string> things;
-  for (std::size_t i = 0; i < tokens.size() && things.size() < kMostThings; ++i) {
-    ThingFinder::Found found = finder.ThingAt(i);
-    if (found.begin == found.end) found = finder.BareThingAt(i);
-    if (found.begin == found.end || IsFormIn("not_pieces", text.At(found.end - 1))) continue;
-    if (NamesNoThing(text.At(found.end - 1)) || IsFormIn("parts_of_furniture", text.At(found.end - 1))) continue;
-    std::string thing = text.Quote(found.begin, found.end);
-    for (std::size_t k = found.begin; k < found.end; ++k) used[k] = true;
-    if (!Includes(things, thing)) things.push_back(std::move(thing));
-  }
-  return things;
-}
-
 bool IsForeign(const std::vector<Token>& tokens) {
   const auto has = [&](std::string_view list) {
     return std::ranges::any_of(
@@ -262,7 +177,7 @@ std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const st
   };
   const auto asks = [&](std::size_t i) {
     const bool people = CountsPeople(text.At(i)) && !IsFormIn("seats_and_places", text.At(i));
-    if (people || text.IsNumber(i) || text.Is(i, "asking_words")) return true;
+    if (people || text.IsNumber(i) || text.Is(i, "asking_words") || IsFormIn("thing_nouns", text.At(i))) return true;
     const bool idle = text.At(i).size() < kShortestName || IsIdle(text.At(i)) || vocabulary.speller->Knows(text.At(i));
     return text.IsWord(i) && (names(i) || !idle);
   };

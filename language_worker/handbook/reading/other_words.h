@@ -29,11 +29,6 @@ bool ReadsAsEnglish(const std::vector<Token>& tokens);
 // Whether a text has words for rooms, or small words, of another language and none of the small words of English.
 bool IsForeign(const std::vector<Token>& tokens);
 
-// Things that the text lists with an article or a number ("with a counter, two ovens") and of whose words none is
-// `used`, as many tokens as `tokens`; in its order, eight at most. What is listed without either is found when its last
-// word is one for things ("vending machine"); else it may be an adjective. Marks their tokens.
-std::vector<std::string> UnknownThings(const std::vector<Token>& tokens, std::vector<bool>& used);
-
 // The other words that ask for something and that nobody has used, each with its neighbours: what names a piece, a room
 // or a colour, materials, directions, numbers, "both" and "no", people, and words that nobody knows; in the order of
 // the text, eight at most.

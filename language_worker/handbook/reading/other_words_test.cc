@@ -70,46 +70,6 @@ TEST(ReadYear, IsReadHoweverItIsSaid) {
 
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-
-// Of a text of which only the words in `known` were understood.
-std::vector<std::string> UnknownOf(std::string_view text, const std::vector<std::string>& known) {
-  const std::vector<Token> tokens = TokensOf(text);
-  std::vector<bool> used;
-  for (const Token& token : tokens) used.push_back(std::find(known.begin(), known.end(), token.text) != known.end());
-  return UnknownThings(tokens, used);
-}
-
-TEST(UnknownThings, AreWhatIsListedAndNotUnderstood) {
-  EXPECT_THAT(UnknownOf("A bakery of 50 m2 with a counter, two ovens, a proofing cabinet and four small tables.",
-                        {"counter", "ovens", "tables"}),
-              ElementsAre("bakery", "proofing cabinet"));
-  EXPECT_THAT(UnknownOf("A hall with 3 left-handed violins", {"hall"}), ElementsAre("left-handed violins"));
-  EXPECT_THAT(UnknownOf("A room for an orrery and for another orrery, with an orrery", {"room"}),
-              ElementsAre("orrery"));
-}
-
-TEST(UnknownThings, AreAlsoThoseListedWithoutAnArticle) {
-  EXPECT_THAT(UnknownOf("A foyer with sofa, vending machine, popcorn stand and plants", {"foyer", "sofa", "plants"}),
-              ElementsAre("vending machine", "popcorn stand"));
-  EXPECT_THAT(UnknownOf("A bedroom, calm and mossy, with light", {"bedroom"}), IsEmpty());
-  EXPECT_THAT(UnknownOf("A bedroom with bed, put the board away", {"bedroom", "bed"}), IsEmpty());
-}
-
-TEST(UnknownThings, AreNoSizesMoodsOrPeople) {
-  EXPECT_THAT(UnknownOf("A bedroom that is 4 m x 5 m, 3 metres high", {"bedroom"}), IsEmpty());
-  EXPECT_THAT(UnknownOf("A bedroom, calm and a bit mossy, with a touch of gold", {"bedroom"}), IsEmpty());
-  EXPECT_THAT(UnknownOf("An office for six people and 20 children", {"office"}), IsEmpty());
-  EXPECT_THAT(UnknownOf("", {}), IsEmpty());
-}
-
-TEST(UnknownThings, AreToldOnceAndEightAtMost) {
-  std::string text = "with";
-  for (char c = 'a'; c < 'z'; ++c) text += std::string(" a q") + c + c + ",";
-  EXPECT_EQ(UnknownOf(text, {}).size(), 8u);
-}
-
 TEST(ReadsAsEnglish, KnowsOtherLanguages) {
   EXPECT_TRUE(ReadsAsEnglish(TokensOf("A bedroom that is 4m x 5m.")));
   EXPECT_TRUE(ReadsAsEnglish(TokensOf("Bedroom 4m x 5m")));

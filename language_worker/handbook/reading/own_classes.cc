@@ -121,7 +121,7 @@ class OwnFinder {
 
   bool IsSaidOf(std::size_t i) const {
     const std::string_view word = text_.At(i);
-    return word == "-" || word.ends_with("ly") ||
+    return word == "-" || word.ends_with("ly") || text_.Is(i, "said_behind") ||
            ((word.ends_with("ing") || word.ends_with("ed")) && mention_at_[i] == nullptr && !text_.EndsSentence(i + 1));
   }
 
@@ -135,7 +135,8 @@ class OwnFinder {
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       if (used_[i] && mention_at_[i] == nullptr && !IsAdjective(i)) return false;
       // "The bathtub nestles into": a verb.
-      if (mention_at_[i] != nullptr && noun.ends_with('s')) return false;
+      const bool verb = mention_at_[i] != nullptr && noun.ends_with('s');
+      if (verb && !handbook_.vocabulary().meanings->ThingOf(noun).is_thing) return false;
     }
     const bool holds_a_piece =
         std::any_of(mention_at_.begin() + static_cast<std::ptrdiff_t>(phrase.begin),
@@ -243,6 +244,7 @@ class OwnFinder {
     bool counted = phrase.counted;
     for (std::size_t i = phrase.begin - (phrase.counted ? 1 : 0); i > 0; --i) {
       const std::size_t at = i - 1;
+      if (used_[at] && mention_at_[at] == nullptr && text_.IsWord(at)) continue;
       if (text_.EndsSentence(at) || text_.At(at) == ":" || text_.Is(at, "having") || text_.Is(at, "holding_words")) {
         return true;
       }

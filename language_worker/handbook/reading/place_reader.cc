@@ -10,7 +10,6 @@
 #include "fmt/format.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/landmark.h"
-#include "language_worker/handbook/reading/mention_list.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/target_finder.h"
@@ -27,7 +26,8 @@ bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool oth
   if (IsOfAnyKind(furniture)) return true;
   const bool floor = IsOnTheFloor(furniture);
   if (otherwise) return MayBeCarriedOtherwise(furniture, asked);
-  if (furniture.walk_over() && AskedNames(asked, "faces")) return false;  // it has no front
+  // It has neither front nor back.
+  if (furniture.walk_over() && (AskedNames(asked, "faces") || AskedNames(asked, "{wall}"))) return false;
   if (asked.kinds().empty()) return floor && (!furniture.walk_over() || !AskedNames(asked, "under the {target}"));
   return std::ranges::find(asked.kinds(), static_cast<int>(furniture.kind())) != asked.kinds().end() &&
          (!floor || furniture.walk_over());
@@ -47,7 +47,7 @@ class PlaceReader {
         patterns_(handbook, tokens, landmarks_),
         named_(tokens, mentions),
         by_landmark_(mentions.size(), false),
-        targets_(mentions, named_, by_landmark_) {}
+        targets_(mentions, named_, by_landmark_, facts.places) {}
 
   void Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -96,7 +96,8 @@ class PlaceReader {
       const bool sign = before.kind == Token::Kind::kSign && !text_.EndsSentence(at - 1) && before.text != "(";
       const bool filler = IsIn("place_fillers", before.text) || IsIn("group_fillers", before.text) ||
                           before.text.ends_with("ed") || before.text.ends_with("ing") || before.text.ends_with("ly") ||
-                          before.text == "and" || before.text == "but" || before.text == "the" || before.text == "of";
+                          before.text == "and" || before.text == "but" || before.text == "the" || before.text == "of" ||
+                          before.text == "in" || IsFormIn("groups_of_pieces", before.text);
       if (!sign && !filler && before.kind != Token::Kind::kNumber) return std::nullopt;
     }
     return std::nullopt;
@@ -271,7 +272,11 @@ class PlaceReader {
   // "A chest at the foot of each bed": as many as there are beds.
   int OneForEach(const Place& place, std::size_t begin, std::size_t end) const {
     bool each = false;
-    for (std::size_t i = begin; i < end; ++i) each = each || text_.Says(i, {"each", "every"});
+    for (std::size_t i = begin; i < end; ++i) {
+      each = each || text_.Says(i, {"each", "every"});
+      // "A barre along both long walls".
+      if (text_.At(i) == "both" && AskedNames(*place.asked, "{wall}")) return 2;
+    }
     const auto target = std::ranges::find(facts_.wishes, place.target, &Wish::furniture);
     return each && place.target != nullptr && target != facts_.wishes.end() ? target->count : 0;
   }

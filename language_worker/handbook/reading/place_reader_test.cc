@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,37 @@ struct PlaceCase {
 
 void ExpectEach(const std::vector<PlaceCase>& cases) {
   for (const PlaceCase& one : cases) EXPECT_THAT(PlacesIn(one.text), ElementsAre(one.sentence)) << one.text;
+}
+
+TEST(PlaceReader, WallsAreAlsoSidesAndEndsAndWhatIsAcrossFromAPiece) {
+  const struct {
+    const char* text;
+    const char* piece;
+    const char* sentence;
+    const char* side;
+    const char* target;
+  } kCases[] = {
+      {"A study with a desk at the far end.", "desk", "The {object}'s back is against {wall}.", "far", ""},
+      {"A chapel with an altar at the east end.", "altar", "The {object}'s back is against {wall}.", "east", ""},
+      {"A study with an armchair on the left as you enter.", "armchair", "The {object}'s back is against {wall}.", "left",
+       ""},
+      {"A bedroom with a bed and one nightstand on the left.", "nightstand",
+       "The {object} is next to the right side of the {target}.", "", "double bed"},
+      {"A bedroom with a bed, two nightstands and a bench at the foot.", "bedroom bench",
+       "The {object} is next to the front of the {target}.", "", "double bed"},
+      {"A bedroom with the bed on the north wall and a wardrobe on the wall across from it.", "wardrobe",
+       "The {object}'s back is against {wall}.", "across north", ""},
+      {"A living room with a sofa facing the fire, a low table between.", "coffee table",
+       "The {object} is between the {first} and the {second}.", "", "sofa"}};
+  for (const auto& expected : kCases) {
+    const BriefFacts facts = FactsOf(expected.text);
+    const auto place = std::ranges::find_if(
+        facts.places, [&](const Place& one) { return one.furniture->name() == expected.piece; });
+    ASSERT_NE(place, facts.places.end()) << expected.text;
+    EXPECT_EQ(place->asked->relation().text(), expected.sentence) << expected.text;
+    EXPECT_EQ(place->side, expected.side) << expected.text;
+    EXPECT_EQ(place->target == nullptr ? "" : place->target->name(), expected.target) << expected.text;
+  }
 }
 
 TEST(PlaceReader, BetweenTwoPieces) {

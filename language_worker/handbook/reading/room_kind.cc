@@ -146,7 +146,8 @@ class RoomKindReader {
   }
 
   bool Closes(std::size_t i) const {
-    return i >= words_.size() || words_.IsSign(i) || words_.IsNumber(i) || words_.Is(i, "after_a_room");
+    return i >= words_.size() || words_.IsSign(i) || words_.IsNumber(i) || words_.Is(i, "after_a_room") ||
+           words_.At(i).ends_with("ing");  // "a classroom seating 30"
   }
 
   // "with a small home office", "with a library and a piano": not "with a view of the church".

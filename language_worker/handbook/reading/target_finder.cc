@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/target_finder.h"
 
-#include <optional>
+#include <algorithm>
+
+#include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
 
 bool TargetFinder::Find(std::size_t subject, const PlacePatterns::Match& match, Place& place) const {
   place.side = match.landmark.side;
+  if (place.side == "opposite" && !OppositeOfLast().empty()) place.side = OppositeOfLast();
   if (AskedNames(*match.asked, "{first}")) return FindPair(subject, match.landmark, place);
   if (!AskedNames(*match.asked, "{target}")) return true;
+  // "A king bed with a bench at the foot", "a nightstand on the left": of what it usually stands by.
+  const hb::Furniture& piece = *mentions_[subject].furniture;
+  if (match.landmark.kind == Landmark::Kind::kNone && IsOnTheFloor(piece)) {
+    place.target = Partner(piece);
+    if (place.target != nullptr) return true;
+    if (AskedNames(*match.asked, "side of the {target}") && match.asked->relation().condition().min_count() < 2) return false;
+  }
   if (match.landmark.kind != Landmark::Kind::kPiece) return FindNamedBefore(subject, match.landmark.plural, place);
   place.target = match.landmark.piece;
   return place.target != mentions_[subject].furniture;
@@ -21,6 +31,13 @@ bool TargetFinder::FindPair(std::size_t subject, const Landmark& landmark, Place
     place.target = landmark.piece;
     place.other = landmark.second != nullptr ? landmark.second : landmark.piece;
     return place.target != piece && place.other != piece;
+  }
+  // "A sofa facing the fire, a low table between": those two.
+  if (!places_.empty() && places_.back().target != nullptr && AskedNames(*places_.back().asked, "faces the {target}") &&
+      places_.back().furniture != piece && places_.back().target != piece) {
+    place.target = places_.back().furniture;
+    place.other = places_.back().target;
+    return true;
   }
   // The two that were named last before it, those first that do not only tell where others go.
   for (const bool landmarks_too : {false, true}) {
@@ -38,6 +55,24 @@ bool TargetFinder::FindPair(std::size_t subject, const Landmark& landmark, Place
     }
   }
   return false;
+}
+
+// The piece of the brief that it usually stands by; null for none.
+const hb::Furniture* TargetFinder::Partner(const hb::Furniture& piece) const {
+  const auto partner = std::ranges::find_if(mentions_, [&](const Mention& mention) {
+    return mention.furniture != &piece && IsOnTheFloor(*mention.furniture) && StandsWith(piece, *mention.furniture);
+  });
+  return partner == mentions_.end() ? nullptr : partner->furniture;
+}
+
+// Of the wall where a piece was put last the one across the room; empty where no wall was named.
+std::string TargetFinder::OppositeOfLast() const {
+  for (std::size_t i = places_.size(); i-- > 0;) {
+    const std::string& side = places_[i].side;
+    if (side.empty() || !AskedNames(*places_[i].asked, "{wall}")) continue;
+    return side.find(' ') == std::string::npos ? "across " + side : "";
+  }
+  return "";
 }
 
 // "next to it", "on top": the piece that was named before; for what is carried the last that has a top, best one for
@@ -60,6 +95,57 @@ bool TargetFinder::FindNamedBefore(std::size_t subject, bool plural, Place& plac
     }
   }
   return place.target != nullptr;
+}
+
+MentionList::MentionList(const std::vector<Token>& tokens, const std::vector<Mention>& mentions)
+    : text_(tokens), mentions_(mentions), at_(tokens.size(), mentions.size()) {
+  for (std::size_t m = 0; m < mentions.size(); ++m) {
+    for (std::size_t i = mentions[m].begin; i < mentions[m].end; ++i) at_[i] = m;
+  }
+}
+
+std::optional<std::size_t> MentionList::At(std::size_t token) const {
+  return token < at_.size() && at_[token] < mentions_.size() ? std::optional(at_[token]) : std::nullopt;
+}
+
+std::optional<std::size_t> MentionList::From(std::size_t token) const {
+  constexpr std::size_t kMostBetween = 6;
+  for (std::size_t i = token; i < text_.size() && i < token + kMostBetween; ++i) {
+    if (At(i)) return At(i);
+    if (!Describes(i)) break;
+  }
+  return std::nullopt;
+}
+
+bool MentionList::AreListed(std::size_t first, std::size_t second) const {
+  constexpr std::size_t kMostBetween = 7;
+  const std::size_t begin = mentions_[first].end, end = mentions_[second].begin;
+  if (end <= begin || end - begin > kMostBetween) return false;
+  bool joined = false;
+  for (std::size_t i = begin; i < end; ++i) {
+    const bool joint = text_.Says(i, {",", "and"});
+    joined = joined || joint;
+    if (!joint && !Describes(i)) return false;
+  }
+  return joined;
+}
+
+std::optional<std::size_t> MentionList::HolderOf(std::size_t held) const {
+  std::size_t first = held;
+  while (first > 0 && AreListed(first - 1, first)) --first;
+  if (first == 0) return std::nullopt;
+  bool with = false;
+  for (std::size_t i = mentions_[first - 1].end; i < mentions_[first].begin; ++i) {
+    with = with || text_.At(i) == "with";
+    if (text_.At(i) != "with" && !Describes(i)) return std::nullopt;
+  }
+  return with ? std::optional(first - 1) : std::nullopt;
+}
+
+// Whether a token may stand before the noun of a piece.
+bool MentionList::Describes(std::size_t token) const {
+  if (text_.IsHyphen(token) || text_.Is(token, "thing_articles") || NumberWord(text_.At(token))) return true;
+  return !text_.IsSign(token) && !text_.Is(token, "thing_ends");
 }
 
 }  // namespace flair::language

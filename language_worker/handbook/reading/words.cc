@@ -145,7 +145,8 @@ std::size_t Phrase::MatchAt(const std::vector<Token>& tokens, std::size_t start,
       if (number != nullptr) *number = digits ? static_cast<int>(token.number) : *named;
     } else if (token.kind == Token::Kind::kNumber) {
       // "2-seater" for "two-seater".
-      if (token.text != wanted && (wanted.size() < 3 || NumberWord(wanted) != token.number)) return 0;
+      if (token.text != wanted && (wanted.size() < 3 || IsIn("vague_numbers", wanted) || NumberWord(wanted) != token.number))
+        return 0;
     } else if (token.text != wanted) {
       const bool any_form = wanted.back() == '*' || (plural && w + 1 == words_.size());
       if (!any_form || !MatchesWord(token.text, wanted)) return 0;

@@ -104,7 +104,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, const Gr
 std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const Group& group) const {
   std::vector<v1::Sentence> sentences;
   for (std::size_t i = 0; i < group.size(); ++i) {
-    const std::optional<int> wall = WallOf(room_, i == 0 ? "left" : "right");
+    const bool told = !place.side.empty() && place.side != "opposite";
+    const std::optional<int> wall = WallOf(room_, i == 0 ? (told ? place.side : "left") : told ? "across " + place.side : "right");
     if (!wall) return {};
     sentences.push_back(
         writer_.WriteOne(place.asked->relation(), {group[i]}, {}, i, {{"wall", TheWall(room_, *wall)}}));
