@@ -115,7 +115,8 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   const std::size_t told = i > 1 && text_.At(i - 1) == "hand" ? i - 2 : i - 1;
   const bool side = i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && text_.Is(told, "told_sides");
   const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(i - 1, {"the", "your"});
-  const bool ends = i + 1 >= tokens_.size() || text_.IsSign(i + 1) || text_.Is(i + 1, "place_ends") ||
+  const bool sign = text_.IsSign(i + 1) && !text_.IsHyphen(i + 1);  // "the north-east corner"
+  const bool ends = i + 1 >= tokens_.size() || sign || text_.Is(i + 1, "place_ends") ||
                     text_.Is(i + 1, "thing_articles") || text_.BehindPhrase(i + 1, "of_the_room") ||
                     text_.BehindPhrase(i + 1, "entering");
   return (side || alone) && ends ? Landmark::Kind::kWall : Landmark::Kind::kNone;
