@@ -154,6 +154,23 @@ TEST(Groups, EveryoneHasAPlaceOrItIsSaid) {
   EXPECT_EQ(full.objects.diagnostics(0).code(), "people_without_place");
 }
 
+TEST(Groups, WhatIsAskedForInGroupsStandsInZonesOfItsOwn) {
+  const Plan office = PlanFor("An office of 10 m x 9 m with sixteen desks in four blocks of four.");
+  std::map<std::string, int> in_zone;
+  for (const v1::Object& object : office.objects.objects()) in_zone[object.zone_id()] += object.name() == "desk" ? 1 : 0;
+  EXPECT_EQ(std::ranges::count(in_zone, 4, &std::pair<const std::string, int>::second), 4);
+  const Plan cafe = PlanFor("A café of 9 m x 8 m with four tables for four and three tables for two.");
+  EXPECT_EQ(cafe.Count("dining table"), 7);
+  EXPECT_EQ(cafe.Count("dining chair"), 22);
+  // Groups of two classes in one zone have names of their own.
+  v1::Brief brief;
+  brief.set_text("A lounge of 9 m x 8 m with twelve armchairs in small clusters and six side tables in three groups.");
+  const v1::Room room = *DescribeRoom(brief, TheHandbook());
+  std::map<std::string, int> ids;
+  for (const v1::Zone& zone : PlanZones(brief, room, TheHandbook())->zones()) EXPECT_EQ(++ids[zone.id()], 1) << zone.id();
+  EXPECT_GE(ids.size(), 4u);
+}
+
 TEST(Groups, WhatIsWantedOnlyIfThereIsRoomGoesFirstAndIsNoComplaint) {
   const Plan roomy = PlanFor("A dining room of 6 m x 6 m with a bench if there is room.");
   EXPECT_EQ(roomy.Count("dining bench"), 1);

@@ -145,7 +145,7 @@ class WishMaker {
       const std::string zone = fmt::format("{} for {}", item->zone, wish.seats);
       const auto spec = std::ranges::find(program_.zones, item->zone, &hb::ZoneSpec::name);
       if (spec == program_.zones.end()) return false;
-      program_.zones.insert(spec + 1, *spec)->set_name(zone);
+      if (!HasZone(program_, zone)) program_.zones.insert(spec + 1, hb::ZoneSpec(*spec))->set_name(zone);
       items.insert(items.begin(), {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
       SeatAt(*wish.furniture, wish.count, wish.seats, zone);
       return true;
