@@ -167,7 +167,8 @@ TEST(Groups, WhatIsAskedForInGroupsStandsInZonesOfItsOwn) {
   brief.set_text("A lounge of 9 m x 8 m with twelve armchairs in small clusters and six side tables in three groups.");
   const v1::Room room = *DescribeRoom(brief, TheHandbook());
   std::map<std::string, int> ids;
-  for (const v1::Zone& zone : PlanZones(brief, room, TheHandbook())->zones()) EXPECT_EQ(++ids[zone.id()], 1) << zone.id();
+  const v1::ZonePlan zones = *PlanZones(brief, room, TheHandbook());
+  for (const v1::Zone& zone : zones.zones()) EXPECT_EQ(++ids[zone.id()], 1) << zone.id();
   EXPECT_GE(ids.size(), 4u);
 }
 
