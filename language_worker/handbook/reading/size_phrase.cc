@@ -39,7 +39,7 @@ class SizeOwner {
 
   // "A desk 1.8 x 0.9 m": sides right behind a thing, one of them shorter than a room's.
   bool IsRightBehindAThing(std::size_t start, double shorter_m) const {
-    constexpr double kLeastSideM = 1.5;
+    constexpr double kLeastSideM = 1.6;
     return shorter_m < kLeastSideM && IsBehindAThing(start, shorter_m);
   }
 
@@ -177,10 +177,10 @@ class SizeReader {
   SizeRequest Read() {
     for (std::size_t i = 0; i < text_.size() && !size_.in_numbers(); ++i) {
       if (const std::optional<SidePair> sides = PairAt(text_, i)) {
-        // There is one room: "140 x 70 cm each" is said of pieces.
+        // There is one room: "140 x 70 cm each" is said of pieces, "2 by 2 m of bare floor" of a part of it.
         const double shorter_m = std::min(sides->width_m, sides->depth_m);
         if (owner_.IsOfAThing(i, sides->end) || owner_.IsRightBehindAThing(i, shorter_m) ||
-            text_.Says(sides->end, {"each", "apiece"})) {
+            text_.Says(sides->end, {"each", "apiece"}) || text_.Is(sides->end + 1, "free_floors")) {
           i = sides->end - 1;
           continue;
         }
@@ -188,7 +188,8 @@ class SizeReader {
         size_.depth_m = sides->depth_m;
         Use(i, sides->end);
       } else if (const auto area = english::MeasureAt(text_.tokens(), i, english::v1::Unit::KIND_AREA);
-                 area && area->unit > 0 && !owner_.IsOfAThing(i, area->end)) {
+                 area && area->unit > 0 && !owner_.IsOfAThing(i, area->end) &&
+                 !text_.Is(area->end + 1, "free_floors")) {
         size_.area_m2 = area->value;
         Use(i, area->end);
       }

@@ -64,6 +64,8 @@ TEST(ReadSize, KeepsTheCeilingApartFromTheSides) {
 }
 
 TEST(ReadSize, TheHeightMayStandBeforeItsNumber) {
+  EXPECT_FALSE(Read("A guest room with at least 2 by 2 m of bare floor")->in_numbers());
+  EXPECT_FALSE(Read("A railway room. Large layout table 3.5 m x 1.5 m he can walk around.")->in_numbers());
   EXPECT_DOUBLE_EQ(*Read("A captain's cabin of 4 x 5 m. Low ceiling, maybe 1.9 m.")->height_m, 1.9);
   EXPECT_FALSE(Read("A model railway room of 4 x 5 m, the layout at 1.2 m high")->height_m.has_value());
   for (const char* text : {"A room of 4 x 5 m. Height 2.4 m.", "a 4 x 5 m room with a ceiling of 2.4 m",
