@@ -9,6 +9,7 @@
 
 #include "english/words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
+#include "language_worker/handbook/reading/guess_kind.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"
@@ -164,13 +165,14 @@ class BriefReader {
       return archetype != nullptr;
     };
     const Meanings& meanings = *handbook_.vocabulary().meanings;
-    if ((!NamesAPiece(begin, end) && taken(meanings.RoomOf(text.Quote(begin, end)))) || taken(MostHintedAt())) return;
+    if ((!NamesAPiece(begin, end) && taken(meanings.RoomOf(text.Quote(begin, end)))) ||
+        taken(MostHintedAt(handbook_, tokens_)))
+      return;
     // "A breakfast room", "a sleeping module": what goes on there.
     for (std::size_t i = end; end > begin && text.Is(end - 1, "room_like_nouns") && i - 1 > begin; --i) {
       if (text.IsWord(i - 2) && taken(meanings.RoomFor(text.At(i - 2)))) return;
     }
-    facts_.archetype = &handbook_.fallback_archetype();
-    GuessByFurniture();
+    facts_.archetype = &KindOfPieces(handbook_, tokens_);
   }
 
   bool NamesAPiece(std::size_t begin, std::size_t end) const {
@@ -178,48 +180,6 @@ class BriefReader {
       if (LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true).second + i >= end) return true;
     }
     return false;
-  }
-
-  const hb::Archetype* MostHintedAt() const {
-    const hb::Archetype* hinted = nullptr;
-    int most = 0;
-    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
-      int hints = 0;
-      for (const std::string& hint : archetype.hints()) hints += Phrase(hint).Occurs(tokens_) ? 1 : 0;
-      if (hints <= most) continue;
-      most = hints;
-      hinted = &archetype;
-    }
-    return hinted;
-  }
-
-  // The kind that most of the pieces that are named belong to, the first of them above all: of "a trestle table with
-  // two benches" a dining room.
-  void GuessByFurniture() {
-    constexpr int kFirst = 4, kMainPiece = 2;
-    std::vector<std::string> named;
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const auto [furniture, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
-      if (furniture == nullptr) continue;
-      named.push_back(furniture->name());
-      i += length - 1;
-    }
-    int most = 0;
-    for (const hb::Archetype& archetype : handbook_.contents().archetypes()) {
-      if (archetype.fallback() || archetype.zones().empty()) continue;
-      int score = 0;
-      bool any_main = false;
-      for (const std::string& name : named) {
-        const auto& usual = archetype.bands(archetype.bands_size() / 2).objects();
-        const bool is_usual = std::ranges::find(usual, name, &hb::ObjectEntry::furniture) != usual.end();
-        const int worth = Includes(archetype.zones(0).primaries(), name) ? kMainPiece : is_usual ? 1 : 0;
-        any_main = any_main || worth == kMainPiece;
-        score += worth * (&name == &named.front() ? kFirst : 1);
-      }
-      if (!any_main || score <= most) continue;
-      most = score;
-      facts_.archetype = &archetype;
-    }
   }
 
   void ReadThemesAndStyles() {

@@ -30,7 +30,7 @@ class FurnitureReader {
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i] || IsMeasure(text_, i) || IsAVerb(i) || IsAShape(i)) continue;
+      if (used_[i] || IsMeasure(text_, i) || IsAVerb(text_, i) || IsAShape(text_, i)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
       const bool seats = SeatsFollow(text_, i + 1);
@@ -53,7 +53,7 @@ class FurnitureReader {
         continue;
       }
       if (named != nullptr && named->named_as_said() && !own &&
-          (IsOfAPurpose(i) || AnyAt(i + name_length) != nullptr)) {
+          (IsOfAPurpose(text_, i) || AnyAt(i + name_length) != nullptr)) {
         i += name_length - 1;
         continue;
       }
@@ -79,7 +79,7 @@ class FurnitureReader {
       }
       if (!text_.Is(i, "places_of_people")) Use(i, length);  // they count people, too
       i += length - 1;
-      if (!mentions_.empty() && mentions_.back().end == i + 1) mentions_.back().end = BehindParts(i + 1);
+      if (!mentions_.empty() && mentions_.back().end == i + 1) mentions_.back().end = BehindParts(text_, i + 1);
     }
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
     std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
@@ -124,17 +124,6 @@ class FurnitureReader {
     return false;
   }
 
-  // "The office showcases a desk".
-  bool IsAVerb(std::size_t i) const {
-    return text_.Is(i, "verbs_of_having") && (text_.Is(i + 1, "thing_articles") || NumberWord(text_.At(i + 1)));
-  }
-
-  // The boat of a boat-shaped table.
-  bool IsAShape(std::size_t i) const {
-    const std::size_t next = text_.IsHyphen(i + 1) ? i + 2 : i + 1;
-    return text_.Says(next, {"shaped", "shape"});
-  }
-
   // "Eighteen seats": what the room has for each; at a table that was spoken of its own. Null for other words.
   const hb::Furniture* SeatsAt(std::size_t i) const {
     const std::size_t begin = text_.PhraseBegin(i);
@@ -154,24 +143,6 @@ class FurnitureReader {
       }
     }
     return seat != nullptr && (IsSeat(*seat) || seat->category() == "armchair") ? seat : nullptr;
-  }
-
-  // "with sliding doors", "without a headboard": words for a part of the piece before them.
-  std::size_t BehindParts(std::size_t end) const {
-    constexpr std::size_t kMostOfAPart = 4;
-    if (!text_.Says(end, {"with", "without"})) return end;
-    for (std::size_t i = end + 1; i < tokens_.size() && i <= end + kMostOfAPart; ++i) {
-      if (IsFormIn("parts_of_furniture", text_.At(i))) return i + 1;
-      if (!text_.IsWord(i) && !text_.IsHyphen(i) && !text_.IsNumber(i)) break;
-    }
-    return end;
-  }
-
-  // "hooks for hats", "a desk for writing letters": small things by which another piece's use is told.
-  bool IsOfAPurpose(std::size_t i) const {
-    const std::size_t begin = text_.PhraseBegin(i);
-    const bool article = begin < i && (text_.Is(begin, "thing_articles") || NumberWord(text_.At(begin)));
-    return begin > 0 && !article && text_.Says(begin - 1, {"for", "of", "to", "like"});
   }
 
   // "a luggage rack": its last word is a class, but the thing is none.

@@ -257,6 +257,31 @@ bool IsSeat(const hb::Furniture& furniture) {
   return furniture.category() == "chair" || furniture.category() == "stool";
 }
 
+bool IsAVerb(const BriefText& text, std::size_t i) {
+  return text.Is(i, "verbs_of_having") && (text.Is(i + 1, "thing_articles") || NumberWord(text.At(i + 1)));
+}
+
+bool IsAShape(const BriefText& text, std::size_t i) {
+  const std::size_t next = text.IsHyphen(i + 1) ? i + 2 : i + 1;
+  return text.Says(next, {"shaped", "shape"});
+}
+
+std::size_t BehindParts(const BriefText& text, std::size_t end) {
+  constexpr std::size_t kMostOfAPart = 4;
+  if (!text.Says(end, {"with", "without"})) return end;
+  for (std::size_t i = end + 1; i < text.size() && i <= end + kMostOfAPart; ++i) {
+    if (IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
+    if (!text.IsWord(i) && !text.IsHyphen(i) && !text.IsNumber(i)) break;
+  }
+  return end;
+}
+
+bool IsOfAPurpose(const BriefText& text, std::size_t i) {
+  const std::size_t begin = text.PhraseBegin(i);
+  const bool article = begin < i && (text.Is(begin, "thing_articles") || NumberWord(text.At(begin)));
+  return begin > 0 && !article && text.Says(begin - 1, {"for", "of", "to", "like"});
+}
+
 const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& handbook) {
   for (const hb::ObjectEntry& companion : furniture.companions()) {
     const hb::Furniture* seat = handbook.FindFurniture(companion.furniture());

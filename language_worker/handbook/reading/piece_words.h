@@ -77,6 +77,18 @@ bool IsOptional(const BriefText& text, const std::vector<bool>& used, std::size_
 // "only a bed and a wardrobe", "just a desk", "nothing but a sofa", "and nothing else".
 bool AsksForNothingElse(const Handbook& handbook, const BriefText& text);
 
+// Whether the word is a verb before what a room has: "the office showcases a desk".
+bool IsAVerb(const BriefText& text, std::size_t i);
+
+// The boat of a boat-shaped table.
+bool IsAShape(const BriefText& text, std::size_t i);
+
+// Where words for a part of the piece before `end` stop: "with sliding doors", "without a headboard"; else `end`.
+std::size_t BehindParts(const BriefText& text, std::size_t end);
+
+// "Hooks for hats", "a desk for writing letters": small things by which another piece's use is told.
+bool IsOfAPurpose(const BriefText& text, std::size_t i);
+
 // "chair" of "dining chair".
 std::string LastWord(const std::string& name);
 
