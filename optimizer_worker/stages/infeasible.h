@@ -69,6 +69,13 @@ void LeaveOutOf(const SolveInput& input, Branch& branch);
 absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input, const RestartRunner& runner,
                                                         std::vector<Branch> branches);
 
+// Leaves out spare objects (Object.spare) that do not stand as their own sentences want it by 0.15 m or more, do not fit,
+// or keep another object from what it needs, with what they carry and what is placed by them; then solves the rest anew
+// and keeps that when its calls hold no worse. Objects that carry, or place, what is to stay are not spare. Errors as
+// Driver::Run.
+absl::StatusOr<std::vector<Branch>> SolveWithoutBadSpares(const SolveInput& input, const RestartRunner& runner,
+                                                          std::vector<Branch> branches);
+
 using IdSet = std::set<std::string, std::less<>>;
 
 // Takes objects out of a graph with all that refers to them: edges that name them (one that lists several objects only

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <map>
+#include <optional>
 
+#include "evaluation/metrics/layout_metrics.h"
 #include "fmt/format.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/infeasible.h"
 #include "optimizer_worker/stages/solved_layout.h"
@@ -60,18 +63,6 @@ std::string ReasonOf(const SolveInput& input, const PartialLayout& without, cons
   const int other = misfit.object == object ? misfit.other : misfit.object;
   return fmt::format("it {} \"{}\" by {:.2f} m wherever it is put", misfit.what, input.scene.objects[other].id,
                      misfit.depth_m);
-}
-
-// Whether it names an object that `gone` is true of.
-template <typename Gone>
-bool Names(const v1::Meaning& meaning, const Gone& gone) {
-  const auto among = [&](const auto& participants) {
-    return std::any_of(participants.begin(), participants.end(),
-                       [&](const v1::Participant& one) { return gone(one.object_id()); });
-  };
-  return std::any_of(meaning.facts().begin(), meaning.facts().end(), [&](const v1::Fact& fact) {
-    return among(fact.movers()) || among(fact.targets()) || among(fact.others());
-  });
 }
 
 void TakeOut(Branch& branch, int object, std::string reason) {
@@ -218,73 +209,162 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
 
 namespace {
 
-template <typename Message, typename Drop>
-void Erase(google::protobuf::RepeatedPtrField<Message>& list, const Drop& drop) {
-  int kept = 0;
-  for (int i = 0; i < list.size(); ++i) {
-    if (drop(list[i])) continue;
-    if (kept != i) list.SwapElements(kept, i);
-    ++kept;
-  }
-  list.DeleteSubrange(kept, list.size() - kept);
+// What a spare piece may miss: 0.15 m of what its sentences want, where they weigh at least 1.
+constexpr double kBadCost = 0.0225;
+constexpr double kBadWeight = 1;
+
+// The object that a call places; -1 when it names several or none.
+int MoverOf(const SolveInput& input, const v1::ConstraintEdge& edge) {
+  return edge.arguments().empty() ? -1 : input.scene.IndexOf(edge.arguments(0).value().text());
 }
 
-v1::Diagnostic About(const char* code, const v1::ConstraintEdge& edge, std::string message) {
-  v1::Diagnostic diagnostic;
-  diagnostic.set_severity(v1::SEVERITY_NOTE);
-  diagnostic.set_code(code);
-  diagnostic.set_subject_id(edge.id());
-  diagnostic.set_message(std::move(message));
-  return diagnostic;
+// Per object, whether the room does without it: not where it carries what is to stay, nor where that is placed by it.
+std::vector<char> FindSpares(const SolveInput& input) {
+  const int count = static_cast<int>(input.scene.objects.size());
+  std::vector<char> spare(count);
+  for (int i = 0; i < count; ++i) {
+    const v1::Object& object = input.graph.object_list().objects(i);
+    spare[i] = object.spare() && !object.requested() && !input.pinned[i];
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    const auto keep = [&](int object) {
+      changed = changed || spare[object];
+      spare[object] = 0;
+    };
+    for (int i = 0; i < count; ++i) {
+      if (const int host = input.scene.objects[i].host; host >= 0 && !spare[i]) keep(host);
+    }
+    for (const v1::ConstraintEdge& edge : input.graph.edges()) {
+      const int mover = MoverOf(input, edge);
+      if (mover >= 0 && spare[mover]) continue;
+      for (int object : NamedObjects(edge, input.scene)) keep(object);
+    }
+  }
+  return spare;
 }
 
-// What becomes of an edge: "" when it may stay as it is now, else the removed object that it cannot do without.
-std::string Shrink(const IdSet& ids, v1::ConstraintEdge& edge, bool& shrunk) {
-  for (v1::Argument& argument : *edge.mutable_arguments()) {
-    if (ids.contains(argument.value().text())) return argument.value().text();
-    if (!argument.value().has_texts()) continue;
-    auto& items = *argument.mutable_value()->mutable_texts()->mutable_items();
-    const int before = items.size();
-    const std::string first = before > 0 ? items[0] : "";
-    Erase(items, [&](const std::string& item) { return ids.contains(item); });
-    if (before > 0 && items.empty()) return first;
-    shrunk = shrunk || items.size() < before;
+const std::string& TextOf(const SolveInput& input, const v1::ConstraintEdge& edge) {
+  const auto& sentences = input.graph.constraint_list().sentences();
+  const auto found = std::ranges::find(sentences, edge.sentence_id(), &v1::Sentence::id);
+  return found == sentences.end() ? edge.type() : found->text();
+}
+
+int CountViolated(const std::vector<v1::EdgeOutcome>& outcomes) {
+  return static_cast<int>(std::ranges::count(outcomes, v1::OUTCOME_STATUS_VIOLATED, &v1::EdgeOutcome::status));
+}
+
+// Why a spare object is better left out of a layout; nothing where it stands well.
+class SpareJudge {
+ public:
+  SpareJudge(const SolveInput& input, const Branch& branch)
+      : input_(input),
+        state_(branch.state),
+        costs_(BindCosts(input, branch.state)),
+        outcomes_(EdgeOutcomes(input, costs_, state_)),
+        misfits_(FindMisfits(input, costs_, state_)),
+        fronts_(Fronts(state_)) {}
+
+  std::optional<std::string> Fault(int object) const {
+    for (int e = 0; e < input_.graph.edges_size(); ++e) {
+      const v1::ConstraintEdge& edge = input_.graph.edges(e);
+      const bool bad = outcomes_[e].status() == v1::OUTCOME_STATUS_VIOLATED && outcomes_[e].cost() > kBadCost &&
+                       edge.weight() >= kBadWeight;
+      if (bad && MoverOf(input_, edge) == object) {
+        return fmt::format("nobody asked for it, and no place was found where \"{}\" holds", TextOf(input_, edge));
+      }
+    }
+    const auto named = [object](const Misfit& misfit) { return misfit.object == object || misfit.other == object; };
+    if (std::ranges::any_of(misfits_, named)) return "nobody asked for it, and it does not fit";
+    return IsSolid(input_.scene.objects[object]) ? Hindrance(object) : std::nullopt;
   }
-  return "";
+
+ private:
+  double Fronts(const PartialLayout& state) const {
+    return evaluation::MeasureLayout({input_.scene, state.layout, state.placed}).reachable_front_share();
+  }
+
+  // What the others would have without it.
+  std::optional<std::string> Hindrance(int object) const {
+    PartialLayout without = state_;
+    without.placed[object] = 0;
+    without.layout[object] = FarAway(object);
+    const std::vector<v1::EdgeOutcome> outcomes = EdgeOutcomes(input_, costs_, without);
+    for (int e = 0; e < input_.graph.edges_size(); ++e) {
+      const bool cured = outcomes_[e].status() == v1::OUTCOME_STATUS_VIOLATED && outcomes_[e].cost() > kBadCost &&
+                         outcomes[e].status() == v1::OUTCOME_STATUS_SATISFIED;
+      if (!cured) continue;
+      return fmt::format("nobody asked for it, and without it \"{}\" holds", TextOf(input_, input_.graph.edges(e)));
+    }
+    // What belongs to another piece, such as a footstool, may stand before it.
+    constexpr double kRounding = 1e-9;
+    if (!input_.partners[object].empty() || Fronts(without) <= fronts_ + kRounding) return std::nullopt;
+    return "nobody asked for it, and it stands in the way to other pieces";
+  }
+
+  const SolveInput& input_;
+  const PartialLayout& state_;
+  const SceneCosts costs_;
+  const std::vector<v1::EdgeOutcome> outcomes_;
+  const std::vector<Misfit> misfits_;
+  const double fronts_;
+};
+
+// Takes out the spare objects that stand badly, with what they carry and what is placed by them; whether one of them
+// stood on the floor.
+bool TakeOutBadSpares(const SolveInput& input, const std::vector<char>& spare, Branch& branch) {
+  const SpareJudge judge(input, branch);
+  const std::size_t before = branch.left_out.size();
+  std::vector<LeftOut> bad;
+  for (int i = 0; i < static_cast<int>(spare.size()); ++i) {
+    if (!spare[i] || !branch.state.placed[i]) continue;
+    if (std::optional<std::string> fault = judge.Fault(i)) bad.push_back({i, std::move(*fault)});
+  }
+  for (LeftOut& left : bad) {
+    if (!branch.state.placed[left.object]) continue;
+    TakeOut(branch, left.object, std::move(left.reason));
+    TakeOutRiders(input, left.object, branch);
+  }
+  for (const v1::ConstraintEdge& edge : input.graph.edges()) {
+    const int mover = MoverOf(input, edge);
+    if (mover < 0 || !spare[mover] || !branch.state.placed[mover]) continue;
+    for (int object : NamedObjects(edge, input.scene)) {
+      if (object == mover || branch.state.placed[object] || !branch.state.placed[mover]) continue;
+      TakeOut(branch, mover, fmt::format("it belongs to \"{}\", which is left out", input.scene.objects[object].id));
+      TakeOutRiders(input, mover, branch);
+    }
+  }
+  return std::any_of(branch.left_out.begin() + static_cast<std::ptrdiff_t>(before), branch.left_out.end(),
+                     [&](const LeftOut& left) { return IsSolid(input.scene.objects[left.object]); });
+}
+
+double LackOf(const SolveInput& input, const PartialLayout& state) {
+  double lack = 0;
+  for (const v1::EdgeOutcome& outcome : EdgeOutcomes(input, BindCosts(input, state), state)) {
+    if (outcome.status() == v1::OUTCOME_STATUS_VIOLATED) lack += outcome.weighted_cost();
+  }
+  return lack;
 }
 
 }  // namespace
 
-std::vector<v1::Diagnostic> RemoveObjects(const IdSet& ids, v1::LayoutGraph& graph) {
-  std::vector<v1::Diagnostic> diagnostics;
-  Erase(*graph.mutable_edges(), [&](v1::ConstraintEdge& edge) {
-    bool shrunk = false;
-    const std::string gone = Shrink(ids, edge, shrunk);
-    if (!gone.empty()) {
-      diagnostics.push_back(
-          About("edge_removed", edge,
-                fmt::format("\"{}\" ({}) is gone with \"{}\", which it names", edge.id(), edge.type(), gone)));
-    } else if (shrunk) {
-      diagnostics.push_back(
-          About("edge_shortened", edge,
-                fmt::format("\"{}\" ({}) is about the objects that are left", edge.id(), edge.type())));
-    }
-    return !gone.empty();
-  });
-  const auto gone = [&](const std::string& id) { return ids.contains(id); };
-  Erase(*graph.mutable_object_list()->mutable_objects(), [&](const v1::Object& object) { return gone(object.id()); });
-  for (v1::Object& object : *graph.mutable_object_list()->mutable_objects()) {
-    if (gone(object.host_id())) object.clear_host_id();
+absl::StatusOr<std::vector<Branch>> SolveWithoutBadSpares(const SolveInput& input, const RestartRunner& runner,
+                                                          std::vector<Branch> branches) {
+  const std::vector<char> spare = FindSpares(input);
+  if (std::ranges::none_of(spare, [](char one) { return one != 0; })) return branches;
+  for (int solve = 0; solve < kMostSolves; ++solve) {
+    const bool moves = TakeOutBadSpares(input, spare, branches.front());
+    if (!moves || input.Cancelled() || input.OutOfTime()) break;
+    const std::vector<LeftOut> out = branches.front().left_out;
+    ASSIGN_OR_RETURN(std::vector<Branch> rest, SolveRest(input, runner, out));
+    if (LackOf(input, rest.front().state) > LackOf(input, branches.front().state)) break;
+    for (Branch& branch : rest) branch.left_out = out;
+    branches = std::move(rest);
   }
-  Erase(*graph.mutable_pinned_placements(), [&](const v1::Placement& pin) { return gone(pin.object_id()); });
-  Erase(*graph.mutable_style_sheet()->mutable_objects(),
-        [&](const v1::ObjectStyle& style) { return gone(style.subject_id()); });
-  for (v1::Sentence& sentence : *graph.mutable_constraint_list()->mutable_sentences()) {
-    Erase(*sentence.mutable_subject_ids(), gone);
-    // Its text is read in the room that is left.
-    if (Names(sentence.meaning(), gone)) sentence.clear_meaning();
+  for (std::size_t i = 1; i < branches.size(); ++i) {
+    if (branches[i].complete) TakeOutBadSpares(input, spare, branches[i]);
   }
-  return diagnostics;
+  return branches;
 }
 
 }  // namespace flair::optimizer

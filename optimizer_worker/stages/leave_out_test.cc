@@ -98,5 +98,59 @@ TEST(LeaveOut, NeverLeavesOutWhatIsPinned) {
   EXPECT_LT(layout.metrics().deepest_overlap_m(), 1e-6);
 }
 
+// A bed in a room just as wide, so that nothing stands beside its head, a nightstand with its lamp, and a chest.
+v1::LayoutGraph NarrowBedroom() {
+  v1::LayoutGraph graph =
+      Parse(RoomText(1.9, 5) + "object_list {" + ObjectText("bed", "PRIMARY", "FLOOR", 1.6, 2.0) +
+            ObjectText("nightstand", "SECONDARY", "FLOOR", 0.5, 0.4) +
+            ObjectText("lamp", "TERTIARY", "SURFACE", 0.2, 0.2) + ObjectText("chest", "SECONDARY", "FLOOR", 0.8, 0.4) +
+            "}" + EdgeText("e1", "against_wall", Text("object", "bed")) +
+            EdgeText("e2", "next_to",
+                     Text("object", "nightstand") + Text("target", "bed") + Text("object_side", "right") +
+                         Text("target_side", "left")) +
+            EdgeText("e3", "on_top_center", Text("object", "lamp") + Text("host", "nightstand")) +
+            EdgeText("e4", "against_wall", Text("object", "chest")));
+  for (v1::Object& object : *graph.mutable_object_list()->mutable_objects()) object.set_spare(object.id() != "bed");
+  return graph;
+}
+
+TEST(LeaveOut, ASparePieceWithoutAGoodPlaceGoesWithWhatItCarries) {
+  const v1::SolvedLayout layout = Solve(NarrowBedroom(), v1::MISFIT_POLICY_KEEP);
+  EXPECT_FALSE(IsPlaced(layout, "nightstand"));
+  EXPECT_FALSE(IsPlaced(layout, "lamp"));
+  EXPECT_TRUE(IsPlaced(layout, "bed"));
+  EXPECT_TRUE(IsPlaced(layout, "chest"));
+  ASSERT_EQ(layout.diagnostics_size(), 2);
+  EXPECT_EQ(layout.diagnostics(0).code(), "left_out");
+  EXPECT_EQ(layout.diagnostics(0).severity(), v1::SEVERITY_NOTE);
+  EXPECT_NE(layout.diagnostics(0).message().find("nobody asked for it, and no place was found where"),
+            std::string::npos)
+      << layout.diagnostics(0).message();
+}
+
+TEST(LeaveOut, NothingSpareStaysOutThatWasAskedForOrCarriesSuchAThing) {
+  v1::LayoutGraph asked = NarrowBedroom();
+  asked.mutable_object_list()->mutable_objects(1)->set_requested(true);
+  EXPECT_TRUE(IsPlaced(Solve(asked, v1::MISFIT_POLICY_KEEP), "nightstand"));
+  v1::LayoutGraph carries = NarrowBedroom();
+  carries.mutable_object_list()->mutable_objects(2)->set_requested(true);
+  EXPECT_TRUE(IsPlaced(Solve(carries, v1::MISFIT_POLICY_KEEP), "nightstand"));
+}
+
+TEST(LeaveOut, ASparePieceInTheWayOfAnotherGoes) {
+  // Only without the spare chest there are 1.4 m of free floor before the desk.
+  v1::LayoutGraph graph =
+      Parse(RoomText(2, 3) + "object_list {" + ObjectText("desk", "PRIMARY", "FLOOR", 1.9, 0.7) +
+            ObjectText("chest", "SECONDARY", "FLOOR", 1.8, 0.6) + "}" +
+            EdgeText("e1", "against_wall", Text("object", "desk")) +
+            EdgeText("e2", "accessible",
+                     Text("object", "desk") +
+                         R"(arguments { name: "min_clearance_m" value { number: 1.4 } })"));
+  graph.mutable_object_list()->mutable_objects(1)->set_spare(true);
+  const v1::SolvedLayout layout = Solve(graph, v1::MISFIT_POLICY_KEEP);
+  EXPECT_TRUE(IsPlaced(layout, "desk"));
+  EXPECT_FALSE(IsPlaced(layout, "chest"));
+}
+
 }  // namespace
 }  // namespace flair::optimizer

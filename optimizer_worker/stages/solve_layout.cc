@@ -29,6 +29,8 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
   } else if (fitting->front().left_out.empty()) {
     branches->front() = std::move(fitting->front());
   }
+  branches = SolveWithoutBadSpares(input, runner, *std::move(branches));
+  if (!branches.ok()) return branches.status();
   return SolveResult{MakeSolvedLayout(input, *branches), branches->front().durations};
 }
 

@@ -163,8 +163,10 @@ void ExplainLeftOut(const SolveInput& input, const Branch& branch, Message& mess
     const Object& object = input.scene.objects[left.object];
     for (v1::Diagnostic& diagnostic : *message.mutable_diagnostics()) {
       if (diagnostic.code() != "not_placed" || diagnostic.subject_id() != object.id) continue;
-      const bool requested = input.graph.object_list().objects(left.object).requested();
-      diagnostic.set_severity(requested ? v1::SEVERITY_ERROR : v1::SEVERITY_WARNING);
+      const v1::Object& listed = input.graph.object_list().objects(left.object);
+      diagnostic.set_severity(listed.requested() ? v1::SEVERITY_ERROR
+                              : listed.spare()   ? v1::SEVERITY_NOTE
+                                                 : v1::SEVERITY_WARNING);
       diagnostic.set_code("left_out");
       diagnostic.set_message(fmt::format("\"{}\" ({:.2f} m x {:.2f} m) is left out: {}", object.id,
                                          object.footprint.width_m, object.footprint.depth_m, left.reason));

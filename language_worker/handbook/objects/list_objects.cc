@@ -162,6 +162,20 @@ class ObjectLister {
     }
   }
 
+  // Whether the room does without it where it finds no good place: nobody asked for it, and no piece or person needs it
+  // for a seat.
+  bool IsSpare(const ProgramItem& item) const {
+    const bool seat = item.seat_of != nullptr || (facts_.people && PlacesOn(*item.furniture) > 0);
+    return !item.requested && item.essential == 0 && !seat;
+  }
+
+  // Whether a brief that names pieces names none of the zone, and the room is such a room without it.
+  bool IsSpareZone(const std::string& zone) const {
+    if (facts_.wishes.empty() || program_.zones.empty() || zone == program_.zones.front().name()) return false;
+    return std::ranges::all_of(program_.floor_items,
+                               [&](const ProgramItem& item) { return item.zone != zone || IsSpare(item); });
+  }
+
   v1::Object& AddObject(const ProgramItem& item, v1::ObjectRole role) {
     const hb::Furniture& furniture = *item.furniture;
     v1::Object& object = *list_.add_objects();
@@ -174,6 +188,7 @@ class ObjectLister {
     object.set_rim_sides_m(furniture.rim_sides_m());
     object.set_rim_ends_m(furniture.rim_ends_m());
     object.set_requested(item.requested);
+    object.set_spare(IsSpare(item) && (role != v1::OBJECT_ROLE_PRIMARY || IsSpareZone(item.zone)));
     object.set_description(style_.Describe(furniture, style_.LookOf(furniture, drawn_++)));
     return object;
   }
