@@ -8,6 +8,7 @@
 #include "worker_runtime/executor/bounded_executor.h"
 #include "worker_runtime/testing/fakes.h"
 #include "worker_runtime/text/counted.h"
+#include "worker_runtime/text/read_number.h"
 
 namespace flair::runtime {
 namespace {
@@ -103,6 +104,15 @@ TEST(Cancellation, RunsCallbacksOnceAndLateOnesAtOnce) {
   EXPECT_EQ(early, 1);
   EXPECT_EQ(gone, 0);
   EXPECT_EQ(late, 1);
+}
+
+TEST(ReadNumber, TakesWhatPeopleWriteAndNothingElse) {
+  for (const auto& [text, value] : {std::pair("2", 2.0), {"-0.35", -0.35}, {"+.5", 0.5}, {"1e3", 1000.0}}) {
+    EXPECT_EQ(ReadNumber(text), value) << text;
+  }
+  for (const char* text : {"", "+", "+-1", "0x10", "inf", "nan", "1e999", "2m", " 2", "1,5"}) {
+    EXPECT_EQ(ReadNumber(text), std::nullopt) << text;
+  }
 }
 
 TEST(Counted, TakesAnSForAllButOne) {

@@ -10,6 +10,7 @@
 #include "cli/input/message_text.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
+#include "worker_runtime/text/read_number.h"
 
 namespace flair::cli {
 namespace {
@@ -224,8 +225,8 @@ CLI::Validator WholeNumber(int64_t least, int64_t most) {
 
 CLI::Validator Number(double least, double most) {
   const auto check = [least, most](const std::string& text) -> std::string {
-    double value = 0;
-    if (absl::SimpleAtod(text, &value) && value >= least && value <= most) return "";
+    const std::optional<double> value = ReadNumber(text);
+    if (value && *value >= least && *value <= most) return "";
     return fmt::format("{}: expected a number, {:g} to {:g}", Printable(text), least, most);
   };
   return CLI::Validator(check, "");

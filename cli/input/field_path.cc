@@ -9,11 +9,11 @@
 #include <optional>
 
 #include "absl/strings/ascii.h"
-#include "absl/strings/numbers.h"
 #include "absl/strings/str_split.h"
 #include "cli/input/message_text.h"
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
+#include "worker_runtime/text/read_number.h"
 
 namespace flair::cli {
 namespace {
@@ -152,16 +152,16 @@ class NoErrors final : public google::protobuf::io::ErrorCollector {
 // Sets a field or adds to a list.
 bool PutOne(const std::string& text, const FieldDescriptor& field, Message& message) {
   std::string value = text;
-  if (double number = 0; field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
-    if (!absl::SimpleAtod(text, &number) || !std::isfinite(number)) return false;
+  if (const std::optional<double> number = ReadNumber(text); field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+    if (!number) return false;
   } else if (field.enum_type() != nullptr) {
     const EnumValueDescriptor* word = FindWord(*field.enum_type(), text);
     if (word == nullptr) return false;
     value = word->name();
   } else if (IsDuration(field)) {
-    if (!absl::SimpleAtod(text, &number) || !(number >= 0 && number < 1e11)) return false;
-    const double whole = std::floor(number);
-    value = fmt::format("{{ seconds: {:.0f} nanos: {:.0f} }}", whole, std::floor(1e9 * (number - whole)));
+    if (!number || *number < 0 || *number >= 1e11) return false;
+    const double whole = std::floor(*number);
+    value = fmt::format("{{ seconds: {:.0f} nanos: {:.0f} }}", whole, std::floor(1e9 * (*number - whole)));
   }
   google::protobuf::TextFormat::Parser parser;
   NoErrors ignored;

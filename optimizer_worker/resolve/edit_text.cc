@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -10,6 +8,7 @@
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/geometry/pose.h"
+#include "worker_runtime/text/read_number.h"
 
 namespace flair::optimizer {
 namespace {
@@ -17,19 +16,12 @@ namespace {
 using Words = std::vector<std::string>;
 using Edit = absl::StatusOr<v1::LayoutEdit>;
 
-std::optional<double> NumberFrom(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 // "1.5x0.6x2.1" as numbers; empty when it is none.
 std::vector<double> ExtentsFrom(const std::string& word) {
   std::vector<double> extents;
   std::istringstream parts(word);
   for (std::string part; std::getline(parts, part, 'x');) {
-    const std::optional<double> extent = NumberFrom(part);
+    const std::optional<double> extent = ReadNumber(part);
     if (!extent) return {};
     extents.push_back(*extent);
   }
@@ -41,7 +33,7 @@ absl::Status Should(const char* form) { return absl::InvalidArgumentError(fmt::f
 Edit Move(const Words& words, const v1::SolvedLayout& layout) {
   constexpr const char* kForm = "move OBJECT X Y [HEADING], metres and degrees";
   if (words.size() < 4 || words.size() > 5) return Should(kForm);
-  const std::optional<double> x = NumberFrom(words[2]), y = NumberFrom(words[3]);
+  const std::optional<double> x = ReadNumber(words[2]), y = ReadNumber(words[3]);
   if (!x || !y) return Should(kForm);
   v1::LayoutEdit edit;
   v1::Placement& target = *edit.mutable_move_object();
@@ -52,7 +44,7 @@ Edit Move(const Words& words, const v1::SolvedLayout& layout) {
     if (placement.object_id() == words[1]) target.set_theta_rad(placement.theta_rad());
   }
   if (words.size() == 5) {
-    const std::optional<double> heading = NumberFrom(words[4]);
+    const std::optional<double> heading = ReadNumber(words[4]);
     if (!heading) return Should(kForm);
     target.set_theta_rad(WrapHeading(*heading * kPi / 180));
   }
@@ -109,7 +101,7 @@ Edit Add(const Words& words, const v1::LayoutGraph& graph) {
 Edit Weigh(const Words& words) {
   constexpr const char* kForm = "weight EDGE NUMBER";
   if (words.size() != 3) return Should(kForm);
-  const std::optional<double> weight = NumberFrom(words[2]);
+  const std::optional<double> weight = ReadNumber(words[2]);
   if (!weight) return Should(kForm);
   v1::LayoutEdit edit;
   edit.mutable_set_edge_weight()->set_edge_id(words[1]);
@@ -123,7 +115,7 @@ Edit AddEdge(const Words& words) {
   double weight = 1;
   for (size_t i = 2; i < words.size(); ++i) {
     if (words[i].rfind("weight=", 0) == 0) {
-      const std::optional<double> given = NumberFrom(words[i].substr(7));
+      const std::optional<double> given = ReadNumber(words[i].substr(7));
       if (!given) return Should("edge TYPE NAME=VALUE ... weight=NUMBER");
       weight = *given;
       continue;
