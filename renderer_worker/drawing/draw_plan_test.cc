@@ -112,10 +112,12 @@ TEST(DrawPlan, DrawsPiecesOutsideTheRoomTooFarTooLargeAndTooMany) {
   EXPECT_TRUE(DrawPlan(layout, Small()).ok());
 }
 
-TEST(DrawPlan, ObjectsWithoutAPlacementAreNamed) {
+TEST(DrawPlan, ObjectsWithoutAPlacementAreNamedButForSpareOnes) {
   v1::SolvedLayout layout = EmptyRoom();
   Add(layout, "piano", 1, 1);
+  Add(layout, "basket", 2, 1);
   layout.clear_placements();
+  layout.mutable_graph()->mutable_object_list()->mutable_objects(1)->set_spare(true);
   const absl::StatusOr<Plan> plan = ReadPlan(layout);
   ASSERT_TRUE(plan.ok());
   EXPECT_THAT(plan->unplaced, testing::ElementsAre("piano"));

@@ -194,7 +194,7 @@ absl::Status ReadObjects(const v1::SolvedLayout& layout, Plan& plan) {
     const v1::Object& object = graph.object_list().objects(i);
     const auto at = placements.find(object.id());
     if (at == placements.end()) {
-      plan.unplaced.push_back(object.name());
+      if (!object.spare()) plan.unplaced.push_back(object.name());
       continue;
     }
     const v1::Placement& pose = *at->second;

@@ -154,8 +154,8 @@ struct Plan {
 };
 
 // Resolves a layout. INVALID_ARGUMENT with the field path for what cannot be drawn: no floor, numbers that are not
-// finite, openings in walls that do not exist. Objects without a placement are listed as unplaced; those of layers that
-// are not drawn are left out.
+// finite, openings in walls that do not exist. Objects without a placement are listed as unplaced, but for spare ones;
+// those of layers that are not drawn are left out.
 absl::StatusOr<Plan> ReadPlan(const v1::SolvedLayout& layout, const PlanLayers& layers = {});
 
 // overlay_layers.cc, parts of the above: what the layers of constraints and circulation show.
