@@ -194,7 +194,7 @@ std::string ValueInWords(const v1::ParameterSpec& spec, const Arguments& argumen
     case v1::PARAMETER_KIND_ZONE:
       return scene.zones[static_cast<size_t>(arguments.Zone(name))].name;
     case v1::PARAMETER_KIND_FEATURE:
-      return std::string(optimizer::FeatureName(arguments.Feature(name)));
+      return optimizer::FeatureName(scene.room, arguments.Feature(name));
     case v1::PARAMETER_KIND_WALL:
       return WallInWords(scene.room.walls[static_cast<size_t>(arguments.MaybeWall(name))]);
     case v1::PARAMETER_KIND_SIDE:

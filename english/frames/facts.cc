@@ -47,7 +47,7 @@ bool IsPlain(const Mention& mention) {
   return std::ranges::all_of(mention.references, [](const Reference& reference) {
     const bool named = reference.kind == RefKind::kObjects || reference.kind == RefKind::kZone ||
                        reference.kind == RefKind::kWall || PartOf(reference).has_value();
-    return named && !reference.each && !reference.any && reference.ordinal == 0 && SideOf(reference.side);
+    return named && reference.opening.empty() && !reference.each && !reference.any && reference.ordinal == 0 && SideOf(reference.side);
   });
 }
 

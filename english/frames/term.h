@@ -44,6 +44,8 @@ struct Reference {
   bool full = false;
   // Feature kind, wall name, zone id, group, topic or the absent thing's name.
   std::string name;
+  // Of a door or window the id of the one that is meant; empty for any.
+  std::string opening;
   // A side word of the lexicon ("front", "long_one"...), empty when no side is named.
   std::string side;
   bool plural = false;

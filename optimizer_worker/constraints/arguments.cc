@@ -32,6 +32,9 @@ absl::StatusOr<Side> SideNamed(const ParameterSpec& spec, const std::string& tex
       fmt::format("argument {}: \"{}\" is not a side; use front, back, left or right", spec.name(), text));
 }
 
+constexpr int kFeatureKinds = 3;
+constexpr std::string_view kFeatureNames[kFeatureKinds] = {"door", "window", "socket"};
+
 // The index that a text refers to; what it indexes depends on the kind.
 absl::StatusOr<int> IndexOfText(const ParameterSpec& spec, const std::string& text, const Scene& scene) {
   switch (spec.kind()) {
@@ -51,13 +54,17 @@ absl::StatusOr<int> IndexOfText(const ParameterSpec& spec, const std::string& te
           fmt::format("argument {}: there is no wall \"{}\"; the room has {}", spec.name(), text, names));
     }
     case v1::PARAMETER_KIND_FEATURE:
-      for (FeatureKind kind : {FeatureKind::kDoor, FeatureKind::kWindow, FeatureKind::kSocket}) {
-        if (text != FeatureName(kind)) continue;
-        if (!FeatureSegments(scene.room, kind).empty()) return static_cast<int>(kind);
+      for (int kind = 0; kind < kFeatureKinds; ++kind) {
+        if (text != kFeatureNames[kind]) continue;
+        if (!FeatureSegments(scene.room, {static_cast<FeatureKind>(kind)}).empty()) return kind;
         return absl::FailedPreconditionError(fmt::format("argument {}: the room has no {}", spec.name(), text));
       }
+      for (int i = 0; i < static_cast<int>(scene.room.openings.size()); ++i) {
+        if (scene.room.openings[i].id == text) return kFeatureKinds + i;
+      }
       return absl::InvalidArgumentError(
-          fmt::format("argument {}: \"{}\" is not a feature; use door, window or socket", spec.name(), text));
+          fmt::format("argument {}: \"{}\" is not a feature; use door, window, socket or the id of a door or window",
+                      spec.name(), text));
     case v1::PARAMETER_KIND_CORNER: {
       const std::optional<Corner> corner = CornerFromName(text);
       if (corner.has_value()) return static_cast<int>(*corner);
@@ -109,27 +116,28 @@ absl::Status CheckNames(const v1::ConstraintType& type, const v1::ConstraintEdge
 
 }  // namespace
 
-std::string_view FeatureName(FeatureKind kind) {
-  switch (kind) {
-    case FeatureKind::kDoor:
-      return "door";
-    case FeatureKind::kWindow:
-      return "window";
-    case FeatureKind::kSocket:
-      return "socket";
-  }
-  return "";
+// Openings have the numbers behind those of the kinds.
+RoomFeature Arguments::Feature(std::string_view name) const {
+  const int index = Get(name).indices[0];
+  return index < kFeatureKinds ? RoomFeature{static_cast<FeatureKind>(index)}
+                               : RoomFeature{FeatureKind::kDoor, index - kFeatureKinds};
 }
 
-std::vector<Segment> FeatureSegments(const Room& room, FeatureKind kind) {
+std::string FeatureName(const Room& room, const RoomFeature& feature) {
+  return feature.opening >= 0 ? room.openings[static_cast<size_t>(feature.opening)].id
+                              : std::string(kFeatureNames[static_cast<int>(feature.kind)]);
+}
+
+std::vector<Segment> FeatureSegments(const Room& room, const RoomFeature& feature) {
   std::vector<Segment> segments;
-  if (kind == FeatureKind::kSocket) {
+  if (feature.kind == FeatureKind::kSocket) {
     for (const Socket& socket : room.sockets) segments.push_back(room.SegmentOf(socket));
     return segments;
   }
-  const OpeningKind wanted = kind == FeatureKind::kDoor ? OpeningKind::kDoor : OpeningKind::kWindow;
-  for (const Opening& opening : room.openings) {
-    if (opening.kind == wanted) segments.push_back(room.SegmentOf(opening));
+  const OpeningKind wanted = feature.kind == FeatureKind::kDoor ? OpeningKind::kDoor : OpeningKind::kWindow;
+  for (int i = 0; i < static_cast<int>(room.openings.size()); ++i) {
+    const Opening& opening = room.openings[static_cast<size_t>(i)];
+    if (feature.opening < 0 ? opening.kind == wanted : feature.opening == i) segments.push_back(room.SegmentOf(opening));
   }
   return segments;
 }

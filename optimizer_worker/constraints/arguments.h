@@ -17,7 +17,18 @@ namespace flair::optimizer {
 
 // What a call may point at in a room besides its walls.
 enum class FeatureKind { kDoor, kWindow, kSocket };
-std::string_view FeatureName(FeatureKind kind);
+
+// All of a kind, or the one door or window that is meant.
+struct RoomFeature {
+  FeatureKind kind = FeatureKind::kDoor;
+  // Index in Room::openings; -1 for all.
+  int opening = -1;
+
+  bool Includes(int i) const { return opening < 0 || opening == i; }
+};
+
+// "door", or the id of the one that is meant.
+std::string FeatureName(const Room& room, const RoomFeature& feature);
 
 class Arguments {
  public:
@@ -29,7 +40,7 @@ class Arguments {
   int Object(std::string_view name) const { return Get(name).indices[0]; }
   const std::vector<int>& Objects(std::string_view name) const { return Get(name).indices; }
   int Zone(std::string_view name) const { return Get(name).indices[0]; }
-  FeatureKind Feature(std::string_view name) const { return static_cast<FeatureKind>(Get(name).indices[0]); }
+  RoomFeature Feature(std::string_view name) const;
   Side OneSide(std::string_view name) const { return Get(name).sides[0]; }
   const std::vector<Side>& Sides(std::string_view name) const { return Get(name).sides; }
   Corner OneCorner(std::string_view name) const { return static_cast<Corner>(Get(name).indices[0]); }
@@ -64,8 +75,8 @@ class Arguments {
   std::vector<Value> values_;
 };
 
-// What is on the walls of that kind, in the room's order: empty when there is none.
-std::vector<Segment> FeatureSegments(const Room& room, FeatureKind kind);
+// Where it is on the walls, in the room's order: empty when there is none.
+std::vector<Segment> FeatureSegments(const Room& room, const RoomFeature& feature);
 
 // Calls as short text, for the examples in facts and for tests: "object=bed side=back", "center=table objects=a,b,c",
 // "object=sofa distance_m=0.5 parallel=false".

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{"AbsentFeature", "close_to_feature", "object=bed feature=window", kFailedPrecondition,
                 "the room has no window"},
         BadCall{"NoFeature", "close_to_feature", "object=bed feature=plug", kInvalidArgument,
-                "use door, window or socket"},
+                "use door, window, socket or the id"},
         BadCall{"NoWindow", "under_window", "object=bed", kFailedPrecondition, "no window"},
         BadCall{"OutOfRange", "near", "object=bed target=desk max_distance_m=-1", kInvalidArgument, "use 0 to 50 m"},
         BadCall{"SameObject", "near", "object=bed target=bed", kInvalidArgument, "\"bed\" is named twice"},

@@ -70,9 +70,10 @@ double PlacedCall::NearestFeatureGap() const {
 }
 
 std::string PlacedCall::FeatureName() const {
-  const FeatureKind kind = arguments_.Feature("feature");
-  const bool several = FeatureSegments(scene().room, kind).size() > 1;
-  return fmt::format("the {}{}", several ? "nearest " : "", std::string(optimizer::FeatureName(kind)));
+  const RoomFeature feature = arguments_.Feature("feature");
+  const std::string name = optimizer::FeatureName(scene().room, feature);
+  if (feature.opening >= 0) return name;
+  return fmt::format("the {}{}", FeatureSegments(scene().room, feature).size() > 1 ? "nearest " : "", name);
 }
 
 std::string SideOf(const std::string& object, Side side) {

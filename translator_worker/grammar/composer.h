@@ -44,6 +44,8 @@ struct Target {
   std::vector<Placed> objects;
   // Feature kind, wall name or zone id.
   std::string name;
+  // Of a door or window the id of the one that is meant; empty for any.
+  std::string opening;
 };
 
 // What rules work with while one sentence is translated: who is spoken of, what the words refer to, and where calls and

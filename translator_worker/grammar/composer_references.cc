@@ -47,6 +47,7 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
     Target target;
     target.kind = reference.kind;
     target.name = reference.name;
+    target.opening = reference.opening;
     switch (reference.kind) {
       case RefKind::kWall:
       case RefKind::kCeiling:

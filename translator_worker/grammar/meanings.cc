@@ -156,7 +156,7 @@ class Fact {
   }
 
   std::string NameFor(const Pair& pair) const {
-    if (pair.target != nullptr) return pair.target->name;
+    if (pair.target != nullptr) return pair.target->opening.empty() ? pair.target->name : pair.target->opening;
     return match_.b != nullptr ? match_.b->references.front().name : "";
   }
 
@@ -169,6 +169,7 @@ class Fact {
     if (value == "last") return composer_.last_feature;
     if (value == "subject") return composer_.subjects().empty() ? "" : composer_.id(composer_.subjects().front());
     if (value == "B.name") return NameFor(pair);
+    if (value == "B.opening") return pair.target != nullptr ? pair.target->opening : "";
     const bool of_pair = value == "A" || value == "B" || value.starts_with("A.") || value.starts_with("B.");
     if (!of_pair) return value;
     const Placed* const placed = PlacedOf(value, pair);

@@ -21,7 +21,7 @@
 //
 // The value of an argument is A or B (id of mover and target, or what the target is called), A.side (the one side that
 // is named), A.sides, A.open (sides that are to be got at), A.first, B.opposite, B.zone, C.sides, D (the figure),
-// least, most, limit (most, unless exact), detail, subject, last (feature), or is meant as it is written. "a/b" is b
+// B.opening (id of the door or window that is meant), least, most, limit (most, unless exact), detail, subject, last (feature), or is meant as it is written. "a/b" is b
 // where a is empty. Without a value the argument is left out, after "=!" the call.
 #pragma once
 

@@ -130,7 +130,8 @@ void SceneNames::Add(const std::vector<std::string>& words, int object, int rank
 
 SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) const {
   Found best = FindObject(tokens, at);
-  for (const Found& other : {FindInZone(tokens, at), FindZone(tokens, at), FindWall(tokens, at)}) {
+  for (const Found& other : {FindInZone(tokens, at), FindZone(tokens, at), FindWall(tokens, at),
+                             FindOpening(tokens, at)}) {
     if (other.length > best.length) best = other;
   }
   return best.length > 0 ? best : FindZoneByUse(tokens, at);

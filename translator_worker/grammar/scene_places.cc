@@ -124,4 +124,30 @@ SceneNames::Found SceneNames::FindWall(const std::vector<Token>& tokens, size_t 
   return {};
 }
 
+SceneNames::Found SceneNames::FindOpening(const std::vector<Token>& tokens, size_t at) const {
+  const auto begins = [&](const std::vector<std::string>& words) {
+    bool same = !words.empty() && at + words.size() <= tokens.size();
+    for (size_t i = 0; same && i < words.size(); ++i) same = tokens[at + i].text == words[i];
+    return same;
+  };
+  Found found;
+  for (const v1::Opening& opening : room_.openings()) {
+    const std::string kind = opening.kind() == v1::OPENING_KIND_DOOR ? "door" : "window";
+    std::vector<std::string> words = NameWords(opening.id());
+    if (!begins(words)) {
+      words = NameWords(opening.wall());
+      if (words.empty() || words.front() == "wall") continue;
+      words.push_back(kind);
+      if (!begins(words)) continue;
+      // Of two on a wall neither is meant alone.
+      if (found.length > 0) return {};
+    }
+    found.length = words.size();
+    found.reference.kind = RefKind::kFeature;
+    found.reference.name = kind;
+    found.reference.opening = opening.id();
+  }
+  return found;
+}
+
 }  // namespace flair::translator

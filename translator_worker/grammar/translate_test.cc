@@ -61,6 +61,18 @@ v1::TranslateRequest MakeRequest() {
   return request;
 }
 
+// Two doors, and a window in the north wall.
+v1::TranslateRequest WithNamedOpenings(v1::TranslateRequest request) {
+  request.mutable_room()->clear_openings();
+  for (const auto& [id, wall] : {std::pair("door_1", "south"), {"door_2", "east"}, {"window_1", "north"}}) {
+    v1::Opening& opening = *request.mutable_room()->add_openings();
+    opening.set_id(id);
+    opening.set_wall(wall);
+    opening.set_kind(std::string(id).starts_with("door") ? v1::OPENING_KIND_DOOR : v1::OPENING_KIND_WINDOW);
+  }
+  return request;
+}
+
 v1::LayoutGraph TranslateOne(const std::string& text, const std::vector<std::string>& subjects = {},
                              v1::SentenceScope scope = v1::SENTENCE_SCOPE_INTER) {
   v1::TranslateRequest request = MakeRequest();
@@ -81,6 +93,27 @@ struct Case {
   std::string calls;
 };
 std::ostream& operator<<(std::ostream& out, const Case& one) { return out << one.sentence; }
+
+TEST(Openings, OneIsMeantByItsIdOrItsWall) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"The dining table is near door_2.", "close_to_feature(object=dining_table, feature=door_2)"},
+      {"The dining table is near the east door.", "close_to_feature(object=dining_table, feature=door_2)"},
+      {"The sofa faces door 1.", "faces_feature(object=sofa, feature=door_1)"},
+      {"The desk is under the north window.", "under_window(object=desk, feature=window_1)"},
+      {"The desk is under the window.", "under_window(object=desk)"},
+      {"The desk does not block the east door.", "clear_of_feature(object=desk, feature=door_2)"},
+      {"The desk is near a door.", "close_to_feature(object=desk, feature=door)"}};
+  for (const auto& [text, call] : cases) {
+    v1::TranslateRequest request = WithNamedOpenings(MakeRequest());
+    v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
+    sentence.set_id("s1");
+    sentence.set_text(text);
+    sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
+    const v1::LayoutGraph graph = Translate(request);
+    ASSERT_EQ(graph.edges_size(), 1) << text << graph.DebugString();
+    EXPECT_EQ(ToText(graph.edges(0)), call) << text;
+  }
+}
 
 class Meaning : public testing::TestWithParam<Case> {};
 

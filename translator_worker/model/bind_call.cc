@@ -146,13 +146,6 @@ const llm::Choices& Corners() {
   return corners;
 }
 
-const llm::Choices& Features() {
-  static const llm::Choices features = {
-      {"door", "window", "socket"},
-      {{"electrical socket", "socket"}, {"outlet", "socket"}, {"power outlet", "socket"}}};
-  return features;
-}
-
 const llm::Choices& Flags() {
   static const llm::Choices flags = {{"true", "false"}, {{"yes", "true"}, {"no", "false"}}};
   return flags;
@@ -194,6 +187,9 @@ ArgumentReader::ArgumentReader(const v1::TranslateRequest& request) {
     walls_.names.push_back(wall.name());
     walls_.aliases.emplace(wall.name() + " wall", wall.name());
   }
+  features_ = {{"door", "window", "socket"},
+               {{"electrical socket", "socket"}, {"outlet", "socket"}, {"power outlet", "socket"}}};
+  for (const v1::Opening& opening : request.room().openings()) features_.names.push_back(opening.id());
 }
 
 absl::StatusOr<std::string> ArgumentReader::One(const llm::Choices& choices, const char* what,
@@ -251,7 +247,7 @@ absl::StatusOr<v1::ArgumentValue> ArgumentReader::Single(const v1::ParameterSpec
       text = One(walls_, "wall", value);
       break;
     case v1::PARAMETER_KIND_FEATURE:
-      text = One(Features(), "feature", value);
+      text = One(features_, "feature", value);
       break;
     case v1::PARAMETER_KIND_SIDE:
       text = One(Sides(), "side", value);

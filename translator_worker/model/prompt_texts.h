@@ -72,6 +72,7 @@ class ArgumentReader {
   std::map<std::string, std::vector<std::string>> groups_;
   llm::Choices zones_;
   llm::Choices walls_;
+  llm::Choices features_;
 };
 
 // A written call as one of the type: arguments by name or place. One without a name goes to the next parameter that can

@@ -64,11 +64,12 @@ constexpr double kWindowDepth_m = 0.5;
 constexpr double kSocketWidth_m = 0.15;
 constexpr double kSocketDepth_m = 0.1;
 
-std::vector<ConvexPiece> WindowAreas(const Scene& scene, int object) {
+std::vector<ConvexPiece> WindowAreas(const Scene& scene, int object, const RoomFeature& feature) {
   std::vector<ConvexPiece> areas;
   const bool height_known = scene.objects[static_cast<size_t>(object)].height_m > 0;
-  for (const Opening& opening : scene.room.openings) {
-    if (opening.kind != OpeningKind::kWindow) continue;
+  for (int i = 0; i < static_cast<int>(scene.room.openings.size()); ++i) {
+    const Opening& opening = scene.room.openings[static_cast<size_t>(i)];
+    if (opening.kind != OpeningKind::kWindow || !feature.Includes(i)) continue;
     if (height_known && scene.TopOf(object) <= opening.sill_height_m) continue;
     if (height_known && scene.BottomOf(object) >= opening.head_height_m) continue;
     areas.push_back(StripAtWall(scene.room.walls[static_cast<size_t>(opening.wall)], opening.offset_m,
@@ -87,12 +88,19 @@ std::vector<ConvexPiece> SocketAreas(const Scene& scene) {
   return areas;
 }
 
-std::vector<ConvexPiece> AreasOf(const Scene& scene, int object, FeatureKind kind) {
-  switch (kind) {
+std::vector<ConvexPiece> AreasOf(const Scene& scene, int object, const RoomFeature& feature) {
+  if (feature.opening >= 0) {
+    const Opening& opening = scene.room.openings[static_cast<size_t>(feature.opening)];
+    if (opening.kind == OpeningKind::kWindow) return WindowAreas(scene, object, feature);
+    Room alone = scene.room;
+    alone.openings = {opening};
+    return DoorAreas(alone);
+  }
+  switch (feature.kind) {
     case FeatureKind::kDoor:
       return DoorAreas(scene.room);
     case FeatureKind::kWindow:
-      return WindowAreas(scene, object);
+      return WindowAreas(scene, object, feature);
     case FeatureKind::kSocket:
       return SocketAreas(scene);
   }
@@ -169,9 +177,9 @@ struct FacesFeature {
   }
 };
 
-std::vector<Segment> Targets(const Room& room, FeatureKind kind) {
-  std::vector<Segment> targets = FeatureSegments(room, kind);
-  if (kind != FeatureKind::kSocket) return targets;
+std::vector<Segment> Targets(const Room& room, const RoomFeature& feature) {
+  std::vector<Segment> targets = FeatureSegments(room, feature);
+  if (feature.kind != FeatureKind::kSocket) return targets;
   constexpr double kHalfWidth_m = 0.15;
   for (size_t i = 0; i < targets.size(); ++i) {
     const Vec2<double> along = room.walls[static_cast<size_t>(room.sockets[i].wall)].Along();
@@ -238,8 +246,10 @@ std::optional<Shortfall> UnderWindowShortfall(const PlacedCall& call) {
 BoundCost BindUnderWindow(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   UnderWindow formula{FootprintOf(context, object), {}};
-  for (const Opening& o : context.scene.room.openings) {
-    if (o.kind != OpeningKind::kWindow) continue;
+  const RoomFeature feature = a.Has("feature") ? a.Feature("feature") : RoomFeature{FeatureKind::kWindow};
+  for (int i = 0; i < static_cast<int>(context.scene.room.openings.size()); ++i) {
+    const Opening& o = context.scene.room.openings[static_cast<size_t>(i)];
+    if (o.kind != OpeningKind::kWindow || !feature.Includes(i)) continue;
     formula.windows.push_back(
         {context.scene.room.walls[static_cast<size_t>(o.wall)], o.offset_m + o.width_m / 2, o.width_m});
   }
