@@ -235,6 +235,7 @@ void AskedOpenings::Make(int wall, const OpeningWish& wish, const WallSpan& span
   } else {
     SetWindow(plan_, wish, room_, opening);
   }
+  if (wish.door && !wish.leads_to.empty()) opening.set_description(wish.leads_to + " door");
   opening.set_wall(room_.walls(wall).name());
   opening.set_offset_m(span.offset_m);
   opening.set_width_m(span.width_m);

@@ -143,15 +143,13 @@ void RemarkOnOpenings(const BriefFacts& facts, const std::vector<std::string>& n
     Remark(v1::SEVERITY_NOTE, "opening_simplified", "The brief asks for no door; the entrance is an open passage.",
            room);
   }
-  const auto doors = std::ranges::count_if(room.openings(),
-                                           [](const v1::Opening& one) { return one.kind() == v1::OPENING_KIND_DOOR; });
+  const auto doors = std::ranges::count(room.openings(), v1::OPENING_KIND_DOOR, &v1::Opening::kind);
   for (const Place& place : facts.places) {
     const bool opening = place.asked->relation().text().find(" door") != std::string::npos;
-    if (!opening || place.side.empty()) continue;
+    if (!opening || place.side.empty() || doors < 2 || OpeningOf(room, v1::OPENING_KIND_DOOR, place.side) != nullptr)
+      continue;
     Remark(v1::SEVERITY_NOTE, "door_taken",
-           fmt::format("\"{}\" is read as the room's {}: doors are not distinguished.", place.said,
-                       doors > 1 ? "nearest door" : "door"),
-           room);
+           fmt::format("\"{}\" is read as the room's nearest door: which one it means is not told.", place.said), room);
   }
 }
 

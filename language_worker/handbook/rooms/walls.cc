@@ -175,6 +175,25 @@ std::optional<int> WallOf(const v1::Room& room, std::string_view words) {
   return std::nullopt;
 }
 
+const v1::Opening* OpeningOf(const v1::Room& room, v1::OpeningKind kind, std::string_view words) {
+  const std::vector<Token> said = TokensOf(words);
+  const auto leads_there = [&](const v1::Opening& one) {
+    const std::vector<Token> described = TokensOf(one.description());
+    return std::ranges::any_of(said, [&](const Token& word) {
+      return word.text != "door" && std::ranges::find(described, word.text, &Token::text) != described.end();
+    });
+  };
+  const std::optional<int> wall = WallOf(room, words);
+  const v1::Opening* meant = nullptr;
+  for (const v1::Opening& one : room.openings()) {
+    if (one.kind() != kind) continue;
+    if (leads_there(one)) return &one;
+    const bool there = wall && one.wall() == room.walls(*wall).name();
+    if (there && (meant == nullptr || one.width_m() > meant->width_m())) meant = &one;
+  }
+  return meant;
+}
+
 std::optional<int> CornerOf(const v1::Room& room, std::string_view words) {
   if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
   std::vector<int> headings;

@@ -108,6 +108,25 @@ TEST(ListConstraints, PlacesThatBriefsAskForCarryTheirMeaning) {
   }
 }
 
+TEST(ListConstraints, OneOfSeveralDoorsAndWindowsIsNamed) {
+  const auto asked = [](const char* text) {
+    std::string sentences;
+    const Design design = Ask(text, 0);
+    for (const v1::Sentence& sentence : design.constraints.sentences()) {
+      if (sentence.origin() == v1::SENTENCE_ORIGIN_BRIEF) sentences += sentence.text() + "\n";
+    }
+    return sentences;
+  };
+  EXPECT_EQ(asked("A dining room 5 x 5 m, door on the south wall, a garden door on the north wall, table near the "
+                  "garden door."),
+            "The dining table is near the north door.\n");
+  EXPECT_EQ(asked("A study 4 x 4 m with a window on the north wall and one on the east wall, the desk under the east "
+                  "window."),
+            "The desk is under the east window.\n");
+  EXPECT_EQ(asked("A study 4 x 4 m with one big window, the desk under the big window."),
+            "The desk is under the window.\n");
+}
+
 TEST(ListConstraints, VerbsFollowPluralNames) {
   const Design design = Ask("A dining room", 1);
   for (const v1::Sentence& sentence : design.constraints.sentences()) {

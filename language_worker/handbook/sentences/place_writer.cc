@@ -29,6 +29,22 @@ Slot TheWall(const v1::Room& room, int wall) {
   return {name.starts_with("wall") ? name : fmt::format("the {} wall", name), {participant}};
 }
 
+// "Near the kitchen door", "under the north window": names the one that is meant, by its wall where it is alone there.
+void NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation& relation) {
+  for (const auto& [kind, words] : {std::pair(v1::OPENING_KIND_DOOR, std::string_view("the door")),
+                                    std::pair(v1::OPENING_KIND_WINDOW, std::string_view("the window"))}) {
+    const std::size_t at = relation.text().find(words);
+    const v1::Opening* one = at == std::string::npos || side.empty() ? nullptr : OpeningOf(room, kind, side);
+    if (one == nullptr) continue;
+    const bool alone = std::ranges::count_if(room.openings(), [&](const v1::Opening& other) {
+      return other.kind() == kind && other.wall() == one->wall();
+    }) == 1;
+    const bool by_wall = alone && !one->wall().starts_with("wall");
+    relation.mutable_text()->replace(at, words.size(),
+                                     by_wall ? fmt::format("the {} {}", one->wall(), words.substr(4)) : one->id());
+  }
+}
+
 bool HasOpenings(const v1::Room& room, int wall) {
   return std::ranges::any_of(room.openings(),
                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
@@ -55,6 +71,7 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     further["wall"] = wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
   }
   hb::Relation relation = place.asked->relation();
+  NameTheOpening(room_, place.side, relation);
   const hb::Carried carried = place.asked->carried();
   const bool on_a_top = carried != hb::CARRIED_UNSPECIFIED && subjects.front()->kind() == v1::OBJECT_KIND_SURFACE;
   if (on_a_top && !writer_.IsCentral(*subjects.front()))
