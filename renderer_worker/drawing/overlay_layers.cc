@@ -123,7 +123,7 @@ class Operands {
     if (const auto at = zones_.find(word); at != zones_.end()) return at->second;
     std::vector<Point> features;
     for (const PlanOpening& opening : plan_.openings) {
-      if (word != (opening.door ? "door" : "window")) continue;
+      if (word != (opening.door ? "door" : "window") && word != opening.id) continue;
       const PlanWall& wall = plan_.walls[opening.wall];
       features.push_back(wall.start + wall.along * (opening.offset_m + opening.width_m / 2));
     }

@@ -86,6 +86,8 @@ absl::Status ReadOpenings(const v1::Room& room, Plan& plan) {
       const double angle = opening.leaf().swing_angle_rad();
       read.swing_angle_rad = angle > 0 && angle <= std::numbers::pi ? angle : std::numbers::pi / 2;
     }
+    read.id = opening.id();
+    read.name = opening.description();
     plan.openings.push_back(read);
   }
   for (int i = 0; i < room.sockets_size(); ++i) {

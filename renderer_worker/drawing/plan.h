@@ -72,6 +72,8 @@ struct PlanOpening {
   bool hinge_at_start = true;
   v1::DoorSwing swing = v1::DOOR_SWING_NONE;
   double swing_angle_rad = 0;
+  std::string id;
+  std::string name;  // "kitchen door", written on its threshold; empty where nothing tells it from others
 };
 
 struct PlanSocket {

@@ -107,6 +107,19 @@ void DrawDoor(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOp
   }
 }
 
+// On the threshold, along the wall, where it fits.
+void NameDoor(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOpening& door) {
+  constexpr double kLargestMm = 2.4, kLeastMm = 1.5, kAirMm = 1;
+  const OpeningFrame frame = FrameOf(plan, sheet, door);
+  const TextBlock name{door.name, {.size_mm = std::min(kLargestMm, 0.62 * WallThicknessMm(sheet)), .colour = kInk}};
+  if (name.style.size_mm < kLeastMm || Measure(canvas, name).width + kAirMm > door.width_m * sheet.mm_per_m()) return;
+  double angle = std::atan2(frame.wall->along.y, frame.wall->along.x);
+  constexpr double kRounding = 1e-6;
+  if (angle > std::numbers::pi / 2 + kRounding) angle -= std::numbers::pi;
+  if (angle < -std::numbers::pi / 2 + kRounding) angle += std::numbers::pi;
+  DrawTextAt(canvas, name, sheet.ToSheet(frame.At(door.width_m / 2, frame.thickness_m / 2)), angle);
+}
+
 void TraceFloor(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   std::vector<Point> outline;
   for (Point vertex : plan.floor) outline.push_back(sheet.ToSheet(vertex));
@@ -263,6 +276,7 @@ void DrawWalls(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
 void DrawOpenings(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanOpening& opening : plan.openings) {
     opening.door ? DrawDoor(canvas, plan, sheet, opening) : DrawWindow(canvas, plan, sheet, opening);
+    if (opening.door && !opening.name.empty()) NameDoor(canvas, plan, sheet, opening);
   }
 }
 
