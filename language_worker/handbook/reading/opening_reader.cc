@@ -214,8 +214,17 @@ class OpeningReader {
     list_.Add(noun, {});
   }
 
-  void NoteNone(const OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
+  void NoteNone(OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
     Use(noun.begin, end);
+    // "No door that opens inwards": it opens the other way.
+    v1::DoorSwing& swing = noun.wish.swing;
+    if (swing == v1::DOOR_SWING_INWARD || swing == v1::DOOR_SWING_OUTWARD) {
+      swing = swing == v1::DOOR_SWING_INWARD ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
+      noun.wish.said = Quote(noun.begin, end);
+      noun.wish.definite = true;
+      list_.Add(noun, site);
+      return;
+    }
     if (site.sides.empty()) {
       (noun.wish.door ? openings_.no_doors : openings_.no_windows) = true;
     } else if (!noun.wish.door) {

@@ -123,6 +123,7 @@ TEST(OpeningReader, ReadsMeasuresAndKinds) {
       {"Two 3 m windows on the north wall.", "2 window@north w3"},
       {"A 1.2 m x 1.5 m window.", "window w1.2 h1.5"},
       {"A 90cm door opening outwards.", "door w0.9 outward"},
+      {"A bathroom, no door opening inwards.", "door outward"},
       {"A window with a sill at 1.1 m.", "window sill1.1"},
       {"Floor-to-ceiling windows along the south wall.", "2 window@south sill0 to-ceiling"},
       {"French windows to the garden on the east wall.", "door@east w1.5 outside to:garden"},
