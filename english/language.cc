@@ -59,11 +59,11 @@ absl::StatusOr<std::vector<fs::path>> FilesOf(const fs::path& folder) {
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().extension() == ".textproto") files.push_back(it->path());
   }
-  if (error) return absl::NotFoundError(fmt::format("language folder {}: {}", folder.string(), error.message()));
+  if (error) return NotFound("language folder {}: {}", folder.string(), error.message());
   if (files.empty()) {
-    return absl::NotFoundError(fmt::format("language folder {} has no *.textproto files", folder.string()));
+    return NotFound("language folder {} has no *.textproto files", folder.string());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -92,7 +92,7 @@ absl::StatusOr<std::unique_ptr<const Language>> Language::Load(const fs::path& f
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();
-    if (!stream) return absl::UnavailableError(fmt::format("cannot read {}", file.string()));
+    if (!stream) return Unavailable("cannot read {}", file.string());
     Faults collector(file.filename().string(), faults);
     google::protobuf::TextFormat::Parser parser;
     parser.RecordErrorsTo(&collector);
@@ -101,8 +101,7 @@ absl::StatusOr<std::unique_ptr<const Language>> Language::Load(const fs::path& f
   }
   Check(merged, faults);
   if (!faults.empty()) {
-    return absl::InvalidArgumentError(
-        fmt::format("language folder {}:\n  {}", folder.string(), absl::StrJoin(faults, "\n  ")));
+    return InvalidArgument("language folder {}:\n  {}", folder.string(), absl::StrJoin(faults, "\n  "));
   }
   return std::make_unique<const Language>(std::move(merged));
 }

@@ -21,7 +21,7 @@ void PhraseBook::Add(std::string_view phrase, int value) {
   const Sequence& sequence = entries_.back().sequence;
   std::vector<std::string> first;
   FirstWords({&sequence, 0, nullptr}, first);
-  std::sort(first.begin(), first.end());
+  std::ranges::sort(first);
   first.erase(std::unique(first.begin(), first.end()), first.end());
   for (const std::string& word : first) {
     by_first_word_[word].push_back(entry);

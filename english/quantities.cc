@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "english/lexicon.h"
-#include "english/words.h"
 #include "fmt/format.h"
 
 namespace flair::english {
@@ -53,126 +52,6 @@ std::optional<Measure> SquareUnitAt(const std::vector<Token>& tokens, size_t i) 
   }
   return Measure{0, side->size() * side->size(), at};
 }
-
-}  // namespace
-
-std::optional<double> NumberOf(std::string_view word) {
-  const v1::NumberWord* const number = Language::Get().FindNumber(word);
-  return number == nullptr ? std::nullopt : std::optional(number->value());
-}
-
-std::optional<Number> NumberAt(const std::vector<Token>& tokens, size_t i) {
-  const Token* const first = Peek(tokens, i);
-  if (first == nullptr) return std::nullopt;
-  Number number{first->number, i + 1};
-  if (first->kind == Token::Kind::kNumber) {
-    const Token* const next = Peek(tokens, i + 1);
-    const bool fraction = next != nullptr && next->kind == Token::Kind::kNumber && next->number > 0 &&
-                          next->number < 1 && (next->text[0] == '.' || next->text.find('/') != std::string::npos);
-    if (fraction && first->text.find('.') == std::string::npos) {
-      number.value += next->number;
-      ++number.end;
-    }
-    AddHalf(tokens, number.value, number.end, 1);
-    return number;
-  }
-  if (first->kind != Token::Kind::kWord) return std::nullopt;
-  const std::optional<double> value = NumberOf(first->text);
-  if (!value) return std::nullopt;
-  number.value = *value;
-  const auto ones_at = [&](size_t at) {
-    const std::optional<double> ones = at < tokens.size() ? NumberOf(tokens[at].text) : std::nullopt;
-    return ones && !Language::Get().FindNumber(tokens[at].text)->counts_things() ? *ones : 0;
-  };
-  if (*value == 1 || *value == 0.5) {
-    // "A half", "half a dozen", "a hundred", "a few", "a couple".
-    if (WordAt(tokens, number.end, "half")) {
-      number.value = 0.5;
-      ++number.end;
-    }
-    if (number.value == 0.5 && (WordAt(tokens, number.end, "a") || WordAt(tokens, number.end, "an"))) ++number.end;
-    const Token* const scale = Peek(tokens, number.end);
-    const v1::NumberWord* const more = scale == nullptr ? nullptr : Language::Get().FindNumber(scale->text);
-    const bool counted = first->text == "a" || number.value == 0.5 || (more != nullptr && more->value() >= 12);
-    if (more != nullptr && more->value() > 1 && counted && (more->value() >= 100 || more->counts_things())) {
-      number.value *= more->value();
-      ++number.end;
-    }
-  } else if (*value >= 20 && *value < 100) {
-    const size_t next = PastHyphen(tokens, number.end);
-    if (const double ones = ones_at(next); ones >= 1 && ones < 10) {
-      number.value += ones;
-      number.end = next + 1;
-    }
-  } else if (WordAt(tokens, number.end, "hundred")) {
-    number.value *= 100;
-    ++number.end;
-  }
-  AddHalf(tokens, number.value, number.end, 1);
-  return number;
-}
-
-std::optional<Measure> MeasureAt(const std::vector<Token>& tokens, size_t i, v1::Unit::Kind kind) {
-  const std::optional<Number> number = NumberAt(tokens, i);
-  if (!number) return std::nullopt;
-  Measure measure{number->value, 0, number->end};
-  if (kind == v1::Unit::KIND_AREA) {
-    if (const std::optional<Measure> area = SquareUnitAt(tokens, measure.end))
-      return Measure{measure.value * area->unit, area->unit, area->end};
-    return measure;
-  }
-  const size_t at = PastHyphen(tokens, measure.end);
-  const v1::Unit* const unit = UnitAt(tokens, at, kind);
-  if (unit == nullptr) return measure;
-  measure = {measure.value * unit->size(), unit->size(), at + 1};
-  AddHalf(tokens, measure.value, measure.end, unit->size());  // "a metre and a half"
-  // "5 ft 6 in", "1 m 20 cm", 12'6 with its last mark left out.
-  const Token* const more = Peek(tokens, measure.end);
-  if (more == nullptr || more->kind != Token::Kind::kNumber) return measure;
-  const v1::Unit* const smaller = UnitAt(tokens, measure.end + 1, kind);
-  const bool inches = tokens[at].text == "'" && more->glued;
-  if (smaller != nullptr && smaller->size() < unit->size() && more->number * smaller->size() < unit->size()) {
-    measure.value += more->number * smaller->size();
-    measure.end += 2;
-  } else if (smaller == nullptr && inches && more->number < 12) {
-    measure.value += more->number * unit->size() / 12;
-    ++measure.end;
-  }
-  return measure;
-}
-
-std::optional<double> ReadMeasure(std::string_view text, v1::Unit::Kind kind) {
-  constexpr size_t kLongest = 60;
-  if (text.size() > kLongest) return std::nullopt;
-  std::vector<Token> tokens = Tokenize(text);
-  // Nothing but a measure: "48 in" is inches.
-  for (Token& token : tokens) token.glued = true;
-  size_t at = 0;
-  while (at < tokens.size() && (IsIn("about", tokens[at]) || tokens[at].IsMark('~') || tokens[at].IsMark('.'))) ++at;
-  const bool negative = MarkAt(tokens, at, '-');
-  if (negative || MarkAt(tokens, at, '+')) ++at;
-  const std::optional<Measure> measure = MeasureAt(tokens, at, kind);
-  if (!measure) return std::nullopt;
-  at = measure->end;
-  if (at < tokens.size() && IsIn("dimensions", tokens[at])) ++at;
-  if (MarkAt(tokens, at, '.')) ++at;
-  if (at < tokens.size()) return std::nullopt;
-  return negative ? -measure->value : measure->value;
-}
-
-std::optional<double> ReadCount(std::string_view text) {
-  std::vector<Token> tokens = Tokenize(text);
-  const auto times = [](const Token& token) { return token.IsWord("x"); };
-  if (!tokens.empty() && times(tokens.front())) tokens.erase(tokens.begin());
-  const std::optional<Number> number = NumberAt(tokens, 0);
-  if (!number) return std::nullopt;
-  size_t at = number->end;
-  if (at < tokens.size() && (times(tokens[at]) || IsIn("pieces", tokens[at]))) ++at;
-  if (MarkAt(tokens, at, '.')) ++at;
-  return at == tokens.size() ? std::optional(number->value) : std::nullopt;
-}
-
-namespace {
 
 // The phrases that bound a figure, before and after it; values are kinds of Bound.
 struct BoundPhrases {
@@ -381,6 +260,122 @@ class LengthJoiner {
 };
 
 }  // namespace
+
+std::optional<double> NumberOf(std::string_view word) {
+  const v1::NumberWord* const number = Language::Get().FindNumber(word);
+  return number == nullptr ? std::nullopt : std::optional(number->value());
+}
+
+std::optional<Number> NumberAt(const std::vector<Token>& tokens, size_t i) {
+  const Token* const first = Peek(tokens, i);
+  if (first == nullptr) return std::nullopt;
+  Number number{first->number, i + 1};
+  if (first->kind == Token::Kind::kNumber) {
+    const Token* const next = Peek(tokens, i + 1);
+    const bool fraction = next != nullptr && next->kind == Token::Kind::kNumber && next->number > 0 &&
+                          next->number < 1 && (next->text[0] == '.' || next->text.find('/') != std::string::npos);
+    if (fraction && first->text.find('.') == std::string::npos) {
+      number.value += next->number;
+      ++number.end;
+    }
+    AddHalf(tokens, number.value, number.end, 1);
+    return number;
+  }
+  if (first->kind != Token::Kind::kWord) return std::nullopt;
+  const std::optional<double> value = NumberOf(first->text);
+  if (!value) return std::nullopt;
+  number.value = *value;
+  const auto ones_at = [&](size_t at) {
+    const std::optional<double> ones = at < tokens.size() ? NumberOf(tokens[at].text) : std::nullopt;
+    return ones && !Language::Get().FindNumber(tokens[at].text)->counts_things() ? *ones : 0;
+  };
+  if (*value == 1 || *value == 0.5) {
+    // "A half", "half a dozen", "a hundred", "a few", "a couple".
+    if (WordAt(tokens, number.end, "half")) {
+      number.value = 0.5;
+      ++number.end;
+    }
+    if (number.value == 0.5 && (WordAt(tokens, number.end, "a") || WordAt(tokens, number.end, "an"))) ++number.end;
+    const Token* const scale = Peek(tokens, number.end);
+    const v1::NumberWord* const more = scale == nullptr ? nullptr : Language::Get().FindNumber(scale->text);
+    const bool counted = first->text == "a" || number.value == 0.5 || (more != nullptr && more->value() >= 12);
+    if (more != nullptr && more->value() > 1 && counted && (more->value() >= 100 || more->counts_things())) {
+      number.value *= more->value();
+      ++number.end;
+    }
+  } else if (*value >= 20 && *value < 100) {
+    const size_t next = PastHyphen(tokens, number.end);
+    if (const double ones = ones_at(next); ones >= 1 && ones < 10) {
+      number.value += ones;
+      number.end = next + 1;
+    }
+  } else if (WordAt(tokens, number.end, "hundred")) {
+    number.value *= 100;
+    ++number.end;
+  }
+  AddHalf(tokens, number.value, number.end, 1);
+  return number;
+}
+
+std::optional<Measure> MeasureAt(const std::vector<Token>& tokens, size_t i, v1::Unit::Kind kind) {
+  const std::optional<Number> number = NumberAt(tokens, i);
+  if (!number) return std::nullopt;
+  Measure measure{number->value, 0, number->end};
+  if (kind == v1::Unit::KIND_AREA) {
+    if (const std::optional<Measure> area = SquareUnitAt(tokens, measure.end))
+      return Measure{measure.value * area->unit, area->unit, area->end};
+    return measure;
+  }
+  const size_t at = PastHyphen(tokens, measure.end);
+  const v1::Unit* const unit = UnitAt(tokens, at, kind);
+  if (unit == nullptr) return measure;
+  measure = {measure.value * unit->size(), unit->size(), at + 1};
+  AddHalf(tokens, measure.value, measure.end, unit->size());  // "a metre and a half"
+  // "5 ft 6 in", "1 m 20 cm", 12'6 with its last mark left out.
+  const Token* const more = Peek(tokens, measure.end);
+  if (more == nullptr || more->kind != Token::Kind::kNumber) return measure;
+  const v1::Unit* const smaller = UnitAt(tokens, measure.end + 1, kind);
+  const bool inches = tokens[at].text == "'" && more->glued;
+  if (smaller != nullptr && smaller->size() < unit->size() && more->number * smaller->size() < unit->size()) {
+    measure.value += more->number * smaller->size();
+    measure.end += 2;
+  } else if (smaller == nullptr && inches && more->number < 12) {
+    measure.value += more->number * unit->size() / 12;
+    ++measure.end;
+  }
+  return measure;
+}
+
+std::optional<double> ReadMeasure(std::string_view text, v1::Unit::Kind kind) {
+  constexpr size_t kLongest = 60;
+  if (text.size() > kLongest) return std::nullopt;
+  std::vector<Token> tokens = Tokenize(text);
+  // Nothing but a measure: "48 in" is inches.
+  for (Token& token : tokens) token.glued = true;
+  size_t at = 0;
+  while (at < tokens.size() && (IsIn("about", tokens[at]) || tokens[at].IsMark('~') || tokens[at].IsMark('.'))) ++at;
+  const bool negative = MarkAt(tokens, at, '-');
+  if (negative || MarkAt(tokens, at, '+')) ++at;
+  const std::optional<Measure> measure = MeasureAt(tokens, at, kind);
+  if (!measure) return std::nullopt;
+  at = measure->end;
+  if (at < tokens.size() && IsIn("dimensions", tokens[at])) ++at;
+  if (MarkAt(tokens, at, '.')) ++at;
+  if (at < tokens.size()) return std::nullopt;
+  return negative ? -measure->value : measure->value;
+}
+
+std::optional<double> ReadCount(std::string_view text) {
+  std::vector<Token> tokens = Tokenize(text);
+  const auto times = [](const Token& token) { return token.IsWord("x"); };
+  if (!tokens.empty() && times(tokens.front())) tokens.erase(tokens.begin());
+  const std::optional<Number> number = NumberAt(tokens, 0);
+  if (!number) return std::nullopt;
+  size_t at = number->end;
+  if (at < tokens.size() && (times(tokens[at]) || IsIn("pieces", tokens[at]))) ++at;
+  if (MarkAt(tokens, at, '.')) ++at;
+  return at == tokens.size() ? std::optional(number->value) : std::nullopt;
+}
 
 std::vector<Token> JoinLengths(std::vector<Token> tokens) { return LengthJoiner(std::move(tokens)).Run(); }
 

@@ -213,7 +213,7 @@ class Tokenizer {
 }  // namespace
 
 bool IsOneOf(const Token& token, std::initializer_list<std::string_view> words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return token.IsWord(word); });
+  return std::ranges::any_of(words, [&](std::string_view word) { return token.IsWord(word); });
 }
 
 bool IsIn(std::string_view list, const Token& token) {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "english/words.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::english {
 namespace {
@@ -102,9 +103,8 @@ absl::StatusOr<std::unique_ptr<const WordNet>> WordNet::Open(const std::filesyst
   try {
     return std::unique_ptr<const WordNet>(new WordNet(std::make_unique<const Files>(folder)));
   } catch (const boost::interprocess::interprocess_exception& error) {
-    return absl::NotFoundError(
-        fmt::format("{}: WordNet's files cannot be read ({}); Debian's package wordnet-base installs them",
-                    folder.string(), error.what()));
+    return NotFound("{}: WordNet's files cannot be read ({}); Debian's package wordnet-base installs them",
+                    folder.string(), error.what());
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // flair-orchestrator: serves OrchestratorService.
 #include "absl/synchronization/mutex.h"
-#include "orchestrator/batch/queue_config.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/service/make_orchestrator_service.h"
 #include "worker_runtime/bootstrap/build_id.h"

@@ -2,7 +2,7 @@
 // flair-renderer: serves flair.v1.RendererService.
 #include "flair/config/v1/renderer_worker_config.pb.h"
 #include "flair/v1/renderer_service.grpc.pb.h"
-#include "renderer_worker/service/make_renderer_service.h"
+#include "renderer_worker/service/handlers.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
 #include "worker_runtime/status/status_macros.h"

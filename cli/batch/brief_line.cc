@@ -129,7 +129,7 @@ absl::Status ReadJson(std::string_view text, BriefLine& line) {
     return InvalidArgument("is not JSON: {}; a line that begins with {} is read as JSON", words, text.front());
   }
   if (const std::string key = RepeatedKey(text); !key.empty()) {
-    return absl::InvalidArgumentError(fmt::format("\"{}\" stands twice in one object; keep one", key));
+    return InvalidArgument("\"{}\" stands twice in one object; keep one", key);
   }
   if (value.is_object()) return ReadObject(std::move(value), line);
   line.spec.mutable_brief()->set_text(value.get<std::string>());

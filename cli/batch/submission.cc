@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/batch/submission.h"
+#include "cli/batch/batch_run.h"
 
 #include <system_error>
 

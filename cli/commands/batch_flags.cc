@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fmt/format.h"
-#include "orchestrator/batch/queue_config.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/jetstream/open.h"
 #include "worker_runtime/status/status_macros.h"
 

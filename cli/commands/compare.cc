@@ -11,7 +11,7 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
 #include "cli/graph/layout_diagram.h"
-#include "cli/input/artifact_source.h"
+#include "cli/input/artifact_shelf.h"
 #include "cli/input/job_options.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"

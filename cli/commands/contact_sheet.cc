@@ -18,7 +18,7 @@
 #include "fmt/format.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene_state/write_scene_state.h"
-#include "renderer_worker/service/make_renderer_service.h"
+#include "renderer_worker/service/handlers.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 

@@ -17,7 +17,7 @@
 #include "cli/session/stage_calls.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
-#include "orchestrator/pipeline/summary.h"
+#include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"

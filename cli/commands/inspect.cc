@@ -9,7 +9,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/explain/layout_note.h"
-#include "cli/input/artifact_source.h"
+#include "cli/input/artifact_shelf.h"
 #include "cli/inspect/inspection.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/commands/commands.h"
-#include "cli/input/artifact_source.h"
+#include "cli/input/artifact_shelf.h"
 #include "cli/input/job_options.h"
 #include "cli/input/message_text.h"
 #include "cli/inspect/inspection.h"
@@ -16,7 +16,7 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
-#include "orchestrator/pipeline/summary.h"
+#include "orchestrator/pipeline/stage.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"

@@ -13,7 +13,7 @@
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "language_worker/service/make_language_service.h"
 #include "orchestrator/service/make_orchestrator_service.h"
-#include "renderer_worker/service/make_renderer_service.h"
+#include "renderer_worker/service/handlers.h"
 #include "translator_worker/service/make_translator_service.h"
 #include "worker_runtime/grpc/in_process_server.h"
 

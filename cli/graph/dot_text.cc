@@ -16,7 +16,7 @@
 #include "cli/graph/layout_diagram.h"
 #include "cli/output/text.h"
 #include "fmt/format.h"
-#include "renderer_worker/drawing/colour.h"
+#include "renderer_worker/drawing/canvas.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {

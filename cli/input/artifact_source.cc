@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/input/artifact_source.h"
+#include "cli/input/artifact_shelf.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -14,7 +14,7 @@
 #include "fmt/ranges.h"
 #include "google/protobuf/util/time_util.h"
 #include "nlohmann/json.hpp"
-#include "orchestrator/pipeline/summary.h"
+#include "orchestrator/pipeline/stage.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/text/counted.h"
 

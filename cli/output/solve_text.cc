@@ -8,7 +8,7 @@
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "orchestrator/pipeline/summary.h"
+#include "orchestrator/pipeline/stage.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {

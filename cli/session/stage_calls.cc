@@ -20,7 +20,7 @@
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "orchestrator/store/artifact_id.h"
-#include "renderer_worker/service/make_renderer_service.h"
+#include "renderer_worker/service/handlers.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/in_process_server.h"

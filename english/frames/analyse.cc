@@ -184,7 +184,7 @@ class Reader {
 
   // "Next to the sofa so that it can be used": what follows belongs to no list of the fact before.
   void EndFact() {
-    const bool relates = std::any_of(terms_.begin(), terms_.end(), [](const RawTerm& raw) {
+    const bool relates = std::ranges::any_of(terms_, [](const RawTerm& raw) {
       return raw.role == RawTerm::Role::kNone && raw.term.kind == Term::Kind::kWord && !raw.term.IsWord("not");
     });
     if (!relates || !(IsMention(terms_.back()) || terms_.back().role == RawTerm::Role::kSide)) return;

@@ -33,9 +33,7 @@ class BracketReader {
     }
     // "0.4 m (ideally 0.5 m)": how much was said.
     const bool said = !terms_.empty() && terms_.back().term.kind == Term::Kind::kDistance;
-    if (said && IsOneOf(first, {"ideally", "preferably"}) && closed) {
-      return {Bracket::Kind::kSkipped, end_ + 1, 0};
-    }
+    if (said && IsOneOf(first, {"ideally", "preferably"}) && closed) return {Bracket::Kind::kSkipped, end_ + 1, 0};
     if (IsLength() || TakeNames() || TakeSide() || (adds && closed && TakeFigure()) || Explains()) {
       return {Bracket::Kind::kSkipped, std::min(end_ + 1, tokens_.size()), 0};
     }

@@ -55,8 +55,8 @@ Match Form::At(std::span<const Term> terms) const {
 
 bool Form::Takes(const Match& match) const {
   const auto element_of = [&](char slot) {
-    return std::find_if(elements_.begin(), elements_.end(),
-                        [&](const Element& one) { return one.slot == slot || (slot == 'D' && one.slot == '~'); });
+    return std::ranges::find_if(
+        elements_, [&](const Element& one) { return one.slot == slot || (slot == 'D' && one.slot == '~'); });
   };
   const auto fits = [&](char slot, const Mention* mention, bool bound) {
     const auto element = element_of(slot);
@@ -71,7 +71,7 @@ bool Form::Fits(const Element& element, const Term& term, const Match& match) co
   switch (element.slot) {
     case 0:
       return (term.kind == Term::Kind::kWord || term.kind == Term::Kind::kPurpose) &&
-             std::find(element.words.begin(), element.words.end(), term.lemma) != element.words.end();
+             std::ranges::find(element.words, term.lemma) != element.words.end();
     case ',':
       return term.kind == Term::Kind::kSoft;
     case 'D':
@@ -125,7 +125,7 @@ FrameBook::Hit FrameBook::Find(std::span<const Term> terms) const {
 }
 
 bool FrameBook::Knows(std::string_view meaning, std::string_view detail, const Match& match) const {
-  return std::any_of(forms_.begin(), forms_.end(), [&](const Entry& entry) {
+  return std::ranges::any_of(forms_, [&](const Entry& entry) {
     return entry.frame->meaning() == meaning && entry.frame->detail() == detail && entry.form.Takes(match);
   });
 }

@@ -6,7 +6,6 @@
 #include "english/frames/noun_phrases.h"
 
 namespace flair::english {
-
 namespace {
 
 using Role = RawTerm::Role;
@@ -45,10 +44,9 @@ bool StandsAlone(const std::vector<RawTerm>& raws, size_t at, const std::vector<
   const auto one = [&](const RawTerm& raw) {
     return raw.role == Role::kOrdinal && raw.ordinal < 3 && relates(static_cast<size_t>(&raw - raws.data()) + 1);
   };
-  const bool named = std::any_of(out.begin(), out.end(), [](const RawTerm& raw) {
-    return IsThing(raw) && raw.term.mention.references.back().candidates.size() > 1;
-  });
-  return !named && std::count_if(raws.begin(), raws.end(), one) == 2;
+  const bool named = std::ranges::any_of(
+      out, [](const RawTerm& raw) { return IsThing(raw) && raw.term.mention.references.back().candidates.size() > 1; });
+  return !named && std::ranges::count_if(raws, one) == 2;
 }
 
 RawTerm OneOfHeading(const RawTerm& raw, int number) {
@@ -74,77 +72,6 @@ bool AdjectiveLike(const Term& term) {
   const std::string& word = term.lemma;
   return word.size() < 3 || (word.back() != 's' && word.substr(word.size() - 3) != "ing");
 }
-
-}  // namespace
-
-std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws) {
-  std::vector<RawTerm> out;
-  bool each = false;
-  bool none = false;
-  bool other = false;
-  Term other_term;
-  int ordinal = 0;
-  int alone = 0;
-  for (RawTerm& raw : raws) {
-    if (raw.role == Role::kEach) {
-      each = true;
-      none = none || raw.negative;
-      continue;
-    }
-    if (raw.role == Role::kOrdinal && StandsAlone(raws, static_cast<size_t>(&raw - raws.data()), out)) {
-      out.push_back(OneOfHeading(raw, ++alone));
-      continue;
-    }
-    if (raw.role == Role::kOrdinal) {
-      if (other && raw.ordinal == 1) continue;  // "the second one", "the first one"
-      ordinal = raw.ordinal;
-      other = raw.ordinal > 1 || other || Earlier(ordinal, out) != nullptr;
-      if (other) other_term = raw.term;
-      continue;
-    }
-    if (other && !IsMention(raw)) NameTheOther(other_term, ordinal, out);
-    other = false;
-    // "Water splash and sockets": what follows a vague thing belongs to it.
-    if (raw.role == Role::kNone && raw.term.kind == Term::Kind::kUnknown && !out.empty() && IsVague(out.back())) {
-      out.back().term.end = raw.term.end;
-      continue;
-    }
-    if (IsMention(raw)) {
-      Reference& reference = raw.term.mention.references.back();
-      // "Along each long side of the table": of one table.
-      reference.each = reference.each || (each && !(raw.side_first && reference.kind == RefKind::kObjects));
-      // "Both the front and one side" are two, no two of a kind.
-      const bool one_side = raw.term.mention.references.size() == 1;
-      if (each && raw.side_first && one_side) reference.side = BothOf(reference.side);
-      if (ordinal > 0) reference.ordinal = ordinal;
-      if ((IsThing(raw) || IsFeature(raw) || reference.kind == RefKind::kWall) && !out.empty() &&
-          out.back().role == Role::kNone && AdjectiveLike(out.back().term)) {
-        out.pop_back();
-        // "Flammable objects": which those are, nobody knows.
-        const bool unnamed = reference.kind == RefKind::kGroup && !reference.each &&
-                             (reference.name == "all" || reference.name == "others");
-        if (unnamed) reference.name = "kind";
-      }
-      each = false;
-      ordinal = 0;
-    } else if (raw.term.kind != Term::Kind::kUnknown || raw.role != Role::kNone) {
-      each = false;
-      ordinal = 0;
-    }
-    const bool negative = raw.negative || (none && IsMention(raw));
-    if (negative) none = false;
-    out.push_back(std::move(raw));
-    if (negative) {
-      RawTerm denial;
-      denial.term.kind = Term::Kind::kWord;
-      denial.term.lemma = "not";
-      out.push_back(std::move(denial));
-    }
-  }
-  return out;
-}
-
-namespace {
 
 class ListJoiner {
  public:
@@ -281,6 +208,73 @@ class ListJoiner {
 };
 
 }  // namespace
+
+std::vector<RawTerm> AttachQuantities(std::vector<RawTerm> raws) {
+  std::vector<RawTerm> out;
+  bool each = false;
+  bool none = false;
+  bool other = false;
+  Term other_term;
+  int ordinal = 0;
+  int alone = 0;
+  for (RawTerm& raw : raws) {
+    if (raw.role == Role::kEach) {
+      each = true;
+      none = none || raw.negative;
+      continue;
+    }
+    if (raw.role == Role::kOrdinal && StandsAlone(raws, static_cast<size_t>(&raw - raws.data()), out)) {
+      out.push_back(OneOfHeading(raw, ++alone));
+      continue;
+    }
+    if (raw.role == Role::kOrdinal) {
+      if (other && raw.ordinal == 1) continue;  // "the second one", "the first one"
+      ordinal = raw.ordinal;
+      other = raw.ordinal > 1 || other || Earlier(ordinal, out) != nullptr;
+      if (other) other_term = raw.term;
+      continue;
+    }
+    if (other && !IsMention(raw)) NameTheOther(other_term, ordinal, out);
+    other = false;
+    // "Water splash and sockets": what follows a vague thing belongs to it.
+    if (raw.role == Role::kNone && raw.term.kind == Term::Kind::kUnknown && !out.empty() && IsVague(out.back())) {
+      out.back().term.end = raw.term.end;
+      continue;
+    }
+    if (IsMention(raw)) {
+      Reference& reference = raw.term.mention.references.back();
+      // "Along each long side of the table": of one table.
+      reference.each = reference.each || (each && !(raw.side_first && reference.kind == RefKind::kObjects));
+      // "Both the front and one side" are two, no two of a kind.
+      const bool one_side = raw.term.mention.references.size() == 1;
+      if (each && raw.side_first && one_side) reference.side = BothOf(reference.side);
+      if (ordinal > 0) reference.ordinal = ordinal;
+      if ((IsThing(raw) || IsFeature(raw) || reference.kind == RefKind::kWall) && !out.empty() &&
+          out.back().role == Role::kNone && AdjectiveLike(out.back().term)) {
+        out.pop_back();
+        // "Flammable objects": which those are, nobody knows.
+        const bool unnamed = reference.kind == RefKind::kGroup && !reference.each &&
+                             (reference.name == "all" || reference.name == "others");
+        if (unnamed) reference.name = "kind";
+      }
+      each = false;
+      ordinal = 0;
+    } else if (raw.term.kind != Term::Kind::kUnknown || raw.role != Role::kNone) {
+      each = false;
+      ordinal = 0;
+    }
+    const bool negative = raw.negative || (none && IsMention(raw));
+    if (negative) none = false;
+    out.push_back(std::move(raw));
+    if (negative) {
+      RawTerm denial;
+      denial.term.kind = Term::Kind::kWord;
+      denial.term.lemma = "not";
+      out.push_back(std::move(denial));
+    }
+  }
+  return out;
+}
 
 std::vector<Term> JoinLists(std::vector<RawTerm> raw) { return ListJoiner(std::move(raw)).Run(); }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "english/frames/noun_phrases.h"
 
-#include <utility>
-
 namespace flair::english {
 namespace {
 
@@ -130,9 +128,7 @@ class Grouper {
     raw.side_first = true;
     Mention& mention = raw.term.mention;
     mention.references.clear();
-    for (const size_t index : sides) {
-      mention.references.push_back(BareSide(in_[index]).term.mention.references.front());
-    }
+    for (const size_t index : sides) mention.references.push_back(BareSide(in_[index]).term.mention.references.front());
     mention.either = sides.size() > 1 && in_[sides.back() - 1].role == Role::kOr;
     raw.term.end = in_[next - 1].term.end;
     size_t owner = next + 1;

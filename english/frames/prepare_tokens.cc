@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 #include "english/frames/token_context.h"
 #include "english/language.h"

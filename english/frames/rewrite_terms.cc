@@ -80,7 +80,7 @@ void DropLabel(std::vector<Term>& terms) {
   const auto is_purpose = [](const Term& term) { return term.kind == Term::Kind::kPurpose; };
   const auto is_stop = [](const Term& term) { return term.kind == Term::Kind::kStop; };
   const auto is_object = [](const Term& term) { return term.Mentions(RefKind::kObjects); };
-  const auto colon = std::find_if(terms.begin(), terms.end(), is_colon);
+  const auto colon = std::ranges::find_if(terms, is_colon);
   if (colon == terms.end() || colon == terms.begin() || colon - terms.begin() > static_cast<long>(kLongestLabel))
     return;
   if (std::any_of(terms.begin(), colon, is_stop)) return;

@@ -61,9 +61,7 @@ struct Reference {
 
   // Whether the object bears the name.
   bool Names(int object) const {
-    const auto has = [&](const std::vector<int>& list) {
-      return std::find(list.begin(), list.end(), object) != list.end();
-    };
+    const auto has = [&](const std::vector<int>& list) { return std::ranges::find(list, object) != list.end(); };
     return has(candidates) || has(weak_candidates);
   }
 };
@@ -101,7 +99,7 @@ struct Term {
   // "Its back", "the front": a side of what is spoken of.
   bool IsOwnSide() const { return Mentions(RefKind::kPronoun) && !mention.references.front().side.empty(); }
   bool IsAnyWord(std::initializer_list<std::string_view> words) const {
-    return kind == Kind::kWord && std::find(words.begin(), words.end(), lemma) != words.end();
+    return kind == Kind::kWord && std::ranges::find(words, lemma) != words.end();
   }
 };
 

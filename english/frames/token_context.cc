@@ -2,7 +2,6 @@
 #include "english/frames/token_context.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace flair::english {
 
@@ -12,9 +11,7 @@ bool VerbFollows(const TokenContext& context) {
   if (IsOneOf(tokens[at - 1], {"each", "both", "one", "other", "it", "they", "which", "that"})) return true;
   if (terms.empty()) return false;
   const RawTerm& before = terms.back();
-  if (before.role == RawTerm::Role::kModal || before.term.IsWord("not")) {
-    return before.term.end == tokens[at - 1].end;
-  }
+  if (before.role == RawTerm::Role::kModal || before.term.IsWord("not")) return before.term.end == tokens[at - 1].end;
   return before.role == RawTerm::Role::kNone && before.term.kind == Term::Kind::kMention;
 }
 

@@ -9,10 +9,9 @@
 #include <string_view>
 
 #include "evaluation/metrics/measures.h"
-#include "evaluation/metrics/routes.h"
+#include "evaluation/metrics/walk_grid.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "room/conversion/conversion.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/gap.h"
 #include "room/geometry/polygon.h"
 #include "room/scene/room.h"

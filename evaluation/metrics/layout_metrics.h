@@ -76,7 +76,7 @@ double CoveredLength(const LayoutView& view, size_t object, const Opening& openi
 // of a corner of any object beyond the floor. Metres, 0 when all is clear.
 double DeepestOverlap_m(const LayoutView& view);
 
-// All measures of a layout but uses; see above, measures.h and routes.h for what they mean.
+// All measures of a layout but uses; see above, measures.h and walk_grid.h for what they mean.
 v1::LayoutMetrics MeasureLayout(const LayoutView& view);
 
 // The same of a message, which is validated first, and its uses.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The measures of a layout beside those of layout_metrics.h and routes.h: solids, uses, pathway cost.
+// The measures of a layout beside those of layout_metrics.h and walk_grid.h: solids, uses, pathway cost.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/layout_metrics.pb.h"
 #include "flair/v1/solved_layout.pb.h"
-#include "room/geometry/vec2.h"
+#include "room/geometry/pose.h"
 
 namespace flair::evaluation {
 

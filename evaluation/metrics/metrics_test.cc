@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
+#include "evaluation/metrics/walk_grid.h"
 
 namespace flair::evaluation {
 namespace {

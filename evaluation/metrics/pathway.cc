@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "evaluation/metrics/measures.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 
 namespace flair::evaluation {

@@ -6,9 +6,9 @@
 
 #include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/measures.h"
-#include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/furnished.h"
 #include "evaluation/metrics/testing/oor_paper.h"
+#include "evaluation/metrics/walk_grid.h"
 
 namespace flair::evaluation {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "absl/strings/str_split.h"
 #include "evaluation/metrics/layout_metrics.h"
-#include "evaluation/metrics/routes.h"
 #include "evaluation/metrics/testing/oor_paper.h"
+#include "evaluation/metrics/walk_grid.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::evaluation {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluation/metrics/routes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +7,7 @@
 #include <queue>
 
 #include "evaluation/metrics/walk_grid.h"
-#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/scene/room.h"
 
 namespace flair::evaluation {

@@ -15,8 +15,8 @@
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/autodiff/smooth.h"
-#include "room/geometry/footprint.h"
+#include "room/autodiff/dual.h"
+#include "room/geometry/polygon.h"
 #include "room/scene/room.h"
 
 namespace flair::optimizer {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "language_worker/model/steps.h"
+#include "language_worker/model/model_handlers.h"
 #include "llm/answers/read_answer.h"
 
 namespace flair::language {

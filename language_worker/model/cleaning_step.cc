@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "language_worker/handbook/cleaning/clean_constraints.h"
+#include "language_worker/model/model_handlers.h"
 #include "language_worker/model/prompt_text.h"
-#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
 #include "llm/answers/read_answer.h"
 #include "room/validation/validate.h"

@@ -7,9 +7,9 @@
 
 #include "language_worker/handbook/parts/brief_parts.h"
 #include "language_worker/handbook/sentences/list_constraints.h"
+#include "language_worker/model/model_handlers.h"
 #include "language_worker/model/model_tools.h"
 #include "language_worker/model/prompt_text.h"
-#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "flair/v1/worker_service.pb.h"
-#include "language_worker/model/steps.h"
 #include "llm/answers/conversation.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"

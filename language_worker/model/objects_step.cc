@@ -9,9 +9,9 @@
 
 #include "flair/model/v1/object_answers.pb.h"
 #include "language_worker/handbook/objects/list_objects.h"
+#include "language_worker/model/model_handlers.h"
 #include "language_worker/model/model_tools.h"
 #include "language_worker/model/prompt_text.h"
-#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"

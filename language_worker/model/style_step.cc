@@ -10,11 +10,11 @@
 
 #include "flair/model/v1/style_answers.pb.h"
 #include "language_worker/handbook/styling/choose_style.h"
+#include "language_worker/model/model_handlers.h"
 #include "language_worker/model/model_tools.h"
 #include "language_worker/model/prompt_text.h"
-#include "language_worker/model/steps.h"
 #include "llm/answers/prompt_library.h"
-#include "llm/answers/utf8.h"
+#include "llm/answers/read_answer.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"

@@ -10,7 +10,7 @@
 #include "english/language.h"
 #include "english/words.h"
 #include "language_worker/recorded/recorded_text.h"
-#include "llm/answers/utf8.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::language {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "absl/strings/ascii.h"
 #include "english/language.h"
-#include "llm/answers/utf8.h"
+#include "llm/answers/read_answer.h"
 
 namespace flair::language {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "language_worker/service/language_handlers.h"
+#include "language_worker/service/make_language_service.h"
 #include "language_worker/service/testing/model_session.h"
 #include "room/validation/validate.h"
 

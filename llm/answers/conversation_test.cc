@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "flair/model/v1/room_answers.pb.h"
-#include "llm/answers/utf8.h"
+#include "llm/answers/read_answer.h"
 #include "llm/client/fake_llm_client.h"
 
 namespace flair::llm {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "llm/answers/read_answer.h"
-#include "llm/answers/utf8.h"
 
 namespace flair::llm {
 namespace {

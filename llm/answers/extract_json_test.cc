@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "llm/answers/read_answer.h"
-#include "llm/answers/utf8.h"
 
 namespace flair::llm {
 namespace {

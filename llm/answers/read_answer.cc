@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "llm/answers/utf8.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::llm {

@@ -16,23 +16,17 @@ namespace {
 constexpr std::chrono::milliseconds kLookAgain(50);
 
 using runtime::MetricFamily;
-using runtime::MetricKind;
 
-constexpr MetricFamily kCalls{.kind = MetricKind::kCounter,
-                              .name = "flair_llm_calls_total",
-                              .help = "Questions to the language model, by status code.",
-                              .labels = {"code"}};
-constexpr MetricFamily kTokens{.kind = MetricKind::kCounter,
-                               .name = "flair_llm_tokens_total",
-                               .help = "Tokens of answered questions: input, cached_input (part of input), output.",
-                               .labels = {"direction"}};
-constexpr MetricFamily kCost{.kind = MetricKind::kCounter,
-                             .name = "flair_llm_cost_dollars_total",
-                             .help = "US dollars for answered questions, by the configured prices."};
-constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
-                                 .name = "flair_llm_call_duration_seconds",
-                                 .help = "Time from a question to its answer, with waiting and retries.",
-                                 .buckets = runtime::kSecondsBuckets};
+constexpr MetricFamily kCalls =
+    runtime::CounterFamily("flair_llm_calls_total", "Questions to the language model, by status code.", {"code"});
+constexpr MetricFamily kTokens =
+    runtime::CounterFamily("flair_llm_tokens_total",
+                           "Tokens of answered questions: input, cached_input (part of input), output.", {"direction"});
+constexpr MetricFamily kCost = runtime::CounterFamily("flair_llm_cost_dollars_total",
+                                                      "US dollars for answered questions, by the configured prices.");
+constexpr MetricFamily kDuration =
+    runtime::HistogramFamily("flair_llm_call_duration_seconds",
+                             "Time from a question to its answer, with waiting and retries.", runtime::kSecondsBuckets);
 
 // In [0, 1), decided by the text alone.
 double Spread(const std::string& text) {
@@ -109,11 +103,11 @@ MeteredLlmClient::MeteredLlmClient(std::unique_ptr<LlmClient> inner, runtime::Me
                                    const runtime::Clock& clock)
     : LlmClientWrapper(std::move(inner)),
       metrics_(metrics),
-      input_tokens_(metrics.GetCounter(kTokens, {"input"})),
-      cached_input_tokens_(metrics.GetCounter(kTokens, {"cached_input"})),
-      output_tokens_(metrics.GetCounter(kTokens, {"output"})),
-      cost_dollars_(metrics.GetCounter(kCost)),
-      duration_(metrics.GetHistogram(kDuration)),
+      input_tokens_(metrics.Get(kTokens, {"input"})),
+      cached_input_tokens_(metrics.Get(kTokens, {"cached_input"})),
+      output_tokens_(metrics.Get(kTokens, {"output"})),
+      cost_dollars_(metrics.Get(kCost)),
+      duration_(metrics.Get(kDuration)),
       clock_(clock) {
   metrics.Declare(kCalls);
 }
@@ -121,8 +115,8 @@ MeteredLlmClient::MeteredLlmClient(std::unique_ptr<LlmClient> inner, runtime::Me
 absl::StatusOr<ChatAnswer> MeteredLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
   const absl::Duration start = clock_.Elapsed();
   absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
-  metrics_.GetCounter(kCalls, {absl::StatusCodeToString(answer.status().code())}).Add();
-  duration_.Observe(absl::ToDoubleSeconds(clock_.Elapsed() - start));
+  metrics_.Get(kCalls, {absl::StatusCodeToString(answer.status().code())}).Add();
+  duration_.Add(absl::ToDoubleSeconds(clock_.Elapsed() - start));
   if (answer.ok()) {
     input_tokens_.Add(static_cast<double>(answer->usage.input_token_count));
     cached_input_tokens_.Add(static_cast<double>(answer->usage.cached_input_token_count));

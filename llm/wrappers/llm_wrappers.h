@@ -74,11 +74,11 @@ class MeteredLlmClient final : public LlmClientWrapper {
 
  private:
   runtime::Metrics& metrics_;
-  runtime::Counter& input_tokens_;
-  runtime::Counter& cached_input_tokens_;
-  runtime::Counter& output_tokens_;
-  runtime::Counter& cost_dollars_;
-  runtime::Histogram& duration_;
+  runtime::Meter& input_tokens_;
+  runtime::Meter& cached_input_tokens_;
+  runtime::Meter& output_tokens_;
+  runtime::Meter& cost_dollars_;
+  runtime::Meter& duration_;
   const runtime::Clock& clock_;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/arguments.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 
+#include "optimizer_worker/constraints/facts.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
@@ -16,20 +16,19 @@ using v1::ArgumentValue;
 using v1::ParameterSpec;
 
 absl::Status WrongType(const ParameterSpec& spec, std::string_view wanted) {
-  return absl::InvalidArgumentError(fmt::format("argument {}: give {}", spec.name(), wanted));
+  return InvalidArgument("argument {}: give {}", spec.name(), wanted);
 }
 
 absl::StatusOr<int> ObjectIndex(const ParameterSpec& spec, const std::string& id, const Scene& scene) {
   const int index = scene.IndexOf(id);
-  if (index < 0) return absl::NotFoundError(fmt::format("argument {}: there is no object \"{}\"", spec.name(), id));
+  if (index < 0) return NotFound("argument {}: there is no object \"{}\"", spec.name(), id);
   return index;
 }
 
 absl::StatusOr<Side> SideNamed(const ParameterSpec& spec, const std::string& text) {
   const std::optional<Side> side = SideFromName(text);
   if (side.has_value()) return *side;
-  return absl::InvalidArgumentError(
-      fmt::format("argument {}: \"{}\" is not a side; use front, back, left or right", spec.name(), text));
+  return InvalidArgument("argument {}: \"{}\" is not a side; use front, back, left or right", spec.name(), text);
 }
 
 constexpr int kFeatureKinds = 3;
@@ -43,34 +42,33 @@ absl::StatusOr<int> IndexOfText(const ParameterSpec& spec, const std::string& te
     case v1::PARAMETER_KIND_ZONE: {
       const int zone = scene.ZoneIndexOf(text);
       if (zone >= 0) return zone;
-      return absl::NotFoundError(fmt::format("argument {}: there is no zone \"{}\"", spec.name(), text));
+      return NotFound("argument {}: there is no zone \"{}\"", spec.name(), text);
     }
     case v1::PARAMETER_KIND_WALL: {
       const int wall = scene.room.WallIndex(text);
       if (wall >= 0) return wall;
       std::string names;
       for (const Wall& w : scene.room.walls) names += (names.empty() ? "" : ", ") + w.name;
-      return absl::NotFoundError(
-          fmt::format("argument {}: there is no wall \"{}\"; the room has {}", spec.name(), text, names));
+      return NotFound("argument {}: there is no wall \"{}\"; the room has {}", spec.name(), text, names);
     }
     case v1::PARAMETER_KIND_FEATURE:
       for (int kind = 0; kind < kFeatureKinds; ++kind) {
         if (text != kFeatureNames[kind]) continue;
         if (!FeatureSegments(scene.room, {static_cast<FeatureKind>(kind)}).empty()) return kind;
-        return absl::FailedPreconditionError(fmt::format("argument {}: the room has no {}", spec.name(), text));
+        return FailedPrecondition("argument {}: the room has no {}", spec.name(), text);
       }
       for (int i = 0; i < static_cast<int>(scene.room.openings.size()); ++i) {
         if (scene.room.openings[i].id == text) return kFeatureKinds + i;
       }
-      return absl::InvalidArgumentError(
-          fmt::format("argument {}: \"{}\" is not a feature; use door, window, socket or the id of a door or window",
-                      spec.name(), text));
+      return InvalidArgument(
+          "argument {}: \"{}\" is not a feature; use door, window, socket or the id of a door or window", spec.name(),
+          text);
     case v1::PARAMETER_KIND_CORNER: {
       const std::optional<Corner> corner = CornerFromName(text);
       if (corner.has_value()) return static_cast<int>(*corner);
-      return absl::InvalidArgumentError(
-          fmt::format("argument {}: \"{}\" is not a corner; use back_left, back_right, front_right or front_left",
-                      spec.name(), text));
+      return InvalidArgument(
+          "argument {}: \"{}\" is not a corner; use back_left, back_right, front_right or front_left", spec.name(),
+          text);
     }
     default:
       return absl::InternalError("not a text");
@@ -83,8 +81,8 @@ absl::StatusOr<double> NumberOf(const ParameterSpec& spec, const ArgumentValue& 
   }
   const double x = value.number();
   if ((spec.has_min_number() && x < spec.min_number()) || (spec.has_max_number() && x > spec.max_number())) {
-    return absl::InvalidArgumentError(fmt::format("argument {}: {} is out of range; use {} to {} {}", spec.name(), x,
-                                                  spec.min_number(), spec.max_number(), spec.unit()));
+    return InvalidArgument("argument {}: {} is out of range; use {} to {} {}", spec.name(), x, spec.min_number(),
+                           spec.max_number(), spec.unit());
   }
   return x;
 }
@@ -103,15 +101,67 @@ absl::Status CheckNames(const v1::ConstraintType& type, const v1::ConstraintEdge
     if (SpecOf(type, name) == nullptr) {
       std::string known;
       for (const ParameterSpec& spec : type.parameters()) known += (known.empty() ? "" : ", ") + spec.name();
-      return absl::InvalidArgumentError(fmt::format("{} has no argument {}; it takes {}", type.name(), name, known));
+      return InvalidArgument("{} has no argument {}; it takes {}", type.name(), name, known);
     }
     for (int j = 0; j < i; ++j) {
       if (edge.arguments(j).name() == name) {
-        return absl::InvalidArgumentError(fmt::format("argument {} is given twice", name));
+        return InvalidArgument("argument {} is given twice", name);
       }
     }
   }
   return absl::OkStatus();
+}
+
+// Of a type that only another optimizer knows: what the text looks like.
+v1::ParameterKind KindByLooks(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  if (!text.empty() && *end == '\0') return v1::PARAMETER_KIND_NUMBER;
+  if (text == "true" || text == "false") return v1::PARAMETER_KIND_BOOLEAN;
+  return text.find(',') == std::string::npos ? v1::PARAMETER_KIND_OBJECT : v1::PARAMETER_KIND_OBJECTS;
+}
+
+v1::ParameterKind KindOf(const v1::ConstraintType& type, const std::string& name) {
+  for (const v1::ParameterSpec& spec : type.parameters()) {
+    if (spec.name() == name) return spec.kind();
+  }
+  return v1::PARAMETER_KIND_UNSPECIFIED;
+}
+
+v1::ArgumentValue ValueFromText(v1::ParameterKind kind, const std::string& text) {
+  v1::ArgumentValue value;
+  switch (kind) {
+    case v1::PARAMETER_KIND_OBJECTS:
+    case v1::PARAMETER_KIND_SIDES: {
+      std::istringstream items(text);
+      value.mutable_texts();
+      for (std::string item; std::getline(items, item, ',');) value.mutable_texts()->add_items(item);
+      break;
+    }
+    case v1::PARAMETER_KIND_NUMBER:
+      value.set_number(std::strtod(text.c_str(), nullptr));
+      break;
+    case v1::PARAMETER_KIND_BOOLEAN:
+      value.set_flag(text == "true");
+      break;
+    default:
+      value.set_text(text);
+  }
+  return value;
+}
+
+std::vector<v1::Argument> Parse(const v1::ConstraintType* type, std::string_view call) {
+  std::vector<v1::Argument> arguments;
+  std::istringstream words{std::string(call)};
+  for (std::string word; words >> word;) {
+    const size_t equals = word.find('=');
+    v1::Argument& argument = arguments.emplace_back();
+    argument.set_name(word.substr(0, equals));
+    const std::string text = equals == std::string::npos ? "" : word.substr(equals + 1);
+    *argument.mutable_value() =
+        ValueFromText(type != nullptr ? KindOf(*type, argument.name()) : KindByLooks(text), text);
+  }
+  return arguments;
 }
 
 }  // namespace
@@ -137,7 +187,8 @@ std::vector<Segment> FeatureSegments(const Room& room, const RoomFeature& featur
   const OpeningKind wanted = feature.kind == FeatureKind::kDoor ? OpeningKind::kDoor : OpeningKind::kWindow;
   for (int i = 0; i < static_cast<int>(room.openings.size()); ++i) {
     const Opening& opening = room.openings[static_cast<size_t>(i)];
-    if (feature.opening < 0 ? opening.kind == wanted : feature.opening == i) segments.push_back(room.SegmentOf(opening));
+    if (feature.opening < 0 ? opening.kind == wanted : feature.opening == i)
+      segments.push_back(room.SegmentOf(opening));
   }
   return segments;
 }
@@ -156,7 +207,7 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
       for (const std::string& item : value.texts().items()) {
         if (spec.kind() == v1::PARAMETER_KIND_SIDES) {
           ASSIGN_OR_RETURN(const Side side, SideNamed(spec, item));
-          if (std::find(resolved.sides.begin(), resolved.sides.end(), side) == resolved.sides.end()) {
+          if (std::ranges::find(resolved.sides, side) == resolved.sides.end()) {
             resolved.sides.push_back(side);
           }
         } else {
@@ -199,7 +250,7 @@ absl::StatusOr<Arguments> Arguments::Resolve(const v1::ConstraintType& type, con
     }
     if (value == nullptr) {
       if (!spec.required()) continue;
-      return absl::InvalidArgumentError(fmt::format("{} needs argument {}", type.name(), spec.name()));
+      return InvalidArgument("{} needs argument {}", type.name(), spec.name());
     }
     ASSIGN_OR_RETURN(Value resolved, ResolveOne(spec, *value, scene));
     arguments.values_.push_back(std::move(resolved));
@@ -210,11 +261,10 @@ absl::StatusOr<Arguments> Arguments::Resolve(const v1::ConstraintType& type, con
 
 absl::Status Arguments::CheckObjectsDiffer(const Scene& scene) const {
   std::vector<int> all = AllObjects();
-  std::sort(all.begin(), all.end());
-  const auto twice = std::adjacent_find(all.begin(), all.end());
+  std::ranges::sort(all);
+  const auto twice = std::ranges::adjacent_find(all);
   if (twice == all.end()) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("object \"{}\" is named twice", scene.objects[static_cast<size_t>(*twice)].id));
+  return InvalidArgument("object \"{}\" is named twice", scene.objects[static_cast<size_t>(*twice)].id);
 }
 
 const Arguments::Value* Arguments::Find(std::string_view name) const {
@@ -249,6 +299,22 @@ std::vector<int> Arguments::AllObjects() const {
     all.insert(all.end(), value.indices.begin(), value.indices.end());
   }
   return all;
+}
+
+std::vector<v1::Argument> ArgumentsFromText(const v1::ConstraintType& type, std::string_view call) {
+  return Parse(&type, call);
+}
+
+v1::ConstraintEdge EdgeFromText(std::string_view type, std::string_view call) {
+  v1::ConstraintEdge edge;
+  edge.set_id("e1");
+  edge.set_type(std::string(type));
+  edge.set_weight(1);
+  const ConstraintFacts* const facts = FindConstraint(type);
+  for (v1::Argument& argument : Parse(facts != nullptr ? &facts->type : nullptr, call)) {
+    *edge.add_arguments() = std::move(argument);
+  }
+  return edge;
 }
 
 }  // namespace flair::optimizer

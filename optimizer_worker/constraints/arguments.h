@@ -10,7 +10,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/layout_graph.pb.h"
-#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

@@ -13,7 +13,7 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/constraint_catalog.pb.h"
 #include "optimizer_worker/constraints/arguments.h"
-#include "optimizer_worker/constraints/cost.h"
+#include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"
 

@@ -11,13 +11,50 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "optimizer_worker/constraints/cost.h"
 #include "room/autodiff/dual.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
+
+// A bound constraint: a differentiable function of the poses of a few objects. It knows their sizes and the room, never
+// which variables of a solver they are.
+
+class Cost {
+ public:
+  virtual ~Cost() = default;
+  // Indices in Scene::objects of the poses it reads, ascending, each once.
+  virtual std::span<const int> objects() const = 0;
+  // The cost at `frames`, one per entry of objects() in that order. Finite and >= 0 for finite frames; 0 exactly where
+  // the sentence holds. None of these functions allocates; all are safe to call from several threads.
+  virtual double ValueAt(std::span<const Frame<double>> frames) const = 0;
+  // Overwrites `gradient`, three numbers (x, y, theta) per object, and returns the value. Always finite.
+  virtual double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const = 0;
+
+  // For a search that moves one object, the one at `moving` in objects(), and tries many poses of it: the part of the
+  // value that does not depend on that pose, and the value that has this part given. Worth overriding for sums over
+  // many objects.
+  virtual double FixedPart(std::span<const Frame<double>>, size_t /*moving*/) const { return 0; }
+  virtual double ValueGiven(double /*fixed_part*/, std::span<const Frame<double>> frames, size_t /*moving*/) const {
+    return ValueAt(frames);
+  }
+
+  // The same from poses, for one evaluation; allocates.
+  double Value(std::span<const Pose<double>> poses) const { return ValueAt(FramesOf(poses)); }
+  double Gradient(std::span<const Pose<double>> poses, std::span<double> gradient) const {
+    return GradientAt(FramesOf(poses), gradient);
+  }
+
+ private:
+  static std::vector<Frame<double>> FramesOf(std::span<const Pose<double>> poses) {
+    std::vector<Frame<double>> frames;
+    for (const Pose<double>& pose : poses) frames.push_back(FrameOf(pose));
+    return frames;
+  }
+};
 
 template <typename T, int K>
 using Frames = std::array<Frame<T>, K>;
@@ -64,9 +101,9 @@ class FormulaCost final : public Cost {
  public:
   // `objects` in the formula's order, all different.
   FormulaCost(Formula formula, std::array<int, kCount> objects) : formula_(std::move(formula)), sorted_(objects) {
-    std::sort(sorted_.begin(), sorted_.end());
+    std::ranges::sort(sorted_);
     for (int k = 0; k < kCount; ++k) {
-      slot_[k] = static_cast<int>(std::find(sorted_.begin(), sorted_.end(), objects[k]) - sorted_.begin());
+      slot_[k] = static_cast<int>(std::ranges::find(sorted_, objects[k]) - sorted_.begin());
     }
   }
 
@@ -81,7 +118,7 @@ class FormulaCost final : public Cost {
   double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
     // Costs are never negative, so where one is 0 its gradient is 0 too; this is the common case while solving.
     if (!SeesZero<Formula> && ValueAt(frames) == 0) {
-      std::fill(gradient.begin(), gradient.end(), 0.0);
+      std::ranges::fill(gradient, 0.0);
       return 0;
     }
     const Dual<kVariables> cost = formula_(DualFrames(frames, std::make_integer_sequence<int, kCount>()));
@@ -91,7 +128,7 @@ class FormulaCost final : public Cost {
     if constexpr (OnlyRelative<Formula>) {
       const int last = slot_[kCount - 1];
       const std::span<double> reaction = gradient.subspan(3 * last, 3);
-      std::fill(reaction.begin(), reaction.end(), 0.0);
+      std::ranges::fill(reaction, 0.0);
       for (int k = 0; k < kMoving; ++k) {
         AddReaction(frames[slot_[k]], cost.partial[3 * k], cost.partial[3 * k + 1], cost.partial[3 * k + 2],
                     frames[last], reaction);

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "flair/v1/layout_graph.pb.h"
-#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

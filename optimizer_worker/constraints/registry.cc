@@ -24,8 +24,8 @@ namespace {
 
 ConstraintLibrary SortedLibrary() {
   ConstraintLibrary library = LibraryOfProgram();
-  std::sort(library.types.begin(), library.types.end(),
-            [](const ConstraintFacts& a, const ConstraintFacts& b) { return a.name() < b.name(); });
+  std::ranges::sort(library.types,
+                    [](const ConstraintFacts& a, const ConstraintFacts& b) { return a.name() < b.name(); });
   return library;
 }
 
@@ -54,8 +54,8 @@ void ConstraintLibrary::Add(std::string_view records, std::span<const Constraint
   demand(google::protobuf::TextFormat::ParseFromString(std::string(records), &read), "not readable");
   demand(read.constraints_size() == static_cast<int>(code.size()), "not one for every type that has code");
   for (const constraints::v1::ConstraintRecord& record : read.constraints()) {
-    const auto found = std::find_if(code.begin(), code.end(),
-                                    [&](const ConstraintCode& one) { return one.name == record.type().name(); });
+    const auto found =
+        std::ranges::find_if(code, [&](const ConstraintCode& one) { return one.name == record.type().name(); });
     demand(found != code.end(), fmt::format("{} has no code", record.type().name()));
     types.push_back(FactsOf(record, *found));
   }
@@ -103,7 +103,7 @@ const ConstraintFacts* FindConstraint(std::string_view name) {
 absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const BindContext& context) {
   const ConstraintFacts* facts = FindConstraint(edge.type());
   if (facts == nullptr) {
-    return absl::InvalidArgumentError(fmt::format("there is no constraint type \"{}\" in the catalogue", edge.type()));
+    return InvalidArgument("there is no constraint type \"{}\" in the catalogue", edge.type());
   }
   ASSIGN_OR_RETURN(Arguments arguments, Arguments::Resolve(facts->type, edge, context.scene));
   return facts->code.bind(arguments, context);
@@ -115,7 +115,7 @@ std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene
   const absl::StatusOr<Arguments> arguments = Arguments::Resolve(facts->type, edge, scene);
   if (!arguments.ok()) return {};
   std::vector<int> objects = arguments->AllObjects();
-  std::sort(objects.begin(), objects.end());
+  std::ranges::sort(objects);
   return objects;
 }
 

@@ -9,9 +9,9 @@
 #include "absl/status/statusor.h"
 #include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/layout_graph.pb.h"
-#include "optimizer_worker/constraints/cost.h"
+#include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/linked_pairs.h"
-#include "room/geometry/vec2.h"
+#include "room/geometry/pose.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

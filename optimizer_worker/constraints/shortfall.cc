@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,9 +24,7 @@ double Weight(const Shortfall& s) { return s.unit == "deg" ? kMetresPerDegree * 
 // "the desk and the chair", the objects that the call names.
 std::string AllNamed(const v1::ConstraintEdge& edge, const Scene& scene) {
   std::string names;
-  for (int object : NamedObjects(edge, scene)) {
-    names += (names.empty() ? "" : " and ") + NameForPeople(scene, object);
-  }
+  for (int object : NamedObjects(edge, scene)) names += (names.empty() ? "" : " and ") + NameForPeople(scene, object);
   return names.empty() ? "the room" : names;
 }
 

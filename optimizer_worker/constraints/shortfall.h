@@ -72,8 +72,7 @@ class PlacedCall {
     const std::vector<Wall>& walls = scene().room.walls;
     const int named = arguments_.Has("wall") ? arguments_.MaybeWall("wall") : -1;
     if (named >= 0) return walls[static_cast<size_t>(named)];
-    return *std::min_element(walls.begin(), walls.end(),
-                             [&](const Wall& a, const Wall& b) { return cost(a) < cost(b); });
+    return *std::ranges::min_element(walls, [&](const Wall& a, const Wall& b) { return cost(a) < cost(b); });
   }
   // Gap from the object, or its side when the call names one, to the nearest feature of the call's kind.
   double NearestFeatureGap() const;

@@ -6,10 +6,9 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
-#include "optimizer_worker/constraints/cost.h"
-#include "room/geometry/vec2.h"
+#include "optimizer_worker/constraints/formula_cost.h"
+#include "room/geometry/pose.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {

@@ -20,59 +20,10 @@ constexpr int kMostDoublings = 6;
 constexpr int kPiecesEach = 4;
 constexpr int kLargestPiece = 32;
 
-}  // namespace
-
-PeerPool::PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock,
-                   std::function<void(const std::string&)> remark)
-    : clock_(clock), remark_(std::move(remark)) {
-  for (std::unique_ptr<PeerOptimizer>& peer : peers) peers_.emplace_back().peer = std::move(peer);
-}
-
-PeerPool::Entry& PeerPool::EntryOf(const PeerOptimizer& peer) {
-  return *std::find_if(peers_.begin(), peers_.end(), [&](const Entry& entry) { return entry.peer.get() == &peer; });
-}
-
-std::vector<PeerOptimizer*> PeerPool::Borrow() {
-  const std::lock_guard lock(mutex_);
-  std::vector<PeerOptimizer*> borrowed;
-  for (Entry& entry : peers_) {
-    const bool rests = entry.failures > 0 && entry.rests_until > clock_.Elapsed();
-    if (rests || entry.solves >= kMostSolves) continue;
-    ++entry.solves;
-    borrowed.push_back(entry.peer.get());
-  }
-  return borrowed;
-}
-
-void PeerPool::Return(const PeerOptimizer& peer) {
-  const std::lock_guard lock(mutex_);
-  --EntryOf(peer).solves;
-}
-
-void PeerPool::ReportFailure(const PeerOptimizer& peer, const absl::Status& why) {
-  absl::Duration rest;
-  {
-    const std::lock_guard lock(mutex_);
-    Entry& entry = EntryOf(peer);
-    const int doublings = std::min(entry.failures++, kMostDoublings);
-    rest = std::min(kLongestRest, kFirstRest * (1 << doublings));
-    entry.rests_until = clock_.Elapsed() + rest;
-  }
-  remark_(fmt::format("peer {} is left out for {} s: {}; its restarts run elsewhere", peer.name(),
-                      absl::ToInt64Seconds(rest), std::string(why.message())));
-}
-
-void PeerPool::ReportSuccess(const PeerOptimizer& peer) {
-  const std::lock_guard lock(mutex_);
-  EntryOf(peer).failures = 0;
-}
-
-namespace {
-
 bool SameBits(const RestartResult& a, const RestartResult& b, const std::vector<int>& objects) {
   const auto bits = [](double value) { return std::bit_cast<uint64_t>(value); };
   if (bits(a.score) != bits(b.score) || a.evaluations != b.evaluations) return false;
-  return std::all_of(objects.begin(), objects.end(), [&](int object) {
+  return std::ranges::all_of(objects, [&](int object) {
     const Pose<double>&p = a.state.layout[object], &q = b.state.layout[object];
     return bits(p.x_m) == bits(q.x_m) && bits(p.y_m) == bits(q.y_m) && bits(p.theta_rad) == bits(q.theta_rad);
   });
@@ -93,20 +44,19 @@ absl::StatusOr<std::vector<RestartResult>> ReadOutcomes(const SolveInput& input,
                                                         const PartialLayout& before, const Piece& piece,
                                                         const v1::SolveRestartsResponse& response) {
   if (response.outcomes_size() != piece.count) {
-    return absl::InternalError(fmt::format("{} outcomes for {} restarts", response.outcomes_size(), piece.count));
+    return Internal("{} outcomes for {} restarts", response.outcomes_size(), piece.count);
   }
   std::vector<RestartResult> results;
   for (int i = 0; i < piece.count; ++i) {
     const v1::RestartOutcome& outcome = response.outcomes(i);
     RestartResult result{piece.first + i, outcome.cost(), outcome.evaluation_count(), before};
     if (outcome.restart() != result.restart || !std::isfinite(result.score)) {
-      return absl::InternalError(
-          fmt::format("outcome {} is of restart {}, not {}", i, outcome.restart(), result.restart));
+      return Internal("outcome {} is of restart {}, not {}", i, outcome.restart(), result.restart);
     }
     PartialLayout moved(input.scene);
     RETURN_IF_ERROR(ReadPlacements(input, outcome.placements(), moved));
     for (int object : stage.objects) {
-      if (!moved.placed[object]) return absl::InternalError(fmt::format("outcome {} lacks an object", i));
+      if (!moved.placed[object]) return Internal("outcome {} lacks an object", i);
       result.state.Place(object, moved.layout[object]);
     }
     results.push_back(std::move(result));
@@ -178,9 +128,9 @@ class Gathering {
   // A piece that nobody runs; for an own thread then the oldest one that only a peer runs. Null when there is none.
   Piece* Take(bool here) {
     const std::lock_guard lock(mutex_);
-    auto piece = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.taken; });
+    auto piece = std::ranges::find_if(pieces_, [](const Piece& p) { return !p.taken; });
     if (piece == pieces_.end() && here) {
-      piece = std::find_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.finished && !p.taken_here; });
+      piece = std::ranges::find_if(pieces_, [](const Piece& p) { return !p.finished && !p.taken_here; });
     }
     if (piece == pieces_.end()) return nullptr;
     piece->taken = true;
@@ -204,7 +154,7 @@ class Gathering {
       }
     }
     piece.finished = true;
-    const bool all = std::all_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.finished; });
+    const bool all = std::ranges::all_of(pieces_, [](const Piece& p) { return p.finished; });
     lock.unlock();
     if (all) End();
   }
@@ -242,6 +192,51 @@ v1::SolveRestartsRequest RequestFor(const SolveInput& input, const v1::SolveOpti
 }
 
 }  // namespace
+
+PeerPool::PeerPool(std::vector<std::unique_ptr<PeerOptimizer>> peers, const runtime::Clock& clock,
+                   std::function<void(const std::string&)> remark)
+    : clock_(clock), remark_(std::move(remark)) {
+  for (std::unique_ptr<PeerOptimizer>& peer : peers) peers_.emplace_back().peer = std::move(peer);
+}
+
+PeerPool::Entry& PeerPool::EntryOf(const PeerOptimizer& peer) {
+  return *std::ranges::find_if(peers_, [&](const Entry& entry) { return entry.peer.get() == &peer; });
+}
+
+std::vector<PeerOptimizer*> PeerPool::Borrow() {
+  const std::lock_guard lock(mutex_);
+  std::vector<PeerOptimizer*> borrowed;
+  for (Entry& entry : peers_) {
+    const bool rests = entry.failures > 0 && entry.rests_until > clock_.Elapsed();
+    if (rests || entry.solves >= kMostSolves) continue;
+    ++entry.solves;
+    borrowed.push_back(entry.peer.get());
+  }
+  return borrowed;
+}
+
+void PeerPool::Return(const PeerOptimizer& peer) {
+  const std::lock_guard lock(mutex_);
+  --EntryOf(peer).solves;
+}
+
+void PeerPool::ReportFailure(const PeerOptimizer& peer, const absl::Status& why) {
+  absl::Duration rest;
+  {
+    const std::lock_guard lock(mutex_);
+    Entry& entry = EntryOf(peer);
+    const int doublings = std::min(entry.failures++, kMostDoublings);
+    rest = std::min(kLongestRest, kFirstRest * (1 << doublings));
+    entry.rests_until = clock_.Elapsed() + rest;
+  }
+  remark_(fmt::format("peer {} is left out for {} s: {}; its restarts run elsewhere", peer.name(),
+                      absl::ToInt64Seconds(rest), std::string(why.message())));
+}
+
+void PeerPool::ReportSuccess(const PeerOptimizer& peer) {
+  const std::lock_guard lock(mutex_);
+  EntryOf(peer).failures = 0;
+}
 
 absl::StatusOr<std::vector<RestartResult>> FanOutRestartRunner::Run(const SolveInput& input, const StageSpec& stage,
                                                                     const PartialLayout& before, int first,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flair/v1/optimizer_service.grpc.pb.h"
-#include "fmt/format.h"
 #include "optimizer_worker/fanout/fan_out.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -39,8 +39,7 @@ class GrpcPeer final : public PeerOptimizer {
                                    ? "no Flair optimizer"
                                    : std::string(producer->second.data(), producer->second.size());
     if (theirs != producer_) {
-      return absl::FailedPreconditionError(
-          fmt::format("it is {}; this optimizer is {}. Run the same build on both", theirs, producer_));
+      return FailedPrecondition("it is {}; this optimizer is {}. Run the same build on both", theirs, producer_);
     }
     return response;
   }

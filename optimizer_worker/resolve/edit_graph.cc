@@ -102,7 +102,7 @@ class Editor {
   // The surface objects that an edge names together with `id`.
   void TouchRidersOf(const std::string& id, const v1::ConstraintEdge& edge) {
     const auto named = [&](const v1::Argument& argument) { return argument.value().text() == id; };
-    if (std::none_of(edge.arguments().begin(), edge.arguments().end(), named)) return;
+    if (std::ranges::none_of(edge.arguments(), named)) return;
     for (const v1::Argument& argument : edge.arguments()) {
       const v1::Object* object = FindObject(argument.value().text());
       if (object != nullptr && object->kind() == v1::OBJECT_KIND_SURFACE) problem_.touched.insert(object->id());
@@ -237,7 +237,7 @@ absl::StatusOr<EditedProblem> ApplyEdits(const v1::SolvedLayout& layout, const E
   Editor editor(problem);
   for (int i = 0; i < edits.size(); ++i) {
     if (absl::Status status = editor.Apply(edits[i]); !status.ok()) {
-      return absl::InvalidArgumentError(fmt::format("edits[{}]{}", i, std::string(status.message())));
+      return InvalidArgument("edits[{}]{}", i, status.message());
     }
   }
   return problem;

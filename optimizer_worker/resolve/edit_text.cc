@@ -8,6 +8,7 @@
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/geometry/pose.h"
+#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/read_number.h"
 
 namespace flair::optimizer {
@@ -28,7 +29,7 @@ std::vector<double> ExtentsFrom(const std::string& word) {
   return extents;
 }
 
-absl::Status Should(const char* form) { return absl::InvalidArgumentError(fmt::format("should be: {}", form)); }
+absl::Status Should(const char* form) { return InvalidArgument("should be: {}", form); }
 
 Edit Move(const Words& words, const v1::SolvedLayout& layout) {
   constexpr const char* kForm = "move OBJECT X Y [HEADING], metres and degrees";
@@ -156,7 +157,7 @@ absl::StatusOr<v1::LayoutEdit> EditFromText(std::string_view line, const v1::Sol
   if (verb == "edge") edit = AddEdge(words);
   if (verb == "pin" || verb == "unpin" || verb == "remove" || verb == "drop") edit = OneId(words);
   if (edit.ok()) return edit;
-  return absl::InvalidArgumentError(fmt::format("edit \"{}\": {}", line, std::string(edit.status().message())));
+  return InvalidArgument("edit \"{}\": {}", line, edit.status().message());
 }
 
 }  // namespace flair::optimizer

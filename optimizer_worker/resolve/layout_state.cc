@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/resolve/layout_state.h"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "optimizer_worker/constraints/registry.h"
+#include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/infeasible.h"
 #include "optimizer_worker/stages/solved_layout.h"
@@ -13,11 +12,10 @@
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 void AddOnce(std::vector<int>& list, int value) {
-  const auto place = std::lower_bound(list.begin(), list.end(), value);
+  const auto place = std::ranges::lower_bound(list, value);
   if (place == list.end() || *place != value) list.insert(place, value);
 }
 
@@ -25,6 +23,26 @@ bool Satisfied(const Term& term, const PartialLayout& state) {
   std::vector<Pose<double>> poses;
   for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
   return term.cost->Value(poses) <= kSatisfiedCost;
+}
+
+// Nobody puts a lamp on top of a wardrobe.
+constexpr double kReach_m = 1.3;
+
+// What people sit or lie on, by the last word of its name or category.
+constexpr std::array<std::string_view, 19> kSeats = {
+    "armchair", "bed",     "bench", "chair",    "chaise", "couch", "crib",   "daybed", "futon", "hammock",
+    "loveseat", "ottoman", "pouf",  "recliner", "rocker", "seat",  "settee", "sofa",   "stool"};
+
+bool EndsInSeat(std::string_view text) {
+  text = text.substr(0, text.find_last_not_of(" _0123456789") + 1);
+  const std::string_view word = text.substr(text.find_last_of(" _") + 1);
+  return std::ranges::find(kSeats, word) != kSeats.end();
+}
+
+bool IsSeat(const Object& object) { return EndsInSeat(object.name) || EndsInSeat(object.category); }
+
+bool SameKind(const Object& a, const Object& b) {
+  return a.name == b.name || (!a.category.empty() && a.category == b.category);
 }
 
 }  // namespace
@@ -48,8 +66,7 @@ Violations FindViolations(const SolveInput& input, const PartialLayout& state, c
   }
   for (const Term& term : costs.terms) {
     if (term.edge < 0 || !baseline.held[term.edge]) continue;
-    const bool there =
-        std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
+    const bool there = std::ranges::all_of(term.required, [&](int object) { return state.placed[object] != 0; });
     if (there && !Satisfied(term, state)) violations.broken.push_back(term.edge);
   }
   return violations;
@@ -80,30 +97,6 @@ double ScoreOf(const SolveInput& input, const StageSpec& stage, const PartialLay
   }
   return score;
 }
-
-namespace {
-
-// Nobody puts a lamp on top of a wardrobe.
-constexpr double kReach_m = 1.3;
-
-// What people sit or lie on, by the last word of its name or category.
-constexpr std::array<std::string_view, 19> kSeats = {
-    "armchair", "bed",     "bench", "chair",    "chaise", "couch", "crib",   "daybed", "futon", "hammock",
-    "loveseat", "ottoman", "pouf",  "recliner", "rocker", "seat",  "settee", "sofa",   "stool"};
-
-bool EndsInSeat(std::string_view text) {
-  text = text.substr(0, text.find_last_not_of(" _0123456789") + 1);
-  const std::string_view word = text.substr(text.find_last_of(" _") + 1);
-  return std::find(kSeats.begin(), kSeats.end(), word) != kSeats.end();
-}
-
-bool IsSeat(const Object& object) { return EndsInSeat(object.name) || EndsInSeat(object.category); }
-
-bool SameKind(const Object& a, const Object& b) {
-  return a.name == b.name || (!a.category.empty() && a.category == b.category);
-}
-
-}  // namespace
 
 Pose<double> Carried(const Pose<double>& carrier_before, const Pose<double>& carrier_after, const Pose<double>& rider) {
   const Vec2<double> local = FrameOf(carrier_before).ToObject(Center(rider));
@@ -144,7 +137,7 @@ void PutOnLikeTop(const SolveInput& input, int object, const Object* lost, Parti
     const bool like = same || ((lost == nullptr || IsSeat(top) == IsSeat(*lost)) && top.height_m <= kReach_m);
     if (state.placed[i] && IsSolid(top) && holds && like) tops.push_back(i);
   }
-  std::stable_sort(tops.begin(), tops.end(), [&](int a, int b) {
+  std::ranges::stable_sort(tops, [&](int a, int b) {
     const bool same_a = lost != nullptr && SameKind(scene.objects[a], *lost);
     const bool same_b = lost != nullptr && SameKind(scene.objects[b], *lost);
     if (same_a != same_b) return same_a;

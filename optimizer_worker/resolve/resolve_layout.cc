@@ -7,7 +7,6 @@
 #include "fmt/format.h"
 #include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/driver.h"
-#include "optimizer_worker/stages/infeasible.h"
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/conversion/conversion.h"

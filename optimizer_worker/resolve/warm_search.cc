@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "optimizer_worker/resolve/layout_state.h"
 #include "optimizer_worker/stages/floor_stages.h"
-#include "optimizer_worker/stages/solved_layout.h"
-#include "optimizer_worker/stages/stage.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 #include "worker_runtime/status/status_macros.h"
@@ -82,7 +79,7 @@ class WarmSearch {
       for (int one : belongings) Bring(leader, {one});
     }
   }
-  bool IsTouched(int object) const { return std::binary_search(start_.touched.begin(), start_.touched.end(), object); }
+  bool IsTouched(int object) const { return std::ranges::binary_search(start_.touched, object); }
   bool Bring(int leader, const std::vector<int>& belongings) {
     PartialLayout brought = result_.state;
     for (int object : belongings) {
@@ -132,7 +129,7 @@ class WarmSearch {
     for (int edge : violations.broken) {
       const std::vector<int> named = ObjectsOfEdge(input_, edge);
       const bool on_floor =
-          std::all_of(named.begin(), named.end(), [&](int object) { return IsSolid(input_.scene.objects[object]); });
+          std::ranges::all_of(named, [&](int object) { return IsSolid(input_.scene.objects[object]); });
       if (on_floor) weight += input_.graph.edges(edge).weight();
     }
     return {violations.depth_m > kFits_m ? violations.depth_m : 0.0, weight};
@@ -141,9 +138,8 @@ class WarmSearch {
   bool Near(int object, const std::vector<int>& others) const {
     const Layout& layout = result_.state.layout;
     const auto box = [&](int i) { return Box<double>(input_.scene.objects[i].footprint, FrameOf(layout[i])); };
-    return std::any_of(others.begin(), others.end(), [&](int other) {
-      return other == object || Separate(box(object), box(other)).gap_m < kNeighbour_m;
-    });
+    return std::ranges::any_of(
+        others, [&](int other) { return other == object || Separate(box(object), box(other)).gap_m < kNeighbour_m; });
   }
 
   // Adds those to blame to `free`; when all of them are free already and things still collide, their neighbours.

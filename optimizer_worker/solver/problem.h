@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "optimizer_worker/constraints/cost.h"
+#include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/solver/solver.h"
 #include "room/geometry/pose.h"
 

@@ -4,29 +4,13 @@
 #include <fmt/format.h>
 #include <openssl/crypto.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "absl/strings/match.h"
 #include "worker_runtime/config/config_reader.h"
-#include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
-absl::Status Caller::CheckOpenJobs(int64_t open, int64_t more) const {
-  if (open_job_limit == 0 || open + more <= open_job_limit) return absl::OkStatus();
-  return absl::ResourceExhaustedError(fmt::format(
-      "{} of your jobs are waiting or running; {} more would exceed the limit of {} for \"{}\"; try again later", open,
-      more, open_job_limit, name));
-}
-
-absl::Status Caller::CheckOperator(std::string_view what) const {
-  if (sees_all) return absl::OkStatus();
-  return absl::PermissionDeniedError(fmt::format("{}: only for operators, which \"{}\" is not", what, name));
-}
-
 namespace {
 
 constexpr absl::Duration kLookAfter = absl::Seconds(1);
@@ -52,76 +36,6 @@ std::string_view TokenIn(std::optional<std::string_view> authorization) {
 Caller CallerOf(const config::v1::TokenEntry& entry) {
   return {.name = entry.name(), .sees_all = entry.operator_(), .open_job_limit = entry.open_job_limit()};
 }
-
-}  // namespace
-
-absl::StatusOr<std::unique_ptr<AccessControl>> AccessControl::Open(const std::string& tokens_path,
-                                                                   const runtime::Clock& clock,
-                                                                   std::shared_ptr<spdlog::logger> logger) {
-  std::unique_ptr<AccessControl> access(new AccessControl(tokens_path, clock, std::move(logger)));
-  if (tokens_path.empty()) return access;
-  // Before the file is read: what is written meanwhile is read again.
-  access->stamp_ = runtime::FileStamp::Of(tokens_path);
-  access->looked_at_ = clock.Elapsed();
-  ASSIGN_OR_RETURN(access->list_, ReadTokenList(tokens_path));
-  return access;
-}
-
-absl::StatusOr<Caller> AccessControl::Admit(std::optional<std::string_view> authorization) {
-  if (path_.empty()) return Caller();
-  const std::string_view token = TokenIn(authorization);
-  std::lock_guard lock(mutex_);
-  Reload();
-  if (token.empty()) {
-    return absl::UnauthenticatedError(
-        "this orchestrator asks for a token: send the metadata \"authorization: Bearer TOKEN\" (flair: --token-file "
-        "FILE)");
-  }
-  const config::v1::TokenEntry* entry = Find(token);
-  if (entry == nullptr) {
-    return absl::UnauthenticatedError("this orchestrator does not know the token; it may have been replaced");
-  }
-  if (!entry->last_day().empty() && clock_.Now() >= EndOf(entry->last_day())) {
-    return absl::UnauthenticatedError(
-        fmt::format("the token of \"{}\" was good until {}; ask for a new one", entry->name(), entry->last_day()));
-  }
-  const int limit = entry->calls_per_minute_limit();
-  if (limit == 0) return CallerOf(*entry);
-  auto rate = rates_.try_emplace(entry->name(), limit, clock_.Elapsed()).first;
-  if (rate->second.per_minute() != limit) rate->second = RateLimit(limit, clock_.Elapsed());
-  const absl::Duration wait = rate->second.Take(clock_.Elapsed());
-  if (wait == absl::ZeroDuration()) return CallerOf(*entry);
-  return absl::ResourceExhaustedError(
-      fmt::format("\"{}\" has made the {} calls a minute that it may; try again in {} s", entry->name(), limit,
-                  std::ceil(absl::ToDoubleSeconds(wait))));
-}
-
-// Every entry is looked at, wherever the right one is.
-const config::v1::TokenEntry* AccessControl::Find(std::string_view token) const {
-  const std::string digest = runtime::Sha256Hex(token);
-  const config::v1::TokenEntry* found = nullptr;
-  for (const config::v1::TokenEntry& entry : list_.tokens()) {
-    if (CRYPTO_memcmp(digest.data(), entry.sha256().data(), digest.size()) == 0) found = &entry;
-  }
-  return found;
-}
-
-void AccessControl::Reload() {
-  if (clock_.Elapsed() - looked_at_ < kLookAfter) return;
-  looked_at_ = clock_.Elapsed();
-  const runtime::FileStamp stamp = runtime::FileStamp::Of(path_);
-  if (stamp == stamp_) return;
-  stamp_ = stamp;
-  absl::StatusOr<config::v1::TokenList> list = ReadTokenList(path_);
-  if (!list.ok()) {
-    logger_->error("tokens_path: the previous tokens stay in use: {}", std::string(list.status().message()));
-    return;
-  }
-  list_ = *std::move(list);
-  logger_->info("tokens_path: reloaded {} tokens from {}", list_.tokens_size(), path_);
-}
-
-namespace {
 
 constexpr size_t kNameLength = 64;
 constexpr size_t kDigestLength = 64;
@@ -195,6 +109,83 @@ class Problems final : public runtime::ConfigChecker {
 };
 
 }  // namespace
+
+absl::Status Caller::CheckOpenJobs(int64_t open, int64_t more) const {
+  if (open_job_limit == 0 || open + more <= open_job_limit) return absl::OkStatus();
+  return ResourceExhausted(
+      "{} of your jobs are waiting or running; {} more would exceed the limit of {} for \"{}\"; try again later", open,
+      more, open_job_limit, name);
+}
+
+absl::Status Caller::CheckOperator(std::string_view what) const {
+  if (sees_all) return absl::OkStatus();
+  return absl::PermissionDeniedError(fmt::format("{}: only for operators, which \"{}\" is not", what, name));
+}
+
+absl::StatusOr<std::unique_ptr<AccessControl>> AccessControl::Open(const std::string& tokens_path,
+                                                                   const runtime::Clock& clock,
+                                                                   std::shared_ptr<spdlog::logger> logger) {
+  std::unique_ptr<AccessControl> access(new AccessControl(tokens_path, clock, std::move(logger)));
+  if (tokens_path.empty()) return access;
+  // Before the file is read: what is written meanwhile is read again.
+  access->stamp_ = runtime::FileStamp::Of(tokens_path);
+  access->looked_at_ = clock.Elapsed();
+  ASSIGN_OR_RETURN(access->list_, ReadTokenList(tokens_path));
+  return access;
+}
+
+absl::StatusOr<Caller> AccessControl::Admit(std::optional<std::string_view> authorization) {
+  if (path_.empty()) return Caller();
+  const std::string_view token = TokenIn(authorization);
+  std::lock_guard lock(mutex_);
+  Reload();
+  if (token.empty()) {
+    return absl::UnauthenticatedError(
+        "this orchestrator asks for a token: send the metadata \"authorization: Bearer TOKEN\" (flair: --token-file "
+        "FILE)");
+  }
+  const config::v1::TokenEntry* entry = Find(token);
+  if (entry == nullptr) {
+    return absl::UnauthenticatedError("this orchestrator does not know the token; it may have been replaced");
+  }
+  if (!entry->last_day().empty() && clock_.Now() >= EndOf(entry->last_day())) {
+    return absl::UnauthenticatedError(
+        fmt::format("the token of \"{}\" was good until {}; ask for a new one", entry->name(), entry->last_day()));
+  }
+  const int limit = entry->calls_per_minute_limit();
+  if (limit == 0) return CallerOf(*entry);
+  auto rate = rates_.try_emplace(entry->name(), limit, clock_.Elapsed()).first;
+  if (rate->second.per_minute() != limit) rate->second = RateLimit(limit, clock_.Elapsed());
+  const absl::Duration wait = rate->second.Take(clock_.Elapsed());
+  if (wait == absl::ZeroDuration()) return CallerOf(*entry);
+  return ResourceExhausted("\"{}\" has made the {} calls a minute that it may; try again in {} s", entry->name(), limit,
+                           std::ceil(absl::ToDoubleSeconds(wait)));
+}
+
+// Every entry is looked at, wherever the right one is.
+const config::v1::TokenEntry* AccessControl::Find(std::string_view token) const {
+  const std::string digest = runtime::Sha256Hex(token);
+  const config::v1::TokenEntry* found = nullptr;
+  for (const config::v1::TokenEntry& entry : list_.tokens()) {
+    if (CRYPTO_memcmp(digest.data(), entry.sha256().data(), digest.size()) == 0) found = &entry;
+  }
+  return found;
+}
+
+void AccessControl::Reload() {
+  if (clock_.Elapsed() - looked_at_ < kLookAfter) return;
+  looked_at_ = clock_.Elapsed();
+  const runtime::FileStamp stamp = runtime::FileStamp::Of(path_);
+  if (stamp == stamp_) return;
+  stamp_ = stamp;
+  absl::StatusOr<config::v1::TokenList> list = ReadTokenList(path_);
+  if (!list.ok()) {
+    logger_->error("tokens_path: the previous tokens stay in use: {}", std::string(list.status().message()));
+    return;
+  }
+  list_ = *std::move(list);
+  logger_->info("tokens_path: reloaded {} tokens from {}", list_.tokens_size(), path_);
+}
 
 absl::Status CheckTokenList(const config::v1::TokenList& list) {
   Problems problems;

@@ -7,7 +7,12 @@
 #include <algorithm>
 #include <functional>
 
+#include "absl/strings/ascii.h"
+#include "absl/strings/str_join.h"
+#include "absl/strings/str_split.h"
+#include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -47,6 +52,52 @@ void Attach(store::v1::JobRecord& record, int stage, const v1::ArtifactRef& arti
     stages.SwapElements(i, i - 1);
   }
 }
+
+constexpr size_t kLongestName = 32;
+
+std::string WithoutCredentials(const std::string& server) {
+  const size_t scheme = server.find("://");
+  const size_t host = server.rfind('@');
+  if (host == std::string::npos) return server;
+  return (scheme == std::string::npos ? "" : server.substr(0, scheme + 3)) + server.substr(host + 1);
+}
+
+absl::Status CheckAddress(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls) {
+  const std::vector<std::string> servers = QueueServers(config);
+  if (servers.empty()) {
+    return absl::InvalidArgumentError("queue.address: missing; expected servers such as \"nats://127.0.0.1:4222\"");
+  }
+  for (const std::string& server : servers) {
+    const bool encrypted = server.starts_with("tls://");
+    if (!encrypted && !server.starts_with("nats://")) {
+      return InvalidArgument("queue.address: \"{}\" is not a server; expected nats://HOST:PORT or tls://HOST:PORT",
+                             WithoutCredentials(server).substr(0, 200));
+    }
+    if (encrypted && (tls == nullptr || tls->authority_path().empty())) {
+      return InvalidArgument(
+          "queue.address: {} is encrypted, and runtime.tls.authority_path does not name the authority that "
+          "signed its certificate",
+          WithoutCredentials(server));
+    }
+  }
+  return absl::OkStatus();
+}
+
+absl::Status NotHere() {
+  return absl::UnimplementedError(
+      "queue: this program cannot use NATS servers; flair and flair-orchestrator can (./flair build flair)");
+}
+
+NatsForms& Forms() {
+  static NatsForms forms{
+      [](const auto&, const auto*, const auto&) -> absl::StatusOr<std::unique_ptr<WorkQueue>> { return NotHere(); },
+      [](const auto&, const auto*, const auto&) -> absl::StatusOr<std::unique_ptr<ArtifactStore>> {
+        return NotHere();
+      }};
+  return forms;
+}
+
+constexpr char kArtifactIsGone[] = "flair/artifact-is-gone";
 
 }  // namespace
 
@@ -133,13 +184,12 @@ absl::StatusOr<bool> GrowBatch(std::span<const v1::Job> jobs, bool last, v1::Bat
   for (const v1::Job& job : jobs) {
     if (job.batch_index() < count) continue;
     if (job.batch_index() > count) {
-      return absl::FailedPreconditionError(
-          fmt::format("first_index: {} leaves a gap: batch {} has {} jobs; add from {} on", job.batch_index(),
-                      batch.id(), count, count));
+      return FailedPrecondition("first_index: {} leaves a gap: batch {} has {} jobs; add from {} on", job.batch_index(),
+                                batch.id(), count, count);
     }
     if (!batch.open()) {
-      return absl::FailedPreconditionError(
-          fmt::format("batch_id: {} is closed with {} jobs; make another batch", batch.id(), batch.job_count()));
+      return FailedPrecondition("batch_id: {} is closed with {} jobs; make another batch", batch.id(),
+                                batch.job_count());
     }
     ++count;
   }
@@ -159,7 +209,7 @@ absl::Status CheckSameSpec(const v1::Job& known, const v1::Job& job) {
 absl::StatusOr<bool> SetBatchState(v1::BatchState state, v1::Batch& batch) {
   if (batch.state() == v1::BATCH_STATE_CANCELLED) {
     if (state != v1::BATCH_STATE_ACTIVE) return false;
-    return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch.id()));
+    return FailedPrecondition("batch_id: {} is cancelled; make another batch", batch.id());
   }
   if (batch.state() == state) return false;
   batch.set_state(state);
@@ -192,22 +242,70 @@ void SetCounts(const EndCounts& ends, v1::Batch& batch) {
 
 absl::Status CheckDeletable(const v1::Job& job) {
   if (!job.batch_id().empty()) {
-    return absl::FailedPreconditionError(
-        fmt::format("job_id: {} is a job of batch {}; delete the batch", job.id(), job.batch_id()));
+    return FailedPrecondition("job_id: {} is a job of batch {}; delete the batch", job.id(), job.batch_id());
   }
   if (HasEnded(job)) return absl::OkStatus();
-  return absl::FailedPreconditionError(fmt::format("job_id: {} {}; cancel it, or wait for its end", job.id(),
-                                                   job.state() == v1::JOB_STATE_QUEUED ? "waits" : "runs"));
+  return FailedPrecondition("job_id: {} {}; cancel it, or wait for its end", job.id(),
+                            job.state() == v1::JOB_STATE_QUEUED ? "waits" : "runs");
 }
 
 absl::Status CheckDeletable(const v1::Batch& batch, bool ended) {
   if (batch.open()) {
-    return absl::FailedPreconditionError(
-        fmt::format("batch_id: {} is open: jobs may still be added; close or cancel it", batch.id()));
+    return FailedPrecondition("batch_id: {} is open: jobs may still be added; close or cancel it", batch.id());
   }
   if (ended) return absl::OkStatus();
-  return absl::FailedPreconditionError(
-      fmt::format("batch_id: jobs of {} wait or run; cancel it, or wait for its end", batch.id()));
+  return FailedPrecondition("batch_id: jobs of {} wait or run; cancel it, or wait for its end", batch.id());
 }
+
+std::vector<std::string> QueueServers(const config::v1::QueueConfig& config) {
+  return absl::StrSplit(config.address(), ',', absl::SkipWhitespace());
+}
+
+std::string ShownAddress(const config::v1::QueueConfig& config) {
+  std::vector<std::string> servers = QueueServers(config);
+  for (std::string& server : servers) server = WithoutCredentials(server);
+  return absl::StrJoin(servers, ",");
+}
+
+absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls) {
+  RETURN_IF_ERROR(CheckAddress(config, tls));
+  const std::string& name = config.name();
+  const bool good_name =
+      std::ranges::all_of(name, [](char c) { return absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-'; });
+  if (!good_name || name.size() > kLongestName) {
+    return InvalidArgument("queue.name: \"{}\" cannot be used; expected at most {} letters, digits and \"-\"",
+                           name.substr(0, 80), kLongestName);
+  }
+  const int replicas = config.replica_count();
+  if (replicas != 0 && replicas != 1 && replicas != 3 && replicas != 5) {
+    return InvalidArgument("queue.replica_count: {} is not one of 1, 3, 5", replicas);
+  }
+  if (config.has_lease_seconds() && !(config.lease_seconds() >= 1 && config.lease_seconds() <= 3600)) {
+    return InvalidArgument("queue.lease_seconds: {} is out of range [1, 3600]", config.lease_seconds());
+  }
+  return absl::OkStatus();
+}
+
+void UseNats(const NatsForms& forms) { Forms() = forms; }
+
+const NatsForms& Nats() { return Forms(); }
+
+absl::Status ArtifactIsGone(const std::string& artifact_id) {
+  absl::Status gone = NotFound("artifact {}: deleted with the last job that had it", artifact_id);
+  gone.SetPayload(kArtifactIsGone, absl::Cord());
+  return gone;
+}
+
+bool IsArtifactGone(const absl::Status& status) { return status.GetPayload(kArtifactIsGone).has_value(); }
+
+std::string JobIdSource::Next() {
+  std::lock_guard lock(mutex_);
+  last_ = std::max(clock_.Now(), last_ + absl::Microseconds(1));
+  const std::string seconds = absl::FormatTime("%Y%m%dT%H%M%S", last_, absl::UTCTimeZone());
+  const int64_t microseconds = absl::ToUnixMicros(last_) % 1000000;
+  return fmt::format("{}{:06}-{:06x}", seconds, microseconds, random_() & 0xffffffu);
+}
+
+std::string BatchJobId(const std::string& batch_id, int64_t index) { return fmt::format("{}-{:08}", batch_id, index); }
 
 }  // namespace flair::orchestrator

@@ -4,15 +4,20 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "flair/config/v1/orchestrator_config.pb.h"
+#include "flair/config/v1/runtime_config.pb.h"
 #include "flair/store/v1/job_record.pb.h"
-#include "orchestrator/batch/lease.h"
+#include "orchestrator/batch/work_queue.h"
+#include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {
 
@@ -66,5 +71,27 @@ void SetCounts(const EndCounts& ends, v1::Batch& batch);
 // says, a job of it waits or runs.
 absl::Status CheckDeletable(const v1::Job& job);
 absl::Status CheckDeletable(const v1::Batch& batch, bool ended);
+
+// The servers of `config.address`, in its order.
+std::vector<std::string> QueueServers(const config::v1::QueueConfig& config);
+
+// The addresses without the user, password or token that they may hold: for people and files.
+std::string ShownAddress(const config::v1::QueueConfig& config);
+
+// INVALID_ARGUMENT names the field that is wrong. `tls` is null when the program has no certificates.
+absl::Status CheckQueueConfig(const config::v1::QueueConfig& config, const config::v1::TlsConfig* tls);
+
+// How a queue and its artifacts on NATS servers are opened; see orchestrator/jetstream/open.h.
+struct NatsForms {
+  absl::StatusOr<std::unique_ptr<WorkQueue>> (*open_queue)(const config::v1::QueueConfig&, const config::v1::TlsConfig*,
+                                                           const runtime::Clock&);
+  absl::StatusOr<std::unique_ptr<ArtifactStore>> (*open_artifacts)(const config::v1::QueueConfig&,
+                                                                   const config::v1::TlsConfig*, const runtime::Clock&);
+};
+
+// Called at a program's start. Without it, Nats() gives functions that return UNIMPLEMENTED, and the program links no
+// NATS client: flair-design, which is built first, does without.
+void UseNats(const NatsForms& forms);
+const NatsForms& Nats();
 
 }  // namespace flair::orchestrator

@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "orchestrator/pipeline/stage_clients.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -122,8 +121,8 @@ void JobRunner::RunJob(Lease& lease) {
   }
   const int lost = lease.lost_run_count();
   if (lost >= kLostRunLimit) {
-    const absl::Status error = absl::InternalError(
-        fmt::format("{} runs of the job in a row died with their process; it is not started again", lost));
+    const absl::Status error =
+        Internal("{} runs of the job in a row died with their process; it is not started again", lost);
     End(lease, {v1::JOB_STATE_FAILED, lease.job().stage(), error, v1::FAILURE_KIND_WORKER, clock_.Now()});
   } else {
     Settle(lease, pipeline_.Run(lease));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/batch/sweeper.h"
-
 #include <algorithm>
 
+#include "orchestrator/batch/repeater.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -52,9 +51,7 @@ absl::Status Sweeper::DeleteAll(const EndedPage& page, Deleted& deleted) {
     deleted.done = deleted.done && some->done;
     return absl::OkStatus();
   };
-  for (const std::string& id : page.job_ids) {
-    RETURN_IF_ERROR(add(queue_.DeleteJob(id, artifacts_)));
-  }
+  for (const std::string& id : page.job_ids) RETURN_IF_ERROR(add(queue_.DeleteJob(id, artifacts_)));
   for (const std::string& id : page.batch_ids) {
     if (deleted.job_count >= kJobsPerStep) deleted.done = false;
     if (!deleted.done) return absl::OkStatus();

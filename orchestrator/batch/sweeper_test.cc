@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/batch/sweeper.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/testing/temporary_folder.h"

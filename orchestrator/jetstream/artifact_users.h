@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <span>
@@ -94,7 +92,7 @@ class ArtifactUsers {
     if (!entry.has_value()) return Known();
     Known known{{}, entry->revision};
     if (known.users.ParseFromString(entry->value)) return known;
-    return absl::DataLossError(fmt::format("the queue's record of the users of artifact {} is damaged", artifact_id));
+    return DataLoss("the queue's record of the users of artifact {} is damaged", artifact_id);
   }
 
   // False if another process has changed it meanwhile.

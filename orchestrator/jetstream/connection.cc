@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "absl/strings/match.h"
-#include "orchestrator/batch/queue_config.h"
+#include "orchestrator/batch/job_rules.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -40,9 +40,7 @@ NatsMessage Read(natsMsg* message) {
   read.content.assign(natsMsg_GetData(message), static_cast<size_t>(natsMsg_GetDataLength(message)));
   if (const char* reply = natsMsg_GetReply(message)) read.reply = reply;
   const char* status = nullptr;
-  if (read.content.empty() && natsMsgHeader_Get(message, "Status", &status) == NATS_OK) {
-    read.status = std::atoi(status);
-  }
+  if (read.content.empty() && natsMsgHeader_Get(message, "Status", &status) == NATS_OK) read.status = std::atoi(status);
   return read;
 }
 
@@ -51,7 +49,7 @@ absl::StatusOr<std::unique_ptr<NatsInbox>> MakeInbox(natsConnection* connection,
   natsSubscription* subscription = nullptr;
   const natsStatus status = natsConnection_SubscribeSync(&subscription, connection, pattern.c_str());
   if (status != NATS_OK) {
-    return absl::UnavailableError(fmt::format("cannot listen to {}: {}", pattern, natsStatus_GetText(status)));
+    return Unavailable("cannot listen to {}: {}", pattern, natsStatus_GetText(status));
   }
   return std::make_unique<NatsInbox>(subscription, subject);
 }
@@ -59,8 +57,7 @@ absl::StatusOr<std::unique_ptr<NatsInbox>> MakeInbox(natsConnection* connection,
 absl::Status CheckFile(natsStatus status, const char* field, const std::string& path) {
   if (status == NATS_OK) return absl::OkStatus();
   const char* why = nats_GetLastError(nullptr);
-  return absl::InvalidArgumentError(
-      fmt::format("{}: cannot use {}: {}", field, path, why != nullptr ? why : natsStatus_GetText(status)));
+  return InvalidArgument("{}: cannot use {}: {}", field, path, why != nullptr ? why : natsStatus_GetText(status));
 }
 
 absl::Status SetTls(natsOptions* options, const config::v1::TlsConfig& tls) {
@@ -84,9 +81,9 @@ absl::StatusOr<OptionsPtr> MakeOptions(const config::v1::QueueConfig& config, co
   std::vector<const char*> urls;
   for (const std::string& server : servers) urls.push_back(server.c_str());
   if (natsOptions_SetServers(made, urls.data(), static_cast<int>(urls.size())) != NATS_OK) {
-    return absl::InvalidArgumentError(
-        fmt::format("queue.address: \"{}\" is not a list of servers; expected nats://HOST:PORT, separated by commas",
-                    ShownAddress(config).substr(0, 200)));
+    return InvalidArgument(
+        "queue.address: \"{}\" is not a list of servers; expected nats://HOST:PORT, separated by commas",
+        ShownAddress(config).substr(0, 200));
   }
   natsOptions_SetName(made, "flair");
   natsOptions_SetTimeout(made, kConnectMs);
@@ -97,14 +94,12 @@ absl::StatusOr<OptionsPtr> MakeOptions(const config::v1::QueueConfig& config, co
   natsOptions_SetReconnectBufSize(made, kReconnectBufferBytes);
   natsOptions_SetFailRequestsOnDisconnect(made, true);
   const bool encrypted = std::ranges::any_of(servers, [](const std::string& s) { return s.starts_with("tls://"); });
-  if (encrypted && tls != nullptr) {
-    RETURN_IF_ERROR(SetTls(made, *tls));
-  }
+  if (encrypted && tls != nullptr) RETURN_IF_ERROR(SetTls(made, *tls));
   if (!config.credentials_path().empty()) {
     // cnats reads it only when it connects, and then does not say why that failed.
     if (::access(config.credentials_path().c_str(), R_OK) != 0) {
-      return absl::InvalidArgumentError(
-          fmt::format("queue.credentials_path: cannot read {}: {}", config.credentials_path(), std::strerror(errno)));
+      return InvalidArgument("queue.credentials_path: cannot read {}: {}", config.credentials_path(),
+                             std::strerror(errno));
     }
     if (absl::Status status =
             CheckFile(natsOptions_SetUserCredentialsFromFiles(made, config.credentials_path().c_str(), nullptr),
@@ -189,10 +184,10 @@ absl::Status DescribeConnectError(const config::v1::QueueConfig& config, const c
   const std::string why = last != nullptr && *last != '\0' ? last : natsStatus_GetText(status);
   const std::string fault = TrustFault(config, tls, status, why);
   if (!fault.empty()) return absl::UnauthenticatedError(fmt::format("{} ({})", fault, why));
-  return absl::UnavailableError(
-      fmt::format("queue.address: no server answers at {} ({}); start one with JetStream (nats-server --jetstream "
-                  "--store_dir FOLDER) or correct the address",
-                  ShownAddress(config), why));
+  return Unavailable(
+      "queue.address: no server answers at {} ({}); start one with JetStream (nats-server --jetstream "
+      "--store_dir FOLDER) or correct the address",
+      ShownAddress(config), why);
 }
 
 }  // namespace
@@ -239,16 +234,16 @@ NatsConnection::~NatsConnection() {
 }
 
 absl::Status NatsConnection::Unreachable(const std::string& why) const {
-  return absl::UnavailableError(fmt::format(
-      "the queue at {} does not answer ({}); is nats-server running there, and is it reachable?", address_, why));
+  return Unavailable("the queue at {} does not answer ({}); is nats-server running there, and is it reachable?",
+                     address_, why);
 }
 
 absl::Status NatsConnection::CheckSize(const NatsRequest& request) const {
   const auto size_bytes = static_cast<int64_t>(request.content.size());
   if (size_bytes + 1024 <= max_payload_bytes()) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("{} bytes are too many for one message of the queue at {}; its servers accept {} (max_payload)",
-                  size_bytes, address_, max_payload_bytes()));
+  return InvalidArgument(
+      "{} bytes are too many for one message of the queue at {}; its servers accept {} (max_payload)", size_bytes,
+      address_, max_payload_bytes());
 }
 
 absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, absl::Duration limit) {
@@ -263,10 +258,10 @@ absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, 
   if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader at the moment");
   // nats-server 2.9 stops for good when its disk is full.
   if (status == NATS_TIMEOUT && connected()) {
-    return absl::UnavailableError(
-        fmt::format("JetStream does not answer, though {} is connected; if its disk was full, make room and restart "
-                    "nats-server there: work goes on by itself then",
-                    address_));
+    return Unavailable(
+        "JetStream does not answer, though {} is connected; if its disk was full, make room and restart "
+        "nats-server there: work goes on by itself then",
+        address_);
   }
   return Unreachable(natsStatus_GetText(status));
 }

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,8 +20,8 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
-#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/repeater.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/consumers.h"
@@ -77,9 +76,7 @@ class BatchRepair {
       return false;
     }
     if (waits) return true;
-    if (cancelled) {
-      RETURN_IF_ERROR(CancelJobs(batch_id, batch.job_count(), parts_.clock.Now()));
-    }
+    if (cancelled) RETURN_IF_ERROR(CancelJobs(batch_id, batch.job_count(), parts_.clock.Now()));
     RETURN_IF_ERROR(VisitJobs(batch_id, batch.job_count(),
                               [this](const std::vector<RevisedJob>& jobs) { return RepairThese(jobs); }));
     return cancelled;

@@ -4,15 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/numbers.h"
-#include "orchestrator/batch/artifact_store.h"
-#include "orchestrator/batch/queue_config.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "orchestrator/store/artifact_id.h"
@@ -38,8 +36,7 @@ constexpr std::string_view kPieces = "pieces ";
 std::string PieceKey(const std::string& id, size_t number) { return fmt::format("{}.{}", id, number); }
 
 absl::Status Damaged(const std::string& id) {
-  return absl::DataLossError(
-      fmt::format("artifact {}: damaged: the bytes on the queue's servers do not match the id", id));
+  return DataLoss("artifact {}: damaged: the bytes on the queue's servers do not match the id", id);
 }
 
 // Artifacts in a bucket of NATS servers. A small one is one value under its id, "whole\n" and its bytes; a large one is
@@ -73,16 +70,13 @@ class JetStreamArtifacts final : public ArtifactStore {
       }
     }
     // Also where it is there: who deletes it, since nobody had it, sees that it is wanted again.
-    for (const SealedArtifact* artifact : others) {
-      RETURN_IF_ERROR(Write(artifact->ref.id(), artifact->bytes));
-    }
+    for (const SealedArtifact* artifact : others) RETURN_IF_ERROR(Write(artifact->ref.id(), artifact->bytes));
     return absl::OkStatus();
   }
 
   absl::StatusOr<v1::Artifact> Get(const std::string& id) override {
     if (!IsArtifactId(id)) {
-      return absl::InvalidArgumentError(
-          fmt::format("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80)));
+      return InvalidArgument("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80));
     }
     ASSIGN_OR_RETURN(const std::string bytes, Read(id));
     v1::Artifact artifact;
@@ -111,7 +105,7 @@ class JetStreamArtifacts final : public ArtifactStore {
  private:
   absl::StatusOr<std::string> Read(const std::string& id) {
     ASSIGN_OR_RETURN(const std::optional<Bucket::Entry> entry, IfFound(artifacts_.Get(id)));
-    if (!entry.has_value()) return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
+    if (!entry.has_value()) return NotFound("artifact {}: not in this store", id);
     std::string_view value = entry->value;
     if (value.starts_with(kWhole)) return std::string(value.substr(kWhole.size()));
     int count = 0;

@@ -6,7 +6,6 @@
 #include "absl/status/statusor.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
 #include "flair/config/v1/runtime_config.pb.h"
-#include "orchestrator/batch/artifact_store.h"
 #include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/clock/clock.h"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_split.h"
@@ -22,13 +21,13 @@ template <typename Message>
 absl::StatusOr<Revised<Message>> Parse(const absl::StatusOr<Bucket::Entry>& entry, const char* field,
                                        const std::string& id) {
   if (absl::IsNotFound(entry.status())) {
-    return absl::NotFoundError(fmt::format("{}: \"{}\" is not known here", field, id.substr(0, 80)));
+    return NotFound("{}: \"{}\" is not known here", field, id.substr(0, 80));
   }
   if (!entry.ok()) return entry.status();
   Revised<Message> revised;
   revised.revision = entry->revision;
   if (!revised.value.ParseFromString(entry->value)) {
-    return absl::DataLossError(fmt::format("{}: the queue's record of {} is damaged", field, id));
+    return DataLoss("{}: the queue's record of {} is damaged", field, id);
   }
   return revised;
 }

@@ -94,8 +94,7 @@ absl::Status JetStreamWorkQueue::AddRecords(const std::string& batch_id, std::sp
   std::vector<Bucket::Change> changes;
   for (const v1::Job& job : jobs) {
     if (job.id() != BatchJobId(batch_id, job.batch_index())) {
-      return absl::InternalError(
-          fmt::format("the id of job {} does not match its place in batch {}", job.id(), batch_id));
+      return Internal("the id of job {} does not match its place in batch {}", job.id(), batch_id);
     }
     changes.push_back({job.id(), runtime::CanonicalBytes(NewRecord(job, "")), 0});
   }

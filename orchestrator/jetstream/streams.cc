@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/jetstream/streams.h"
 
-#include <fmt/format.h>
 #include <nats/nats.h>
 
 #include <atomic>
@@ -100,21 +99,20 @@ absl::Status Streams::ToStatus(int nats_status, int error_code, const char* said
   if (error_code == 0) return connection_.Unreachable(text);
   if (error_code == JSStreamWrongLastSequenceErr) return absl::AbortedError(text);
   if (kNoRoom.contains(error_code)) {
-    return absl::ResourceExhaustedError(
-        fmt::format("the queue at {} is full ({}); give its servers more room (max_file_store, disk)", address, text));
+    return ResourceExhausted("the queue at {} is full ({}); give its servers more room (max_file_store, disk)", address,
+                             text);
   }
   if (error_code == JSStreamReplicasNotSupportedErr || error_code == JSClusterNoPeersErr) {
-    return absl::FailedPreconditionError(
-        fmt::format("queue.replica_count: {} has fewer servers with JetStream ({})", address, text));
+    return FailedPrecondition("queue.replica_count: {} has fewer servers with JetStream ({})", address, text);
   }
   if (error_code == JSNotEnabledErr || error_code == JSNotEnabledForAccountErr) {
-    return absl::FailedPreconditionError(
-        fmt::format("queue.address: JetStream is off at {} ({}); start nats-server with --jetstream", address, text));
+    return FailedPrecondition("queue.address: JetStream is off at {} ({}); start nats-server with --jetstream", address,
+                              text);
   }
   if (kPassing.contains(error_code)) {
-    return absl::UnavailableError(fmt::format("the queue at {} cannot do that now ({})", address, text));
+    return Unavailable("the queue at {} cannot do that now ({})", address, text);
   }
-  return absl::InternalError(fmt::format("the queue at {} refuses: {} (error {})", address, text, error_code));
+  return Internal("the queue at {} refuses: {} (error {})", address, text, error_code);
 }
 
 template <typename Call>
@@ -270,11 +268,11 @@ absl::StatusOr<StoredMessage> Streams::Next(const std::string& stream, const std
   const auto message = parsed.find("message");
   StoredMessage found;
   if (message == parsed.end() || !absl::Base64Unescape(message->value("data", ""), &found.content)) {
-    return absl::InternalError(fmt::format("stream {} holds a message that cannot be read", stream));
+    return Internal("stream {} holds a message that cannot be read", stream);
   }
   found.subject = message->value("subject", "");
   found.sequence = message->value("seq", uint64_t{0});
-  if (found.sequence < sequence) return absl::InternalError(fmt::format("stream {} is read out of order", stream));
+  if (found.sequence < sequence) return Internal("stream {} is read out of order", stream);
   return found;
 }
 

@@ -14,7 +14,7 @@
 
 #include "absl/strings/numbers.h"
 #include "orchestrator/batch/job_rules.h"
-#include "orchestrator/batch/lease.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/jetstream_work_queue.h"
 #include "orchestrator/jetstream/job_ends.h"
@@ -150,7 +150,7 @@ class JetStreamLease final : public Lease {
 
   absl::Status Refused() {
     hold_->Lose();
-    return absl::AbortedError(fmt::format("job {}: another run has it", job().id()));
+    return Aborted("job {}: another run has it", job().id());
   }
 
   // From now on nobody deletes these artifacts. One that is to be reused and has no user is just being deleted.
@@ -217,9 +217,7 @@ uint64_t SequenceOf(const std::string& holder) {
 }  // namespace
 
 absl::StatusOr<std::unique_ptr<Lease>> JetStreamWorkQueue::Take(const TakeFilter& filter) {
-  if (!filter.any) {
-    RETURN_IF_ERROR(WantNamed(filter.job_ids));
-  }
+  if (!filter.any) RETURN_IF_ERROR(WantNamed(filter.job_ids));
   int passed_over = 0;
   for (const Consumer& consumer : consumers_.Candidates(filter)) {
     absl::StatusOr<std::unique_ptr<Lease>> lease = TakeFrom(consumer, passed_over);

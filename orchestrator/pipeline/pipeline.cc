@@ -5,20 +5,15 @@
 
 #include <algorithm>
 #include <latch>
-#include <optional>
 #include <set>
-#include <utility>
 
 #include "google/protobuf/util/time_util.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/pipeline/stage_clients.h"
-#include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 using Output = StageRunner::Output;
@@ -81,6 +76,19 @@ class Progress {
   std::vector<std::optional<Output>> outputs_;
 };
 
+// Work of a job that a crash may take with it, beside the stages that run. A write takes less than a hundredth of it.
+constexpr absl::Duration kWorkKeptBack = absl::Milliseconds(500);
+
+google::protobuf::Duration ToProto(absl::Duration duration) {
+  return google::protobuf::util::TimeUtil::MicrosecondsToDuration(absl::ToInt64Microseconds(duration));
+}
+
+std::vector<std::string> InputIds(const StageRun& run) {
+  std::vector<std::string> ids;
+  for (const v1::Artifact* input : run.inputs) ids.push_back(input->id());
+  return ids;
+}
+
 }  // namespace
 
 // Calls `task` with 0, 1, ... count - 1, at once, and returns when all calls have.
@@ -131,13 +139,6 @@ PipelineResult Pipeline::RunStages(Lease& lease, StepLog& steps) const {
   return {absl::OkStatus(), "report", *std::move(last)};
 }
 
-namespace {
-
-// Work of a job that a crash may take with it, beside the stages that run. A write takes less than a hundredth of it.
-constexpr absl::Duration kWorkKeptBack = absl::Milliseconds(500);
-
-}  // namespace
-
 absl::Status StepLog::Add(StageRecord record, std::optional<SealedArtifact> artifact, Urgency urgency) {
   const google::protobuf::Duration& took = record.event.duration();
   std::lock_guard lock(mutex_);
@@ -171,20 +172,6 @@ absl::Status StepLog::StoreKept() {
   const absl::StatusOr<std::vector<StageRecord>> records = TakeKept();
   return records.ok() ? lease_.RecordAll(*records) : records.status();
 }
-
-namespace {
-
-google::protobuf::Duration ToProto(absl::Duration duration) {
-  return google::protobuf::util::TimeUtil::MicrosecondsToDuration(absl::ToInt64Microseconds(duration));
-}
-
-std::vector<std::string> InputIds(const StageRun& run) {
-  std::vector<std::string> ids;
-  for (const v1::Artifact* input : run.inputs) ids.push_back(input->id());
-  return ids;
-}
-
-}  // namespace
 
 StageRunner::StageRunner(WorkQueue& queue, ArtifactStore& artifacts, StageClients& clients, CatalogCache& catalogs,
                          const runtime::Clock& clock, const PipelineOptions& options, Lease& lease, StepLog& steps)
@@ -340,8 +327,8 @@ absl::StatusOr<v1::Artifact> StageRunner::Make(const Stage& stage, const StageRu
   };
   absl::StatusOr<v1::Artifact> artifact = Retry<v1::Artifact>(make, run);
   if (absl::IsDeadlineExceeded(artifact.status())) {
-    return absl::DeadlineExceededError(fmt::format("stage \"{}\" did not finish within {} (stage_deadline_seconds)",
-                                                   stage.name, absl::FormatDuration(options_.stage_deadline)));
+    return DeadlineExceeded("stage \"{}\" did not finish within {} (stage_deadline_seconds)", stage.name,
+                            absl::FormatDuration(options_.stage_deadline));
   }
   return artifact;
 }

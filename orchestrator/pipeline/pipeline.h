@@ -15,8 +15,6 @@
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/job.pb.h"
-#include "orchestrator/batch/artifact_store.h"
-#include "orchestrator/batch/lease.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/pipeline/stage_clients.h"

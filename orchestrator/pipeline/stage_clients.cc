@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
-#include <cstdint>
 #include <mutex>
 
 #include "absl/strings/cord.h"
 #include "orchestrator/pipeline/stage.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 // FNV-1a, to [0, 1).
@@ -20,6 +18,9 @@ double Fraction(const std::string& key, int attempt) {
   for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
   return static_cast<double>(hash >> 11) * 0x1p-53;
 }
+
+constexpr char kStorePayload[] = "flair/of-store";
+constexpr char kOutagePayload[] = "flair/outage";
 
 }  // namespace
 
@@ -50,11 +51,6 @@ void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call) {
   std::unique_lock lock(mutex);
   wake.wait_for(lock, absl::ToChronoMicroseconds(duration), [&] { return cancelled; });
 }
-
-namespace {
-constexpr char kStorePayload[] = "flair/of-store";
-constexpr char kOutagePayload[] = "flair/outage";
-}  // namespace
 
 absl::Status OfStore(absl::Status status) {
   // A lost lease is no fault of the store.

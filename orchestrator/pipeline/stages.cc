@@ -7,7 +7,6 @@
 
 #include "absl/strings/strip.h"
 #include "orchestrator/pipeline/stage.h"
-#include "orchestrator/pipeline/summary.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"

@@ -37,13 +37,22 @@ absl::StatusOr<Response> Answer(absl::StatusOr<v1::Batch> batch) {
   return response;
 }
 
+// Jobs of a batch that one call deletes: some seconds.
+constexpr int kJobsPerCall = 1000;
+
+// In the words of VisibleJob and VisibleBatch, whoever deleted it meanwhile.
+absl::Status Gone(const absl::Status& status, const char* field, const char* what, const std::string& id) {
+  if (!absl::IsNotFound(status)) return status;
+  return NotFound("{}: no {} \"{}\" in this store", field, what, id);
+}
+
 }  // namespace
 
 absl::StatusOr<v1::Batch> OrchestratorHandlers::VisibleBatch(const std::string& id, const Caller& caller) {
   absl::StatusOr<v1::Batch> batch = queue_.FindBatch(id);
   const bool hidden = batch.ok() ? !caller.MaySee(batch->owner()) : absl::IsNotFound(batch.status());
   if (!hidden) return batch;
-  return absl::NotFoundError(fmt::format("batch_id: no batch \"{}\" in this store", id.substr(0, 80)));
+  return NotFound("batch_id: no batch \"{}\" in this store", id.substr(0, 80));
 }
 
 absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int64_t first_index,
@@ -167,20 +176,19 @@ absl::Status OrchestratorHandlers::RetryJobs(std::span<const v1::Job> jobs, cons
     if (retried) response.set_retried_count(response.retried_count() + 1);
   }
   if (granted == static_cast<int64_t>(jobs.size())) return absl::OkStatus();
-  return absl::ResourceExhaustedError(
-      fmt::format("{} of the failed jobs wait again; more would exceed the limit of waiting jobs; try again later",
-                  response.retried_count()));
+  return ResourceExhausted(
+      "{} of the failed jobs wait again; more would exceed the limit of waiting jobs; try again later",
+      response.retried_count());
 }
 
 absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1::RetryBatchRequest& request,
                                                                         const Caller& caller) {
   ASSIGN_OR_RETURN(const v1::Batch batch, VisibleBatch(request.batch_id(), caller));
   if (batch.state() == v1::BATCH_STATE_CANCELLED) {
-    return absl::FailedPreconditionError(fmt::format("batch_id: {} is cancelled; make another batch", batch.id()));
+    return FailedPrecondition("batch_id: {} is cancelled; make another batch", batch.id());
   }
   if (request.job_ids_size() > kPage) {
-    return absl::InvalidArgumentError(
-        fmt::format("job_ids: {} jobs are too many; at most {}", request.job_ids_size(), kPage));
+    return InvalidArgument("job_ids: {} jobs are too many; at most {}", request.job_ids_size(), kPage);
   }
   // Also for those that wait again when there is no room for the rest.
   runner_.Request({}, batch.id());
@@ -205,19 +213,6 @@ absl::StatusOr<v1::RetryBatchResponse> OrchestratorHandlers::RetryBatch(const v1
   ASSIGN_OR_RETURN(*response.mutable_batch(), queue_.GetBatch(batch.id()));
   return response;
 }
-
-namespace {
-
-// Jobs of a batch that one call deletes: some seconds.
-constexpr int kJobsPerCall = 1000;
-
-// In the words of VisibleJob and VisibleBatch, whoever deleted it meanwhile.
-absl::Status Gone(const absl::Status& status, const char* field, const char* what, const std::string& id) {
-  if (!absl::IsNotFound(status)) return status;
-  return absl::NotFoundError(fmt::format("{}: no {} \"{}\" in this store", field, what, id));
-}
-
-}  // namespace
 
 absl::StatusOr<v1::DeleteJobResponse> OrchestratorHandlers::DeleteJob(const v1::DeleteJobRequest& request,
                                                                       const Caller& caller) {

@@ -17,19 +17,16 @@
 #include "absl/strings/strip.h"
 #include "orchestrator/access/access_control.h"
 #include "orchestrator/batch/event_hub.h"
+#include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/job_runner.h"
-#include "orchestrator/batch/queue_config.h"
 #include "orchestrator/batch/queue_metrics.h"
 #include "orchestrator/batch/repeater.h"
-#include "orchestrator/batch/sweeper.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/orchestrator_handlers.h"
-#include "orchestrator/service/watches.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/workers/stage_workers.h"
 #include "worker_runtime/grpc/channel.h"
-#include "worker_runtime/grpc/server_call.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -104,8 +101,8 @@ absl::StatusOr<std::unique_ptr<ArtifactStore>> OpenArtifactStore(const config::v
   if (address.starts_with("folder:")) return ArtifactFiles::Open(address.substr(7));
   if (address.empty() && !config.has_queue()) return LocalArtifacts::Open(config.store_path() + "/artifacts");
   if (!address.empty() && address != "jetstream:") {
-    return absl::InvalidArgumentError(
-        fmt::format("artifact_store: \"{}\" is not a store; expected \"folder:PATH\" or \"jetstream:\"", address));
+    return InvalidArgument("artifact_store: \"{}\" is not a store; expected \"folder:PATH\" or \"jetstream:\"",
+                           address);
   }
   if (!config.has_queue()) {
     return absl::InvalidArgumentError(
@@ -192,9 +189,7 @@ class Service final : public OrchestratorService {
     stores_.queue->Listen({[this] { runner_.Wake(); }, [this](const std::string& id) { hub_.Notify(id); },
                            [this](const std::string& id) { hub_.Notify(id); }});
     // Who runs only what it is asked for is no part of a cluster.
-    if (config.has_queue() || !config.requested_jobs_only()) {
-      reporter_.emplace([this] { return Report(); });
-    }
+    if (config.has_queue() || !config.requested_jobs_only()) reporter_.emplace([this] { return Report(); });
     sweeper_.Start();
   }
 
@@ -300,12 +295,8 @@ void CheckOrchestratorConfig(const config::v1::OrchestratorConfig& config, runti
   if (config.has_stage_deadline_seconds()) {
     checker.Range("stage_deadline_seconds", config.stage_deadline_seconds(), 0.001, 86400);
   }
-  if (config.has_outage_limit_hours()) {
-    checker.Range("outage_limit_hours", config.outage_limit_hours(), 0, 8760);
-  }
-  if (config.has_keep_ended_seconds()) {
-    checker.Range("keep_ended_seconds", config.keep_ended_seconds(), 60, 315360000);
-  }
+  if (config.has_outage_limit_hours()) checker.Range("outage_limit_hours", config.outage_limit_hours(), 0, 8760);
+  if (config.has_keep_ended_seconds()) checker.Range("keep_ended_seconds", config.keep_ended_seconds(), 60, 315360000);
   CheckStageConfig(config, checker);
   CheckQueueExposure(config, checker);
 }

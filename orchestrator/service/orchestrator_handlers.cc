@@ -5,7 +5,6 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
@@ -45,7 +44,7 @@ absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, 
   // In the same words, whatever the queue's: nobody can tell another's job from none.
   const bool hidden = job.ok() ? !caller.MaySee(job->owner()) : absl::IsNotFound(job.status());
   if (!hidden) return job;
-  return absl::NotFoundError(fmt::format("job_id: no job \"{}\" in this store", id.substr(0, 80)));
+  return NotFound("job_id: no job \"{}\" in this store", id.substr(0, 80));
 }
 
 absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::CreateJobRequest& request,
@@ -103,7 +102,7 @@ absl::StatusOr<v1::GetArtifactResponse> OrchestratorHandlers::GetArtifact(const 
   if (!caller.sees_all) {
     ASSIGN_OR_RETURN(const bool owns, queue_.OwnsArtifact(caller.name, request.artifact_id()));
     if (!owns) {
-      return absl::NotFoundError(fmt::format("artifact {}: not in this store", request.artifact_id().substr(0, 80)));
+      return NotFound("artifact {}: not in this store", request.artifact_id().substr(0, 80));
     }
   }
   v1::GetArtifactResponse response;
@@ -167,9 +166,8 @@ absl::StatusOr<JobAdmission::Entry::Counts> JobAdmission::Entry::Keep(int64_t jo
 
 absl::Status JobAdmission::Entry::Check(const Counts& counts, int64_t job_count) const {
   if (counts.queued + job_count <= admission_.queued_job_limit_) return caller_.CheckOpenJobs(counts.open, job_count);
-  return absl::ResourceExhaustedError(
-      fmt::format("{} jobs are waiting; {} more would exceed the limit of {}; try again later", counts.queued,
-                  job_count, admission_.queued_job_limit_));
+  return ResourceExhausted("{} jobs are waiting; {} more would exceed the limit of {}; try again later", counts.queued,
+                           job_count, admission_.queued_job_limit_);
 }
 
 absl::Status JobAdmission::Entry::Grant(int64_t job_count) {

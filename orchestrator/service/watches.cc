@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "orchestrator/service/watches.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "absl/strings/numbers.h"
+#include "orchestrator/service/orchestrator_handlers.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
 

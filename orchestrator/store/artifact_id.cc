@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/store/artifact_id.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
 #include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -43,8 +42,7 @@ bool AreBytesOf(std::string_view bytes, std::string_view id) {
 absl::StatusOr<v1::Artifact> ParseArtifact(const std::string& bytes, std::string_view id, std::string_view place) {
   v1::Artifact artifact;
   if (AreBytesOf(bytes, id) && artifact.ParseFromString(bytes)) return artifact;
-  return absl::DataLossError(
-      fmt::format("{}: damaged: its {} bytes are not those of the artifact with that id", place, bytes.size()));
+  return DataLoss("{}: damaged: its {} bytes are not those of the artifact with that id", place, bytes.size());
 }
 
 std::string ComputeArtifactId(v1::Artifact artifact) {
@@ -61,7 +59,7 @@ v1::ArtifactKind KindOf(const v1::Artifact& artifact) {
 
 bool IsArtifactId(std::string_view id) {
   return id.size() == 64 &&
-         std::all_of(id.begin(), id.end(), [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+         std::ranges::all_of(id, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
 }
 
 v1::Brief BriefOf(const v1::JobSpec& spec) {

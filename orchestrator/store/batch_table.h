@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -59,7 +56,7 @@ class BatchTable {
     const auto lock = database_.lock();
     Statement select = database_.Prepare("SELECT " BATCH_COLUMNS " FROM batches WHERE id = ?", id);
     ASSIGN_OR_RETURN(const bool found, select.Step());
-    if (!found) return absl::NotFoundError(fmt::format("batch_id: no batch \"{}\" in this store", id.substr(0, 80)));
+    if (!found) return NotFound("batch_id: no batch \"{}\" in this store", id.substr(0, 80));
     return ReadBatch(select);
   }
 

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include <utility>
-
 #include "orchestrator/store/schema_sql.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -151,8 +150,8 @@ absl::Status Database::Migrate(Schema schema) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*this));
   ASSIGN_OR_RETURN(const int64_t version, FirstInt("PRAGMA user_version"));
   if (version > newest) {
-    return absl::FailedPreconditionError(
-        fmt::format("the store has version {}, this program knows up to {}; use a newer Flair", version, newest));
+    return FailedPrecondition("the store has version {}, this program knows up to {}; use a newer Flair", version,
+                              newest);
   }
   if (version == newest) return absl::OkStatus();
   for (const std::string_view step : schema.subspan(static_cast<size_t>(version))) {

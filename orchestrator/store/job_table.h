@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <fmt/format.h>
 #include <google/protobuf/util/time_util.h>
 
 #include <limits>
@@ -17,7 +16,6 @@
 #include "flair/v1/job.pb.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/database.h"
-#include "orchestrator/store/job_table.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -48,7 +46,7 @@ class JobTable {
     const auto lock = database_.lock();
     Statement select = database_.Prepare("SELECT " JOB_COLUMNS " FROM jobs WHERE id = ?", id);
     ASSIGN_OR_RETURN(const bool found, select.Step());
-    if (!found) return absl::NotFoundError(fmt::format("job_id: no job \"{}\" in this store", id.substr(0, 80)));
+    if (!found) return NotFound("job_id: no job \"{}\" in this store", id.substr(0, 80));
     return Read(select);
   }
 
@@ -182,7 +180,7 @@ class JobTable {
     const auto read = [&job_id](const Statement& row) -> absl::StatusOr<v1::JobEvent> {
       v1::JobEvent event;
       if (event.ParseFromString(row.Text(0))) return event;
-      return absl::DataLossError(fmt::format("job store: an event of job {} is damaged", job_id));
+      return DataLoss("job store: an event of job {} is damaged", job_id);
     };
     return ReadRows<v1::JobEvent>(
         database_.Prepare("SELECT event FROM events WHERE job_id = ? AND sequence > ? ORDER BY sequence LIMIT ?",
@@ -233,7 +231,7 @@ class JobTable {
     v1::Job job;
     job.set_id(row.Text(0));
     if (!job.mutable_spec()->ParseFromString(row.Text(1))) {
-      return absl::DataLossError(fmt::format("job store: the spec of job {} is damaged", job.id()));
+      return DataLoss("job store: the spec of job {} is damaged", job.id());
     }
     job.set_state(static_cast<v1::JobState>(row.Int(2)));
     job.set_stage(row.Text(3));

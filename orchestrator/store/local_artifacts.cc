@@ -13,14 +13,12 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <vector>
 
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 // Up to some 100 kB a row is written and read sooner than a file is opened.
@@ -40,6 +38,20 @@ CREATE TABLE marks (
 );
 INSERT INTO marks VALUES (0, 0);
 )sql"};
+
+// Nothing when there is no such file.
+std::optional<std::string> ReadFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return std::nullopt;
+  std::string bytes(static_cast<size_t>(std::max<std::streamoff>(0, file.tellg())), '\0');
+  file.seekg(0);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<size_t>(file.gcount()));
+  return bytes;
+}
+
+// When the file was last stored, nanoseconds since 1970.
+int64_t TimeOf(const struct stat& info) { return int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec; }
 
 }  // namespace
 
@@ -110,24 +122,6 @@ absl::StatusOr<std::vector<std::string>> LocalArtifacts::FindIds(const std::stri
   return ids;
 }
 
-namespace {
-
-// Nothing when there is no such file.
-std::optional<std::string> ReadFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return std::nullopt;
-  std::string bytes(static_cast<size_t>(std::max<std::streamoff>(0, file.tellg())), '\0');
-  file.seekg(0);
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<size_t>(file.gcount()));
-  return bytes;
-}
-
-// When the file was last stored, nanoseconds since 1970.
-int64_t TimeOf(const struct stat& info) { return int64_t{info.st_mtim.tv_sec} * 1'000'000'000 + info.st_mtim.tv_nsec; }
-
-}  // namespace
-
 absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::string& folder) {
   RETURN_IF_ERROR(MakeFolder(folder));
   return std::make_unique<ArtifactFiles>(folder);
@@ -138,9 +132,8 @@ absl::Status ArtifactFiles::MakeFolder(const std::string& folder) {
   const bool is_new = std::filesystem::create_directories(folder, error);
   if (is_new) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
   if (error || ::access(folder.c_str(), W_OK) != 0) {
-    return absl::UnavailableError(fmt::format("the folder for artifacts, {}, cannot be {}: {}", folder,
-                                              error ? "made" : "written to",
-                                              error ? error.message() : std::strerror(errno)));
+    return Unavailable("the folder for artifacts, {}, cannot be {}: {}", folder, error ? "made" : "written to",
+                       error ? error.message() : std::strerror(errno));
   }
   return absl::OkStatus();
 }
@@ -150,9 +143,7 @@ std::string ArtifactFiles::PathOf(const std::string& id) const {
 }
 
 absl::Status ArtifactFiles::PutAll(std::span<const SealedArtifact> artifacts) {
-  for (const SealedArtifact& artifact : artifacts) {
-    RETURN_IF_ERROR(PutOne(artifact));
-  }
+  for (const SealedArtifact& artifact : artifacts) RETURN_IF_ERROR(PutOne(artifact));
   return absl::OkStatus();
 }
 
@@ -163,7 +154,7 @@ absl::Status ArtifactFiles::PutOne(const SealedArtifact& artifact) const {
   const std::string folder = std::filesystem::path(path).parent_path();
   std::error_code error;
   if (!std::filesystem::exists(folder, error)) std::filesystem::create_directories(folder, error);
-  if (error) return absl::UnavailableError(fmt::format("{}: cannot create its folder: {}", path, error.message()));
+  if (error) return Unavailable("{}: cannot create its folder: {}", path, error.message());
   return runtime::WriteFileAtomically(path, artifact.bytes, runtime::Durability::kProcessCrash);
 }
 
@@ -178,7 +169,7 @@ absl::Status ArtifactFiles::Flush(std::span<const v1::ArtifactRef> artifacts) {
 absl::StatusOr<int64_t> ArtifactFiles::Mark() {
   std::string path = folder_ + "/mark-XXXXXX";
   const int file = ::mkstemp(path.data());
-  if (file < 0) return absl::UnavailableError(fmt::format("{}: cannot be created: {}", path, std::strerror(errno)));
+  if (file < 0) return Unavailable("{}: cannot be created: {}", path, std::strerror(errno));
   ::unlink(path.c_str());
   // The clock of a file system stands still for some milliseconds; of two files with one time nobody knows the order.
   struct stat info = {};
@@ -199,7 +190,7 @@ absl::StatusOr<int64_t> ArtifactFiles::Delete(std::span<const std::string> ids, 
     if (::unlink(path.c_str()) == 0) {
       ++deleted;
     } else if (errno != ENOENT) {
-      return absl::UnavailableError(fmt::format("{}: cannot be deleted: {}", path, std::strerror(errno)));
+      return Unavailable("{}: cannot be deleted: {}", path, std::strerror(errno));
     }
   }
   return deleted;
@@ -207,12 +198,11 @@ absl::StatusOr<int64_t> ArtifactFiles::Delete(std::span<const std::string> ids, 
 
 absl::StatusOr<v1::Artifact> ArtifactFiles::Get(const std::string& id) {
   if (!IsArtifactId(id)) {
-    return absl::InvalidArgumentError(
-        fmt::format("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80)));
+    return InvalidArgument("artifact_id: \"{}\" is not an id; expected 64 characters 0-9 and a-f", id.substr(0, 80));
   }
   const std::string path = PathOf(id);
   const std::optional<std::string> bytes = ReadFile(path);
-  if (!bytes.has_value()) return absl::NotFoundError(fmt::format("artifact {}: not in this store", id));
+  if (!bytes.has_value()) return NotFound("artifact {}: not in this store", id);
   return ParseArtifact(*bytes, id, path);
 }
 

@@ -10,7 +10,7 @@
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
-#include "orchestrator/batch/artifact_store.h"
+#include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/database.h"
 
 namespace flair::orchestrator {

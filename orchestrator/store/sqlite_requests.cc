@@ -10,11 +10,17 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 // Jobs ended in one transaction when a batch is cancelled: others write in between.
 constexpr int kCancelledAtOnce = 500;
+
+// As many at once as others can wait for.
+constexpr int kJobsRemovedAtOnce = 200;
+constexpr int kFilesRemovedAtOnce = 200;
+
+// Whenever it was stored: that no job has it is checked under the same lock.
+constexpr int64_t kWhenever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
 
@@ -147,17 +153,6 @@ absl::Status SqliteWorkQueue::CancelBatch(const std::string& batch_id, absl::Tim
 
 // Jobs that have ended are deleted: their rows first, safe against loss of power, then the artifacts that no job has.
 
-namespace {
-
-// As many at once as others can wait for.
-constexpr int kJobsRemovedAtOnce = 200;
-constexpr int kFilesRemovedAtOnce = 200;
-
-// Whenever it was stored: that no job has it is checked under the same lock.
-constexpr int64_t kWhenever = std::numeric_limits<int64_t>::max();
-
-}  // namespace
-
 absl::StatusOr<Deleted> SqliteWorkQueue::DeleteJob(const std::string& job_id, ArtifactStore& artifacts) {
   {
     ASSIGN_OR_RETURN(auto transaction, BeginDurable());
@@ -195,9 +190,7 @@ absl::StatusOr<Deleted> SqliteWorkQueue::RemoveLastJobs(const std::string& batch
   const int64_t all = batch.job_count();
   Deleted removed{.job_count = std::min(all, limit)};
   const int64_t left = all - removed.job_count;
-  for (int64_t i = left; i < all; ++i) {
-    RETURN_IF_ERROR(store_->deletions().RemoveJob(BatchJobId(batch_id, i)));
-  }
+  for (int64_t i = left; i < all; ++i) RETURN_IF_ERROR(store_->deletions().RemoveJob(BatchJobId(batch_id, i)));
   removed.done = left == 0;
   if (removed.done) {
     RETURN_IF_ERROR(store_->deletions().RemoveBatch(batch_id));
@@ -220,9 +213,7 @@ absl::StatusOr<Deleted> SqliteWorkQueue::FinishDeletions(ArtifactStore& artifact
     ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_->database()));
     ASSIGN_OR_RETURN(const auto pending, store_->deletions().Pending(kFilesRemovedAtOnce));
     deleted.done = static_cast<int>(pending.size()) < kFilesRemovedAtOnce;
-    for (const std::string& id : pending) {
-      RETURN_IF_ERROR(DeleteUnlessUsed(id, artifacts, deleted.artifact_count));
-    }
+    for (const std::string& id : pending) RETURN_IF_ERROR(DeleteUnlessUsed(id, artifacts, deleted.artifact_count));
     RETURN_IF_ERROR(store_->deletions().Trim());
     RETURN_IF_ERROR(transaction.Commit());
   }

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/store/sqlite_work_queue.h"
 
-#include <fmt/format.h>
-
 #include <atomic>
-#include <functional>
-#include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "orchestrator/batch/job_rules.h"
-#include "orchestrator/batch/lease.h"
+#include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -87,7 +82,7 @@ class SqliteLease final : public Lease {
     ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_.database(), durability));
     const auto if_held = [&](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
       lost_ = record.holder() != taken().holder() || record.job().attempt_count() != job().attempt_count();
-      if (lost_) return absl::AbortedError(fmt::format("job {}: another run has it", job().id()));
+      if (lost_) return Aborted("job {}: another run has it", job().id());
       change(record);
       return true;
     };

@@ -11,7 +11,6 @@
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/store/job_store.h"
-#include "orchestrator/store/store_monitor.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace flair::orchestrator {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <fmt/format.h>
 #include <grpcpp/client_context.h>
 #include <grpcpp/completion_queue.h>
 #include <grpcpp/support/async_unary_call.h>
@@ -25,6 +24,7 @@
 #include "orchestrator/workers/stage_workers.h"
 #include "orchestrator/workers/worker_pool.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -188,8 +188,7 @@ class Stage {
         auto& second = second_call.Run(*witness, tried);
         if (second.status.ok()) {
           pool.End(attempt.place, Verdict::kFailed,
-                   absl::InternalError(fmt::format("it refuses what another worker answers: {}",
-                                                   std::string(attempt.status.message()))));
+                   Internal("it refuses what another worker answers: {}", attempt.status.message()));
           return Answered(second, call);
         }
         const Verdict second_verdict = VerdictOf(second.status);
@@ -221,14 +220,14 @@ class Stage {
     const std::string address = attempt.connection == nullptr ? "an address" : attempt.connection->address();
     const std::string message(attempt.status.message());
     if (absl::IsUnavailable(attempt.status)) {
-      return absl::UnavailableError(fmt::format("{} worker at {} is not reachable: {}; start it or fix {}",
-                                                workers_.stage(), address, message, workers_.setting()));
+      return Unavailable("{} worker at {} is not reachable: {}; start it or fix {}", workers_.stage(), address, message,
+                         workers_.setting());
     }
     if (absl::IsUnimplemented(attempt.status)) {
-      return absl::UnimplementedError(fmt::format(
+      return Unimplemented(
           "{} worker at {}: the server there does not serve this call of {}{}; start one that does or fix {}",
           workers_.stage(), address, Service::service_full_name(), message.empty() ? "" : ": " + message,
-          workers_.setting()));
+          workers_.setting());
     }
     return attempt.status;
   }

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstring>
-#include <memory>
 #include <set>
 
 #include "absl/strings/ascii.h"
@@ -18,11 +17,31 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "worker_runtime/security/security.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
 
 constexpr char kDns[] = "dns:///";
+
+// Where a config says that the workers of a stage are.
+struct StageSetting {
+  const char* name;
+  const std::string& addresses;
+  const char* service;
+  StageChannel StageChannels::*channel;
+};
+
+std::array<StageSetting, 4> SettingsOf(const config::v1::OrchestratorConfig& config) {
+  const auto& stages = config.stages();
+  return {{
+      {"stages.language", stages.language(), v1::LanguageService::service_full_name(), &StageChannels::language},
+      {"stages.translator", stages.translator(), v1::TranslatorService::service_full_name(),
+       &StageChannels::translator},
+      {"stages.optimizer", stages.optimizer(), v1::OptimizerService::service_full_name(), &StageChannels::optimizer},
+      {"stages.renderer", stages.renderer(), v1::RendererService::service_full_name(), &StageChannels::renderer},
+  }};
+}
 
 }  // namespace
 
@@ -35,10 +54,10 @@ absl::StatusOr<StageAddresses> ParseStageAddresses(const std::string& text) {
     const std::string host_port = name ? part.substr(std::strlen(kDns)) : part;
     const int port = runtime::PortOf(host_port).value_or(0);
     if (!unix_socket && (port == 0 || (!name && part.find('/') != std::string::npos))) {
-      return absl::InvalidArgumentError(
-          fmt::format("address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535], or "
-                      "several of these, separated by commas",
-                      part));
+      return InvalidArgument(
+          "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535], or "
+          "several of these, separated by commas",
+          part);
     }
     if (name) {
       addresses.names.push_back({host_port.substr(0, host_port.rfind(':')), port});
@@ -56,8 +75,7 @@ absl::StatusOr<std::vector<std::string>> LookUpHost(const std::string& host) {
   hints.ai_flags = AI_ADDRCONFIG;
   addrinfo* found = nullptr;
   const int error = getaddrinfo(host.c_str(), nullptr, &hints, &found);
-  if (error != 0)
-    return absl::UnavailableError(fmt::format("the name {} cannot be resolved: {}", host, gai_strerror(error)));
+  if (error != 0) return Unavailable("the name {} cannot be resolved: {}", host, gai_strerror(error));
   const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owner(found, freeaddrinfo);
   std::set<std::string> addresses;
   for (const addrinfo* entry = found; entry != nullptr; entry = entry->ai_next) {
@@ -83,29 +101,6 @@ ConnectWorker ConnectorTo(const std::string& service, const runtime::ChannelOpti
   };
 }
 
-namespace {
-
-// Where a config says that the workers of a stage are.
-struct StageSetting {
-  const char* name;
-  const std::string& addresses;
-  const char* service;
-  StageChannel StageChannels::*channel;
-};
-
-std::array<StageSetting, 4> SettingsOf(const config::v1::OrchestratorConfig& config) {
-  const auto& stages = config.stages();
-  return {{
-      {"stages.language", stages.language(), v1::LanguageService::service_full_name(), &StageChannels::language},
-      {"stages.translator", stages.translator(), v1::TranslatorService::service_full_name(),
-       &StageChannels::translator},
-      {"stages.optimizer", stages.optimizer(), v1::OptimizerService::service_full_name(), &StageChannels::optimizer},
-      {"stages.renderer", stages.renderer(), v1::RendererService::service_full_name(), &StageChannels::renderer},
-  }};
-}
-
-}  // namespace
-
 absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig& config) {
   StageChannels channels;
   for (const StageSetting& stage : SettingsOf(config)) {
@@ -117,7 +112,7 @@ absl::StatusOr<StageChannels> ConnectStages(const config::v1::OrchestratorConfig
       status = connect(addresses->workers[i], "").status();
     }
     if (!status.ok()) {
-      return absl::InvalidArgumentError(fmt::format("{}: {}", stage.name, std::string(status.message())));
+      return InvalidArgument("{}: {}", stage.name, status.message());
     }
     channels.*stage.channel = {nullptr, stage.addresses, stage.name, connect};
   }

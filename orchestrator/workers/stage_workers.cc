@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/workers/stage_workers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <set>
@@ -10,6 +8,7 @@
 
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
@@ -23,6 +22,26 @@ WorkerPoolOptions PoolOptions(const char* stage, const StageChannel& where, cons
   if (calls.has_recovery_seconds()) options.recovery = absl::Seconds(calls.recovery_seconds());
   if (calls.has_hedge_seconds()) options.patience = absl::Seconds(calls.hedge_seconds());
   return options;
+}
+
+using std::chrono::seconds;
+using std::chrono::system_clock;
+
+// GetWorker answers at once, also when the worker is busy.
+constexpr seconds kAnswerWithin{10};
+// Between questions that were not answered, while the connection stands.
+constexpr seconds kAskAgainAfter{1};
+// A watch of a state that stays is renewed after this.
+constexpr std::chrono::minutes kWatchFor{10};
+
+// All that decides its answers. A revision alone does not do: two servers may call theirs "1".
+std::optional<std::string> RevisionOf(const v1::GetWorkerResponse& worker) {
+  if (worker.revision().empty()) return std::nullopt;
+  v1::GetWorkerResponse key;
+  key.set_program(worker.program());
+  key.set_revision(worker.revision());
+  key.set_configuration_digest(worker.configuration_digest());
+  return runtime::CanonicalBytes(key);
 }
 
 }  // namespace
@@ -121,30 +140,6 @@ std::vector<v1::WorkerStatus> StageWorkers::Status() const {
 
 std::vector<WorkersOfStage*> StageWorkers::All() { return {&language_, &translator_, &optimizer_, &renderer_}; }
 
-namespace {
-
-using std::chrono::seconds;
-using std::chrono::system_clock;
-
-// GetWorker answers at once, also when the worker is busy.
-constexpr seconds kAnswerWithin{10};
-// Between questions that were not answered, while the connection stands.
-constexpr seconds kAskAgainAfter{1};
-// A watch of a state that stays is renewed after this.
-constexpr std::chrono::minutes kWatchFor{10};
-
-// All that decides its answers. A revision alone does not do: two servers may call theirs "1".
-std::optional<std::string> RevisionOf(const v1::GetWorkerResponse& worker) {
-  if (worker.revision().empty()) return std::nullopt;
-  v1::GetWorkerResponse key;
-  key.set_program(worker.program());
-  key.set_revision(worker.revision());
-  key.set_configuration_digest(worker.configuration_digest());
-  return runtime::CanonicalBytes(key);
-}
-
-}  // namespace
-
 Connection::Connection(Connections& connections, Connections::Worker worker, std::shared_ptr<grpc::Channel> channel,
                        bool watched)
     : connections_(connections),
@@ -224,9 +219,8 @@ void Connection::OnAnswer(const Question& question) {
     worker_.pool.SetGone(worker_.id, absl::UnavailableError(status.message()));
     AskLater();
   } else if (const std::string fault = runtime::ProtocolFault(question.answer); !fault.empty()) {
-    worker_.pool.SetGone(worker_.id, absl::UnimplementedError(
-                                         fmt::format("{} worker at {}: {}; start a version of it that does or fix {}",
-                                                     worker_.stage, worker_.address, fault, worker_.setting)));
+    worker_.pool.SetGone(worker_.id, Unimplemented("{} worker at {}: {}; start a version of it that does or fix {}",
+                                                   worker_.stage, worker_.address, fault, worker_.setting));
   } else {
     worker_.pool.SetReady(worker_.id, RevisionOf(question.answer));
   }

@@ -81,9 +81,7 @@ v1::WorkerStatus WorkerPool::Worker::Status(const std::string& stage) const {
   status.set_stage(stage);
   status.set_address(address);
   if (presence == Presence::kGone) status.set_state(v1::WORKER_STATE_GONE);
-  if (presence == Presence::kReady) {
-    status.set_state(circuit.open() ? v1::WORKER_STATE_BROKEN : v1::WORKER_STATE_READY);
-  }
+  if (presence == Presence::kReady) status.set_state(circuit.open() ? v1::WORKER_STATE_BROKEN : v1::WORKER_STATE_READY);
   status.set_in_flight_count(in_flight);
   status.set_call_count(call_count);
   status.set_failure_count(failure_count);
@@ -223,8 +221,8 @@ void WorkerPool::ServeLine() {
       if (wait == WaitFor::kNothing) {
         waiter->end = waiter->tried.empty() ? Outage(NoneIsThere()) : NoneIsThere();
       } else if (wait == WaitFor::kTrial && waiter->openings.has_value() && openings_ > *waiter->openings) {
-        waiter->end = Outage(absl::UnavailableError(
-            fmt::format("no {} worker is usable: calls to all of them fail ({})", options_.stage, options_.setting)));
+        waiter->end = Outage(
+            Unavailable("no {} worker is usable: calls to all of them fail ({})", options_.stage, options_.setting));
       } else if (wait == WaitFor::kTrial && !waiter->openings.has_value()) {
         waiter->openings = openings_;
       }
@@ -322,8 +320,7 @@ WorkerPool::WaitFor WorkerPool::WhatFor(const std::set<WorkerId>& tried) const {
 absl::Status WorkerPool::NoneIsThere() const {
   if (workers_.empty()) {
     const std::string why = lookup_->ok() ? "its name has no address" : std::string(lookup_->message());
-    return absl::UnavailableError(
-        fmt::format("there is no {} worker: {}; start one or fix {}", options_.stage, why, options_.setting));
+    return Unavailable("there is no {} worker: {}; start one or fix {}", options_.stage, why, options_.setting);
   }
   // A reason that no patience mends is for those who can mend it.
   for (const auto& [id, worker] : workers_) {
@@ -332,12 +329,11 @@ absl::Status WorkerPool::NoneIsThere() const {
   const Worker& first = workers_.begin()->second;
   const std::string reason(first.reason.message());
   if (workers_.size() == 1) {
-    return absl::UnavailableError(fmt::format("{} worker at {} is not reachable: {}; start it or fix {}",
-                                              options_.stage, first.address, reason, options_.setting));
+    return Unavailable("{} worker at {} is not reachable: {}; start it or fix {}", options_.stage, first.address,
+                       reason, options_.setting);
   }
-  return absl::UnavailableError(
-      fmt::format("none of the {} {} workers is reachable; the one at {}: {}; start them or fix {}", workers_.size(),
-                  options_.stage, first.address, reason, options_.setting));
+  return Unavailable("none of the {} {} workers is reachable; the one at {}: {}; start them or fix {}", workers_.size(),
+                     options_.stage, first.address, reason, options_.setting);
 }
 
 absl::Status WorkerPool::Outage(absl::Status status) {

@@ -8,7 +8,7 @@
 
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/gltf/write_glb.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "tests/fixtures/programs.h"
 
 namespace flair::renderer {

@@ -16,7 +16,7 @@
 #include "flair/v1/object_list.pb.h"
 #include "flair/v1/provenance.pb.h"
 #include "flair/v1/style_sheet.pb.h"
-#include "renderer_worker/gltf/read_asset.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "renderer_worker/scene/mesh.h"
 #include "renderer_worker/scene/scene.h"
 

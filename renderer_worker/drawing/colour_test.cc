@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/drawing/colour.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer_worker/drawing/canvas.h"
 
 namespace flair::renderer {
 namespace {

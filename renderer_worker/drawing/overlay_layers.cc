@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "evaluation/metrics/routes.h"
+#include "evaluation/metrics/walk_grid.h"
 #include "renderer_worker/drawing/layers.h"
 #include "renderer_worker/drawing/plan.h"
 #include "renderer_worker/drawing/text.h"

@@ -11,7 +11,7 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "renderer_worker/gltf/read_asset.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "renderer_worker/scene/mesh.h"
 
 namespace flair::renderer::gltf {

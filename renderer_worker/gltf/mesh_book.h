@@ -11,8 +11,8 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "renderer_worker/gltf/tiny_gltf.h"
-#include "renderer_worker/gltf/write_glb.h"
 #include "renderer_worker/scene/mesh.h"
 #include "renderer_worker/scene/scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/read_asset.h"
+#include "renderer_worker/gltf/gltf.h"
 
 #include <optional>
 #include <set>

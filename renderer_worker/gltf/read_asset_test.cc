@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/read_asset.h"
+#include "renderer_worker/gltf/gltf.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 
 #include "renderer_worker/gltf/mesh_book.h"
 #include "renderer_worker/gltf/testing/glb_files.h"
-#include "renderer_worker/gltf/write_glb.h"
 
 namespace flair::renderer {
 namespace {

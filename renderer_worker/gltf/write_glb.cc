@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/write_glb.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -12,6 +10,7 @@
 #include "flair/v1/room.pb.h"
 #include "fmt/format.h"
 #include "renderer_worker/gltf/mesh_book.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/gltf/write_glb.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +10,7 @@
 
 #include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "renderer_worker/gltf/testing/glb_files.h"
 
 namespace flair::renderer {

@@ -4,7 +4,6 @@
 #include <unordered_map>
 
 #include "renderer_worker/furniture/classes.h"
-#include "renderer_worker/scene/cameras.h"
 #include "renderer_worker/scene/room_shape.h"
 #include "renderer_worker/scene/scene.h"
 #include "worker_runtime/status/status_macros.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/scene/cameras.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include "renderer_worker/scene/room_shape.h"
 
 namespace flair::renderer {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fmt/format.h"
-#include "renderer_worker/gltf/write_glb.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

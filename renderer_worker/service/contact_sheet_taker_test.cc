@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer_worker/drawing/testing/read_drawing.h"
-#include "renderer_worker/service/make_renderer_service.h"
+#include "renderer_worker/service/handlers.h"
 
 namespace flair::renderer {
 namespace {

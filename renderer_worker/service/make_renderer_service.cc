@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "renderer_worker/service/make_renderer_service.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,25 +23,11 @@
 
 namespace flair::renderer {
 
-// Counts what pictures take, by view. Thread-safe. `metrics` outlives it.
-class RenderMetrics {
- public:
-  explicit RenderMetrics(runtime::Metrics& metrics);
-
-  // To be told of answers (runtime::ObservedHandler).
-  void operator()(const v1::RenderRequest& request, const v1::RenderResponse& response, absl::Duration duration) const;
-
- private:
-  runtime::Metrics& metrics_;
-};
-
 namespace {
 
-constexpr runtime::MetricFamily kDuration{.kind = runtime::MetricKind::kHistogram,
-                                          .name = "flair_render_duration_seconds",
-                                          .help = "Time to draw or trace a picture and to encode it.",
-                                          .labels = {"view"},
-                                          .buckets = runtime::kSecondsBuckets};
+constexpr runtime::MetricFamily kDuration =
+    runtime::HistogramFamily("flair_render_duration_seconds", "Time to draw or trace a picture and to encode it.",
+                             runtime::kSecondsBuckets, {"view"});
 
 // "plan", "bird_eye" ...; a plan when nothing is asked for.
 std::string ViewName(v1::PreviewView view) {
@@ -51,16 +35,19 @@ std::string ViewName(v1::PreviewView view) {
   return absl::AsciiStrToLower(absl::StripPrefix(v1::PreviewView_Name(view), "PREVIEW_VIEW_"));
 }
 
-}  // namespace
+// Counts what pictures take, by view. Thread-safe. `metrics` outlives it.
+class RenderMetrics {
+ public:
+  explicit RenderMetrics(runtime::Metrics& metrics) : metrics_(metrics) { metrics.Declare(kDuration); }
 
-RenderMetrics::RenderMetrics(runtime::Metrics& metrics) : metrics_(metrics) { metrics.Declare(kDuration); }
+  // To be told of answers (runtime::ObservedHandler).
+  void operator()(const v1::RenderRequest& request, const v1::RenderResponse&, absl::Duration duration) const {
+    metrics_.Get(kDuration, {ViewName(request.options().view())}).Add(absl::ToDoubleSeconds(duration));
+  }
 
-void RenderMetrics::operator()(const v1::RenderRequest& request, const v1::RenderResponse&,
-                               absl::Duration duration) const {
-  metrics_.GetHistogram(kDuration, {ViewName(request.options().view())}).Observe(absl::ToDoubleSeconds(duration));
-}
-
-namespace {
+ private:
+  runtime::Metrics& metrics_;
+};
 
 absl::StatusOr<v1::ExportSceneResponse> RefuseExport(const v1::ExportSceneRequest&, runtime::CallContext&) {
   return absl::UnimplementedError("this program writes no scenes");

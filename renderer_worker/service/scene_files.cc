@@ -9,11 +9,10 @@
 
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/gltf/write_glb.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/scene_state/write_scene_state.h"
 #include "renderer_worker/service/handlers.h"
-#include "renderer_worker/service/make_renderer_service.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "room/autodiff/smooth.h"
-
 namespace flair {
 namespace {
 

@@ -73,60 +73,6 @@ void OpeningToProto(const Opening& opening, const Room& room, v1::Opening& messa
   leaf.set_swing_angle_rad(opening.leaf->swing_angle_rad);
 }
 
-}  // namespace
-
-Polygon PolygonFromProto(const v1::Polygon& message) {
-  Polygon polygon;
-  for (const v1::Point2& p : message.vertices()) polygon.vertices.push_back({p.x_m(), p.y_m()});
-  return polygon;
-}
-
-v1::Polygon PolygonToProto(const Polygon& polygon) {
-  v1::Polygon message;
-  for (const Vec2<double>& p : polygon.vertices) {
-    v1::Point2& point = *message.add_vertices();
-    point.set_x_m(p.x);
-    point.set_y_m(p.y);
-  }
-  return message;
-}
-
-absl::StatusOr<Room> RoomFromProto(const v1::Room& message) {
-  RETURN_IF_ERROR(Validate(message));
-  Room room;
-  room.floor = PolygonFromProto(message.floor());
-  std::vector<std::string> names;
-  for (const v1::Wall& wall : message.walls()) names.push_back(wall.name());
-  room.walls = WallsOf(room.floor, names);
-  room.height_m = message.height_m();
-  for (const v1::Opening& opening : message.openings()) room.openings.push_back(OpeningFromProto(opening, room));
-  for (const v1::Socket& socket : message.sockets()) {
-    room.sockets.push_back({.id = socket.id(),
-                            .wall = room.WallIndex(socket.wall()),
-                            .offset_m = socket.offset_m(),
-                            .height_m = socket.height_m()});
-  }
-  return room;
-}
-
-v1::Room RoomToProto(const Room& room) {
-  v1::Room message;
-  *message.mutable_floor() = PolygonToProto(room.floor);
-  for (const Wall& wall : room.walls) message.add_walls()->set_name(wall.name);
-  message.set_height_m(room.height_m);
-  for (const Opening& opening : room.openings) OpeningToProto(opening, room, *message.add_openings());
-  for (const Socket& socket : room.sockets) {
-    v1::Socket& out = *message.add_sockets();
-    out.set_id(socket.id);
-    out.set_wall(room.walls[static_cast<size_t>(socket.wall)].name);
-    out.set_offset_m(socket.offset_m);
-    out.set_height_m(socket.height_m);
-  }
-  return message;
-}
-
-namespace {
-
 ObjectRole RoleFromProto(v1::ObjectRole role) {
   switch (role) {
     case v1::OBJECT_ROLE_PRIMARY:
@@ -211,12 +157,8 @@ void ObjectToProto(const Object& object, const Scene& scene, v1::Object& message
 }
 
 absl::Status BadPlacement(int index, const std::string& problem) {
-  return absl::InvalidArgumentError(fmt::format("placements[{}]{}", index, problem));
+  return InvalidArgument("placements[{}]{}", index, problem);
 }
-
-}  // namespace
-
-namespace {
 
 // What hangs and is called to a window: curtains, blinds.
 void MarkAtWindows(const v1::LayoutGraph& graph, Scene& scene) {
@@ -232,6 +174,56 @@ void MarkAtWindows(const v1::LayoutGraph& graph, Scene& scene) {
 }
 
 }  // namespace
+
+Polygon PolygonFromProto(const v1::Polygon& message) {
+  Polygon polygon;
+  for (const v1::Point2& p : message.vertices()) polygon.vertices.push_back({p.x_m(), p.y_m()});
+  return polygon;
+}
+
+v1::Polygon PolygonToProto(const Polygon& polygon) {
+  v1::Polygon message;
+  for (const Vec2<double>& p : polygon.vertices) {
+    v1::Point2& point = *message.add_vertices();
+    point.set_x_m(p.x);
+    point.set_y_m(p.y);
+  }
+  return message;
+}
+
+absl::StatusOr<Room> RoomFromProto(const v1::Room& message) {
+  RETURN_IF_ERROR(Validate(message));
+  Room room;
+  room.floor = PolygonFromProto(message.floor());
+  std::vector<std::string> names;
+  for (const v1::Wall& wall : message.walls()) names.push_back(wall.name());
+  room.walls = WallsOf(room.floor, names);
+  room.height_m = message.height_m();
+  for (const v1::Opening& opening : message.openings()) room.openings.push_back(OpeningFromProto(opening, room));
+  for (const v1::Socket& socket : message.sockets()) {
+    room.sockets.push_back({.id = socket.id(),
+                            .wall = room.WallIndex(socket.wall()),
+                            .offset_m = socket.offset_m(),
+                            .height_m = socket.height_m()});
+  }
+  return room;
+}
+
+v1::Room RoomToProto(const Room& room) {
+  v1::Room message;
+  *message.mutable_floor() = PolygonToProto(room.floor);
+  for (const Wall& wall : room.walls) message.add_walls()->set_name(wall.name);
+  message.set_height_m(room.height_m);
+  for (const Opening& opening : room.openings) OpeningToProto(opening, room, *message.add_openings());
+  for (const Socket& socket : room.sockets) {
+    v1::Socket& out = *message.add_sockets();
+    out.set_id(socket.id);
+    out.set_wall(room.walls[static_cast<size_t>(socket.wall)].name);
+    out.set_offset_m(socket.offset_m);
+    out.set_height_m(socket.height_m);
+  }
+  return message;
+}
 
 absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
   RETURN_IF_ERROR(Validate(graph));

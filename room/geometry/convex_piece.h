@@ -3,11 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "room/autodiff/dual.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-#include "room/autodiff/smooth.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/convex_piece.h"
 
 namespace flair {

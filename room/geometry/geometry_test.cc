@@ -3,7 +3,6 @@
 
 #include <random>
 
-#include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "room/geometry/polygon.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +12,25 @@ double Turn(const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& c)
 bool WithinBox(const Segment& s, const Vec2<double>& p) {
   return std::min(s.start.x, s.end.x) <= p.x && p.x <= std::max(s.start.x, s.end.x) &&
          std::min(s.start.y, s.end.y) <= p.y && p.y <= std::max(s.start.y, s.end.y);
+}
+
+bool IsEar(const std::vector<Vec2<double>>& v, size_t i) {
+  const size_t n = v.size();
+  const Vec2<double>& a = v[(i + n - 1) % n];
+  const Vec2<double>& b = v[i];
+  const Vec2<double>& c = v[(i + 1) % n];
+  if (Cross(b - a, c - b) <= 0) return false;
+  for (const Vec2<double>& p : v) {
+    if (p == a || p == b || p == c) continue;
+    if (Cross(b - a, p - a) >= 0 && Cross(c - b, p - b) >= 0 && Cross(a - c, p - c) >= 0) return false;
+  }
+  return true;
+}
+
+// A vertex in the middle of a straight edge.
+bool IsFlat(const std::vector<Vec2<double>>& v, size_t i) {
+  const size_t n = v.size();
+  return Cross(v[i] - v[(i + n - 1) % n], v[(i + 1) % n] - v[i]) == 0;
 }
 
 }  // namespace
@@ -152,34 +170,11 @@ double ConvexIntersectionArea(std::span<const Vec2<double>> a, std::span<const V
   return std::abs(SignedArea(ClipByConvex(subject, b).vertices));
 }
 
-namespace {
-
-bool IsEar(const std::vector<Vec2<double>>& v, size_t i) {
-  const size_t n = v.size();
-  const Vec2<double>& a = v[(i + n - 1) % n];
-  const Vec2<double>& b = v[i];
-  const Vec2<double>& c = v[(i + 1) % n];
-  if (Cross(b - a, c - b) <= 0) return false;
-  for (const Vec2<double>& p : v) {
-    if (p == a || p == b || p == c) continue;
-    if (Cross(b - a, p - a) >= 0 && Cross(c - b, p - b) >= 0 && Cross(a - c, p - c) >= 0) return false;
-  }
-  return true;
-}
-
-// A vertex in the middle of a straight edge.
-bool IsFlat(const std::vector<Vec2<double>>& v, size_t i) {
-  const size_t n = v.size();
-  return Cross(v[i] - v[(i + n - 1) % n], v[(i + 1) % n] - v[i]) == 0;
-}
-
-}  // namespace
-
 std::vector<Polygon> Triangulate(const Polygon& polygon) {
   std::vector<Polygon> triangles;
   if (!IsSimple(polygon)) return triangles;
   std::vector<Vec2<double>> v = polygon.vertices;
-  if (SignedArea(v) < 0) std::reverse(v.begin(), v.end());
+  if (SignedArea(v) < 0) std::ranges::reverse(v);
   while (v.size() >= 3) {
     bool cut = false;
     for (size_t i = 0; i < v.size() && !cut; ++i) {
@@ -194,6 +189,48 @@ std::vector<Polygon> Triangulate(const Polygon& polygon) {
     if (!cut) break;
   }
   return triangles;
+}
+
+std::string_view SideName(Side side) {
+  switch (side) {
+    case Side::kFront:
+      return "front";
+    case Side::kBack:
+      return "back";
+    case Side::kLeft:
+      return "left";
+    case Side::kRight:
+      return "right";
+  }
+  return "";
+}
+
+std::optional<Side> SideFromName(std::string_view name) {
+  for (Side side : kSides) {
+    if (name == SideName(side)) return side;
+  }
+  return std::nullopt;
+}
+
+std::string_view CornerName(Corner corner) {
+  switch (corner) {
+    case Corner::kBackLeft:
+      return "back_left";
+    case Corner::kBackRight:
+      return "back_right";
+    case Corner::kFrontRight:
+      return "front_right";
+    case Corner::kFrontLeft:
+      return "front_left";
+  }
+  return "";
+}
+
+std::optional<Corner> CornerFromName(std::string_view name) {
+  for (Corner corner : {Corner::kBackLeft, Corner::kBackRight, Corner::kFrontRight, Corner::kFrontLeft}) {
+    if (name == CornerName(corner)) return corner;
+  }
+  return std::nullopt;
 }
 
 }  // namespace flair

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "room/geometry/polygon.h"
-#include "room/geometry/vec2.h"
+#include "room/geometry/pose.h"
 
 namespace flair {
 

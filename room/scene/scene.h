@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 #include "room/scene/room.h"
 

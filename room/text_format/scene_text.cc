@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "room/geometry/pose.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair {
 namespace {
@@ -186,7 +187,7 @@ absl::StatusOr<SceneText> ParseScene(std::string_view text) {
     if (words.empty()) continue;
     const bool is_room = words[0] == "room" || (words.size() == 2 && words[1] == "room");
     if (is_room != first || !reader.Read(words)) {
-      return absl::InvalidArgumentError(fmt::format("scene text: cannot read \"{}\"", item));
+      return InvalidArgument("scene text: cannot read \"{}\"", item);
     }
     first = false;
   }

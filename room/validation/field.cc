@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace flair::validation {
 namespace {
@@ -96,7 +95,7 @@ bool Field::Count(int count, int least, int most, std::string_view what) const {
 
 bool Field::Id(std::string_view value) const {
   if (value.empty()) return Reject("is empty");
-  const bool good = value.size() <= 64 && std::all_of(value.begin(), value.end(), IsIdCharacter);
+  const bool good = value.size() <= 64 && std::ranges::all_of(value, IsIdCharacter);
   return good || Reject("{} is not an id; 1 to 64 of a-z, 0-9 and _", Quoted(value));
 }
 
@@ -117,7 +116,7 @@ bool Field::Refers(std::string_view value, const NameSet& known, std::string_vie
 }
 
 bool Field::Digest(std::string_view value) const {
-  const bool good = value.size() == 64 && std::all_of(value.begin(), value.end(), IsHexDigit);
+  const bool good = value.size() == 64 && std::ranges::all_of(value, IsHexDigit);
   return good || Reject("{} is no SHA-256 digest; 64 of 0-9 and a-f", Quoted(value));
 }
 

@@ -2,13 +2,102 @@
 // What is put into a room and where: objects, styles, edges and their types, layouts, and the artifacts that hold them.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <string>
 
 #include "room/validation/field.h"
 
 namespace flair::validation {
+namespace {
+
+void CheckArgument(const v1::Argument& argument, const Field& at) {
+  const Field value = at["value"];
+  switch (argument.value().value_case()) {
+    case v1::ArgumentValue::kText:
+      value["text"].Text(argument.value().text(), 1, 200);
+      break;
+    case v1::ArgumentValue::kTexts:
+      if (!value["texts"].Count(argument.value().texts().items_size(), 1, 1000, "items")) break;
+      for (int i = 0; i < argument.value().texts().items_size(); ++i) {
+        value["texts"]["items"][i].Text(argument.value().texts().items(i), 1, 200);
+      }
+      break;
+    case v1::ArgumentValue::kNumber:
+      if (!std::isfinite(argument.value().number()))
+        value["number"].Reject("{} is not a number", argument.value().number());
+      break;
+    case v1::ArgumentValue::kFlag:
+      break;
+    case v1::ArgumentValue::VALUE_NOT_SET:
+      value.Reject("is not set");
+  }
+}
+
+// Nearer than this to straight up or down, a camera that stands upright has no direction.
+constexpr double kLeastHorizontalShare = 0.01;
+
+bool IsPlan(v1::PreviewView view) { return view == v1::PREVIEW_VIEW_PLAN || view == v1::PREVIEW_VIEW_UNSPECIFIED; }
+
+bool IsVector(v1::PreviewFormat format) { return format == v1::PREVIEW_FORMAT_SVG || format == v1::PREVIEW_FORMAT_PDF; }
+
+void CheckVector(const google::protobuf::RepeatedField<double>& vector, const Field& at) {
+  if (vector.size() != 3) {
+    at.Reject("has {} numbers; x, y and z in metres", vector.size());
+    return;
+  }
+  for (int i = 0; i < 3; ++i) at[i].InRange(vector[i], kCoordinate);
+}
+
+void CheckFormat(const v1::RenderOptions& options, const Field& at) {
+  if (IsPlan(options.view()) && options.format() == v1::PREVIEW_FORMAT_EXR) {
+    at["format"].Reject("EXR is for the ray-traced views; a plan is PNG, JPEG, TIFF, SVG or PDF");
+  } else if (!IsPlan(options.view()) && IsVector(options.format())) {
+    at["format"].Reject("{} is for plans; a ray-traced view is PNG, JPEG, TIFF or EXR",
+                        options.format() == v1::PREVIEW_FORMAT_SVG ? "SVG" : "PDF");
+  }
+}
+
+// Sizes that exclude each other: pixels, dots per inch, or none where the drawing has no pixels.
+void CheckSize(const v1::RenderOptions& options, const Field& at) {
+  if (options.has_size_px() && options.has_dpi()) {
+    at["size_px"].Reject("{} and dpi {} say both how large the picture is; one of them", options.size_px(),
+                         options.dpi());
+  }
+  if (IsVector(options.format()) && options.has_size_px()) {
+    at["size_px"].Reject("{} has no meaning for SVG and PDF, whose size is that of the paper; leave it out",
+                         options.size_px());
+  }
+  if (IsVector(options.format()) && options.has_dpi()) {
+    at["dpi"].Reject("{} has no meaning for SVG and PDF, which have no dots; leave it out", options.dpi());
+  }
+}
+
+void CheckLayers(const v1::RenderOptions& options, const Field& at) {
+  std::set<int> seen;
+  for (int i = 0; i < options.layers_size(); ++i) {
+    if (v1::PlanLayer_IsValid(options.layers(i)) && !seen.insert(options.layers(i)).second) {
+      at[i].Reject("{} stands there twice", v1::PlanLayer_Name(options.layers(i)));
+    }
+  }
+}
+
+// What only the other kind of view has a use for.
+void CheckUse(const v1::RenderOptions& options, const Field& at) {
+  if (IsPlan(options.view())) {
+    constexpr char kOnly[] = "is for the ray-traced views; leave it out for a plan";
+    if (options.has_sample_count()) at["sample_count"].Reject("{} {}", options.sample_count(), kOnly);
+    if (options.seed() != 0) at["seed"].Reject("{} {}", options.seed(), kOnly);
+    if (options.has_camera()) at["camera"].Reject("{}", kOnly);
+    return;
+  }
+  constexpr char kOnly[] = "is for plans; leave it out for a ray-traced view";
+  if (options.has_dpi()) at["dpi"].Reject("{} {}; size_px says its pixels", options.dpi(), kOnly);
+  if (options.paper() != v1::PAPER_SIZE_UNSPECIFIED) at["paper"].Reject("{}", kOnly);
+  if (options.has_scale_denominator()) at["scale_denominator"].Reject("{} {}", options.scale_denominator(), kOnly);
+  if (options.layers_size() > 0) at["layers"].Reject("{}", kOnly);
+}
+
+}  // namespace
 
 void Check(const v1::Object& object, const Known&, const Field& at) {
   const bool standing = object.role() == v1::OBJECT_ROLE_PRIMARY || object.role() == v1::OBJECT_ROLE_SECONDARY;
@@ -66,9 +155,7 @@ void Check(const v1::ConstraintType& type, const Known&, const Field& at) {
       arguments[k]["name"].Refers(type.examples(i).arguments(k).name(), parameters, "a parameter");
     }
   }
-  for (int i = 0; i < type.anchors_size(); ++i) {
-    at["anchors"][i].Refers(type.anchors(i), parameters, "a parameter");
-  }
+  for (int i = 0; i < type.anchors_size(); ++i) at["anchors"][i].Refers(type.anchors(i), parameters, "a parameter");
 }
 
 void Check(const v1::ConstraintCatalog& catalog, const Known&, const Field& at) {
@@ -81,33 +168,6 @@ void Check(const v1::ConstraintCatalog& catalog, const Known&, const Field& at) 
     }
   }
 }
-
-namespace {
-
-void CheckArgument(const v1::Argument& argument, const Field& at) {
-  const Field value = at["value"];
-  switch (argument.value().value_case()) {
-    case v1::ArgumentValue::kText:
-      value["text"].Text(argument.value().text(), 1, 200);
-      break;
-    case v1::ArgumentValue::kTexts:
-      if (!value["texts"].Count(argument.value().texts().items_size(), 1, 1000, "items")) break;
-      for (int i = 0; i < argument.value().texts().items_size(); ++i) {
-        value["texts"]["items"][i].Text(argument.value().texts().items(i), 1, 200);
-      }
-      break;
-    case v1::ArgumentValue::kNumber:
-      if (!std::isfinite(argument.value().number()))
-        value["number"].Reject("{} is not a number", argument.value().number());
-      break;
-    case v1::ArgumentValue::kFlag:
-      break;
-    case v1::ArgumentValue::VALUE_NOT_SET:
-      value.Reject("is not set");
-  }
-}
-
-}  // namespace
 
 void Check(const v1::Participant& participant, const Known&, const Field& at) {
   if (participant.thing_case() == v1::Participant::THING_NOT_SET)
@@ -197,74 +257,6 @@ void Check(const v1::SolveOptions& options, const Known&, const Field& at) {
   const double seconds = static_cast<double>(options.time_limit().seconds()) + 1e-9 * options.time_limit().nanos();
   at["time_limit"].InRange(seconds, {.least = 0, .most = 315576000000.0, .open_least = true});
 }
-
-namespace {
-
-// Nearer than this to straight up or down, a camera that stands upright has no direction.
-constexpr double kLeastHorizontalShare = 0.01;
-
-bool IsPlan(v1::PreviewView view) { return view == v1::PREVIEW_VIEW_PLAN || view == v1::PREVIEW_VIEW_UNSPECIFIED; }
-
-bool IsVector(v1::PreviewFormat format) { return format == v1::PREVIEW_FORMAT_SVG || format == v1::PREVIEW_FORMAT_PDF; }
-
-void CheckVector(const google::protobuf::RepeatedField<double>& vector, const Field& at) {
-  if (vector.size() != 3) {
-    at.Reject("has {} numbers; x, y and z in metres", vector.size());
-    return;
-  }
-  for (int i = 0; i < 3; ++i) at[i].InRange(vector[i], kCoordinate);
-}
-
-void CheckFormat(const v1::RenderOptions& options, const Field& at) {
-  if (IsPlan(options.view()) && options.format() == v1::PREVIEW_FORMAT_EXR) {
-    at["format"].Reject("EXR is for the ray-traced views; a plan is PNG, JPEG, TIFF, SVG or PDF");
-  } else if (!IsPlan(options.view()) && IsVector(options.format())) {
-    at["format"].Reject("{} is for plans; a ray-traced view is PNG, JPEG, TIFF or EXR",
-                        options.format() == v1::PREVIEW_FORMAT_SVG ? "SVG" : "PDF");
-  }
-}
-
-// Sizes that exclude each other: pixels, dots per inch, or none where the drawing has no pixels.
-void CheckSize(const v1::RenderOptions& options, const Field& at) {
-  if (options.has_size_px() && options.has_dpi()) {
-    at["size_px"].Reject("{} and dpi {} say both how large the picture is; one of them", options.size_px(),
-                         options.dpi());
-  }
-  if (IsVector(options.format()) && options.has_size_px()) {
-    at["size_px"].Reject("{} has no meaning for SVG and PDF, whose size is that of the paper; leave it out",
-                         options.size_px());
-  }
-  if (IsVector(options.format()) && options.has_dpi()) {
-    at["dpi"].Reject("{} has no meaning for SVG and PDF, which have no dots; leave it out", options.dpi());
-  }
-}
-
-void CheckLayers(const v1::RenderOptions& options, const Field& at) {
-  std::set<int> seen;
-  for (int i = 0; i < options.layers_size(); ++i) {
-    if (v1::PlanLayer_IsValid(options.layers(i)) && !seen.insert(options.layers(i)).second) {
-      at[i].Reject("{} stands there twice", v1::PlanLayer_Name(options.layers(i)));
-    }
-  }
-}
-
-// What only the other kind of view has a use for.
-void CheckUse(const v1::RenderOptions& options, const Field& at) {
-  if (IsPlan(options.view())) {
-    constexpr char kOnly[] = "is for the ray-traced views; leave it out for a plan";
-    if (options.has_sample_count()) at["sample_count"].Reject("{} {}", options.sample_count(), kOnly);
-    if (options.seed() != 0) at["seed"].Reject("{} {}", options.seed(), kOnly);
-    if (options.has_camera()) at["camera"].Reject("{}", kOnly);
-    return;
-  }
-  constexpr char kOnly[] = "is for plans; leave it out for a ray-traced view";
-  if (options.has_dpi()) at["dpi"].Reject("{} {}; size_px says its pixels", options.dpi(), kOnly);
-  if (options.paper() != v1::PAPER_SIZE_UNSPECIFIED) at["paper"].Reject("{}", kOnly);
-  if (options.has_scale_denominator()) at["scale_denominator"].Reject("{} {}", options.scale_denominator(), kOnly);
-  if (options.layers_size() > 0) at["layers"].Reject("{}", kOnly);
-}
-
-}  // namespace
 
 void Check(const v1::RenderOptions& options, const Known&, const Field& at) {
   CheckFormat(options, at);

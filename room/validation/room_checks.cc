@@ -8,7 +8,6 @@
 #include "room/validation/field.h"
 
 namespace flair::validation {
-
 namespace {
 
 constexpr double kTolerance_m = 1e-6;
@@ -131,19 +130,6 @@ void CheckSockets(const v1::Room& room, const WallLengths& walls, const NameSet&
   }
 }
 
-}  // namespace
-
-void Check(const v1::Room& room, const Known&, const Field& at) {
-  CheckFloor(room.floor(), at["floor"]);
-  const WallLengths walls = CheckWalls(room, at["walls"]);
-  NameSet wall_names;
-  for (const auto& [name, length] : walls) wall_names.insert(name);
-  CheckOpenings(room, walls, wall_names, at["openings"]);
-  CheckSockets(room, walls, wall_names, at["sockets"]);
-}
-
-namespace {
-
 constexpr int kLongestBrief = 4000;
 
 std::string_view Trimmed(std::string_view text) {
@@ -154,7 +140,7 @@ std::string_view Trimmed(std::string_view text) {
 
 // Byte of the first control character (C0, DEL), or npos.
 size_t FindControlCharacter(std::string_view text) {
-  const auto found = std::find_if(text.begin(), text.end(), [](char c) {
+  const auto found = std::ranges::find_if(text, [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7F;
   });
@@ -176,6 +162,15 @@ bool HasLetter(std::string_view text) {
 }
 
 }  // namespace
+
+void Check(const v1::Room& room, const Known&, const Field& at) {
+  CheckFloor(room.floor(), at["floor"]);
+  const WallLengths walls = CheckWalls(room, at["walls"]);
+  NameSet wall_names;
+  for (const auto& [name, length] : walls) wall_names.insert(name);
+  CheckOpenings(room, walls, wall_names, at["openings"]);
+  CheckSockets(room, walls, wall_names, at["sockets"]);
+}
 
 void Check(const v1::Brief& brief, const Known&, const Field& at) {
   const Field text = at["text"];

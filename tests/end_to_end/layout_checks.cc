@@ -7,7 +7,7 @@
 #include "evaluation/metrics/layout_metrics.h"
 #include "fmt/format.h"
 #include "room/conversion/conversion.h"
-#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 #include "room/scene/room.h"
 
@@ -75,7 +75,7 @@ void CheckBeds(const evaluation::LayoutView& view, Faults& faults) {
                      IsSolid(object) && object.footprint.area_m2() > 0.5;
     if (!bed || HasWord(object, "bench") || HasWord(object, "table")) continue;
     const SideEdge<double> head = EdgeOf(object.footprint, view.layout[i], Side::kBack);
-    const bool at_wall = std::any_of(view.scene.room.walls.begin(), view.scene.room.walls.end(), [&](const Wall& wall) {
+    const bool at_wall = std::ranges::any_of(view.scene.room.walls, [&](const Wall& wall) {
       return std::abs(wall.Height(head.first)) < kHeadGap_m && std::abs(wall.Height(head.second)) < kHeadGap_m;
     });
     if (!at_wall) faults.push_back(fmt::format("{} has its head in the room", object.id));

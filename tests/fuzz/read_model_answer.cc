@@ -17,7 +17,6 @@
 #include "flair/model/v1/room_answers.pb.h"
 #include "flair/model/v1/style_answers.pb.h"
 #include "llm/answers/read_answer.h"
-#include "llm/answers/utf8.h"
 #include "llm/openai/reply_reader.h"
 #include "llm/wrappers/llm_wrappers.h"
 #include "tests/fuzz/targets.h"

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "tests/fixtures/npm_folder.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::testing {
 namespace {

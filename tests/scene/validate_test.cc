@@ -8,8 +8,8 @@
 #include "renderer_worker/assets/asset_library.h"
 #include "renderer_worker/drawing/testing/read_drawing.h"
 #include "renderer_worker/furniture/procedural_furniture.h"
-#include "renderer_worker/gltf/write_glb.h"
-#include "tests/fixtures/npm_folder.h"
+#include "renderer_worker/gltf/gltf.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::testing {
 namespace {

@@ -12,7 +12,6 @@
 
 #include "tests/fixtures/programs.h"
 #include "tests/security/attacks.h"
-#include "tests/security/orchestrator_caller.h"
 #include "tests/security/secure_programs.h"
 
 namespace flair::testing {

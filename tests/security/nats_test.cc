@@ -5,7 +5,7 @@
 
 #include "orchestrator/jetstream/open.h"
 #include "tests/fixtures/nats_server.h"
-#include "tests/security/orchestrator_caller.h"
+#include "tests/security/attacks.h"
 #include "tests/security/secure_programs.h"
 #include "worker_runtime/clock/clock.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/security/orchestrator_caller.h"
-
 #include <stdexcept>
 
 #include "absl/time/clock.h"
+#include "tests/security/attacks.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -2,7 +2,7 @@
 // Who may call the orchestrator and what they see there: five real programs with TLS, callers with tokens.
 #include <gmock/gmock.h>
 
-#include "tests/security/orchestrator_caller.h"
+#include "tests/security/attacks.h"
 #include "tests/security/secure_programs.h"
 
 namespace flair::testing {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/catalog/catalog_index.h"
-
 #include <algorithm>
 
 #include "fmt/format.h"
+#include "translator_worker/catalog/catalog_source.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::translator {
 namespace {
@@ -65,16 +65,15 @@ absl::Status CatalogIndex::Fit(const v1::ConstraintType& type, std::vector<v1::A
   for (v1::Argument& argument : arguments) {
     const v1::ParameterSpec& parameter = *FindParameter(type, argument.name());
     if (!HasForm(parameter.kind(), argument.value().value_case())) {
-      return absl::InvalidArgumentError(
-          fmt::format("{}.{} has another form in the catalogue", type.name(), argument.name()));
+      return InvalidArgument("{}.{} has another form in the catalogue", type.name(), argument.name());
     }
     if (parameter.kind() == v1::PARAMETER_KIND_NUMBER) Clamp(parameter, *argument.mutable_value(), remarks);
   }
   for (const v1::ParameterSpec& parameter : type.parameters()) {
-    const bool given = std::any_of(arguments.begin(), arguments.end(),
-                                   [&](const v1::Argument& argument) { return argument.name() == parameter.name(); });
+    const bool given = std::ranges::any_of(
+        arguments, [&](const v1::Argument& argument) { return argument.name() == parameter.name(); });
     if (parameter.required() && !given) {
-      return absl::InvalidArgumentError(fmt::format("{} needs {}", type.name(), parameter.name()));
+      return InvalidArgument("{} needs {}", type.name(), parameter.name());
     }
   }
   return absl::OkStatus();

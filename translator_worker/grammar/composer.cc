@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/composer.h"
 
-#include <algorithm>
-
 #include "english/frames/noun_phrases.h"
 #include "english/language.h"
 #include "english/words.h"
@@ -22,7 +20,7 @@ Composer::Composer(const v1::TranslateRequest& request, const SceneNames& names,
   for (const Placed& placed : subjects_) (IsLike(placed, subjects_.front()) ? topic_ : others).push_back(placed);
   if (sentence.scope() != v1::SENTENCE_SCOPE_INTER) return;
   // A bare distance in a sentence about two things, or two kinds of them, is kept between them.
-  const bool two_kinds = !others.empty() && std::all_of(others.begin(), others.end(), [&](const Placed& other) {
+  const bool two_kinds = !others.empty() && std::ranges::all_of(others, [&](const Placed& other) {
     return IsLike(other, others.front());
   });
   if (subjects_.size() == 2) {
@@ -47,7 +45,7 @@ bool Composer::PlacedIs(std::string_view kind, const Placed& placed) const {
                                      : call.type == (kind == "in-corner" ? "in_corner" : "accessible");
     return so && call.arguments.front().value().text() == it.id();
   };
-  if (kind == "in-corner" || kind == "on-top") return std::any_of(calls_.begin(), calls_.end(), is_placed);
+  if (kind == "in-corner" || kind == "on-top") return std::ranges::any_of(calls_, is_placed);
   if (kind == "last-space") return !calls_.empty() && is_placed(calls_.back());
   if (kind == "own-chair") {
     return scope() == v1::SENTENCE_SCOPE_INTRA && subjects_.size() == 1 && subjects_.front().object != placed.object &&
@@ -63,8 +61,8 @@ bool Composer::PlacedIs(std::string_view kind, const Placed& placed) const {
 bool Composer::HasFeature(const std::string& kind) const {
   if (kind == "socket") return request_.room().sockets_size() > 0;
   const auto wanted = kind == "door" ? v1::OPENING_KIND_DOOR : v1::OPENING_KIND_WINDOW;
-  return std::any_of(request_.room().openings().begin(), request_.room().openings().end(),
-                     [&](const v1::Opening& opening) { return opening.kind() == wanted; });
+  return std::ranges::any_of(request_.room().openings(),
+                             [&](const v1::Opening& opening) { return opening.kind() == wanted; });
 }
 
 void Composer::SetPair(std::vector<Placed> movers, std::vector<Placed> targets) {
@@ -88,14 +86,14 @@ void Composer::SpeakOf(const Mention& mention) {
 
 void Composer::Refuse(std::string_view code, const std::string& message) {
   v1::Diagnostic remark = RemarkOn(sentence_, v1::SEVERITY_WARNING, code, message);
-  const bool known = std::any_of(refusals_.begin(), refusals_.end(),
-                                 [&](const v1::Diagnostic& other) { return other.message() == remark.message(); });
+  const bool known =
+      std::ranges::any_of(refusals_, [&](const v1::Diagnostic& other) { return other.message() == remark.message(); });
   if (!known) refusals_.push_back(std::move(remark));
 }
 
 bool Composer::OnlyUnknown() const {
-  return std::all_of(refusals_.begin(), refusals_.end(),
-                     [](const v1::Diagnostic& refusal) { return refusal.code() == "unknown_sentence"; });
+  return std::ranges::all_of(refusals_,
+                             [](const v1::Diagnostic& refusal) { return refusal.code() == "unknown_sentence"; });
 }
 
 void Composer::Note(std::string_view code, const std::string& message) {

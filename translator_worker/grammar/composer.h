@@ -11,7 +11,7 @@
 #include "flair/v1/constraint_list.pb.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/translator_service.pb.h"
-#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/catalog/catalog_source.h"
 #include "translator_worker/grammar/call.h"
 #include "translator_worker/grammar/scene_names.h"
 
@@ -35,7 +35,7 @@ struct Placed {
 
 // Whether the object is in the list.
 inline bool Contains(const std::vector<Placed>& list, int object) {
-  return std::any_of(list.begin(), list.end(), [&](const Placed& placed) { return placed.object == object; });
+  return std::ranges::any_of(list, [&](const Placed& placed) { return placed.object == object; });
 }
 
 // One thing that a fact relates to: objects, or a part of the room.

@@ -15,9 +15,8 @@ namespace {
 
 // Whether `call` says all that `part` says.
 bool Includes(const Call& call, const Call& part) {
-  return call.type == part.type &&
-         std::all_of(part.arguments.begin(), part.arguments.end(), [&](const v1::Argument& wanted) {
-           return std::any_of(call.arguments.begin(), call.arguments.end(), [&](const v1::Argument& given) {
+  return call.type == part.type && std::ranges::all_of(part.arguments, [&](const v1::Argument& wanted) {
+           return std::ranges::any_of(call.arguments, [&](const v1::Argument& given) {
              return google::protobuf::util::MessageDifferencer::Equals(given, wanted);
            });
          });
@@ -35,7 +34,7 @@ bool AddSidesTo(Call& space, const Sides& more) {
   auto& sides = *space.arguments[1].mutable_value()->mutable_texts()->mutable_items();
   const int before = sides.size();
   for (const std::string& side : more) {
-    if (std::find(sides.begin(), sides.end(), side) == sides.end()) *sides.Add() = side;
+    if (std::ranges::find(sides, side) == sides.end()) *sides.Add() = side;
   }
   return sides.size() > before;
 }
@@ -81,7 +80,7 @@ bool TouchOtherSides(const Call& a, const Call& b) {
 
 bool Composer::IsBesideTheRug(const std::string& type) const {
   return scope() == v1::SENTENCE_SCOPE_TERTIARY && english::Language::Get().IsIn("calls beside rugs", type) &&
-         std::any_of(topic_.begin(), topic_.end(), [&](const Placed& placed) { return IsRug(placed); });
+         std::ranges::any_of(topic_, [&](const Placed& placed) { return IsRug(placed); });
 }
 
 void Composer::CompleteSide(const std::string& side) {
@@ -115,10 +114,9 @@ bool Composer::TellsLittle(const Call& call) const {
   if (call.type == "on_wall_in_zone" || call.type == "ceiling_center" || call.type == "in_zone") return true;
   // "On the runner, on the table": the table is what stands there.
   const std::string& host = call.TextOf("host");
-  return !host.empty() && std::any_of(request_.object_list().objects().begin(), request_.object_list().objects().end(),
-                                      [&](const v1::Object& other) {
-                                        return other.id() == host && other.kind() != v1::OBJECT_KIND_FLOOR;
-                                      });
+  return !host.empty() && std::ranges::any_of(request_.object_list().objects(), [&](const v1::Object& other) {
+    return other.id() == host && other.kind() != v1::OBJECT_KIND_FLOOR;
+  });
 }
 
 bool Composer::IsOfAnother(const std::string& mover, const std::string& target) const {
@@ -176,8 +174,7 @@ bool Composer::Emit(Call call) {
                   [&](Call& other) { return JoinSides(other, call, true); }))
     return true;
   // "On the left of the bed, flush with its headboard": one piece touches one side.
-  if (std::any_of(calls_.begin(), calls_.end(), [&](const Call& other) { return TouchOtherSides(other, call); }))
-    return true;
+  if (std::ranges::any_of(calls_, [&](const Call& other) { return TouchOtherSides(other, call); })) return true;
   for (Call& other : calls_) {
     if (Includes(other, call)) return true;
     if (Includes(call, other)) {

@@ -42,7 +42,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
   }
   const auto weak_subject = [&](int index) { return Contains(subjects_, index); };
   if ((!reference.full || (scope() == v1::SENTENCE_SCOPE_INTRA && movers.empty())) &&
-      std::none_of(candidates.begin(), candidates.end(), weak_subject)) {
+      std::ranges::none_of(candidates, weak_subject)) {
     for (const int index : reference.weak_candidates) {
       if (weak_subject(index) && !reference.plural) return {index};
     }
@@ -54,8 +54,7 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
   keep([&](int index) { return !Contains(movers, index); });
   KeepSubjects(candidates);
   const auto one_name = [&] {
-    return std::all_of(candidates.begin(), candidates.end(),
-                       [&](int i) { return object(i).name() == object(candidates[0]).name(); });
+    return std::ranges::all_of(candidates, [&](int i) { return object(i).name() == object(candidates[0]).name(); });
   };
   if (candidates.size() == 1) return candidates;
   if (subjects_.empty()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
@@ -110,7 +109,7 @@ void Composer::KeepSubjects(std::vector<int>& objects) const {
 void Composer::KeepThoseSpokenOf(const Reference& reference, std::vector<int>& objects) const {
   std::vector<int> kept = objects;
   KeepSubjects(kept);
-  const bool named = std::any_of(objects.begin(), objects.end(), [&](int index) { return Contains(subjects_, index); });
+  const bool named = std::ranges::any_of(objects, [&](int index) { return Contains(subjects_, index); });
   if (named) {
     // "Each chair" under a heading that names one of them: the kind, not this one.
     if (kept.size() > 1 || !reference.each) objects = kept;
@@ -119,7 +118,7 @@ void Composer::KeepThoseSpokenOf(const Reference& reference, std::vector<int>& o
   if (subjects_.empty() || objects.size() < 2) return;
   // "Chairs" under a heading of stools are these.
   const auto seat = [&](int index) { return IsChair({index, ""}); };
-  if (std::all_of(objects.begin(), objects.end(), seat)) {
+  if (std::ranges::all_of(objects, seat)) {
     std::vector<int> seats;
     for (const Placed& subject : subjects_) {
       if (IsChair(subject)) seats.push_back(subject.object);

@@ -34,8 +34,7 @@ int Composer::CarrierOf(int index) const {
   const v1::Object& thing = object(index);
   if (thing.kind() != v1::OBJECT_KIND_SURFACE || thing.host_id().empty()) return -1;
   const auto& objects = request_.object_list().objects();
-  const auto host =
-      std::find_if(objects.begin(), objects.end(), [&](const v1::Object& one) { return one.id() == thing.host_id(); });
+  const auto host = std::ranges::find_if(objects, [&](const v1::Object& one) { return one.id() == thing.host_id(); });
   const int carrier = host == objects.end() ? -1 : static_cast<int>(host - objects.begin());
   return carrier >= 0 && !ChosenLater(carrier) ? carrier : -1;
 }

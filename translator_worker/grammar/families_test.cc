@@ -7,7 +7,6 @@
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
 #include "gtest/gtest.h"
-#include "translator_worker/grammar/meaning_tables.h"
 #include "translator_worker/grammar/meanings.h"
 #include "translator_worker/grammar/testing/labelled_rooms.h"
 #include "translator_worker/grammar/testing/scorer.h"

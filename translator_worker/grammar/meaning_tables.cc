@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/meaning_tables.h"
-
 #include <algorithm>
 #include <set>
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "translator_worker/grammar/meaning_tables.h"
 #include "translator_worker/grammar/rules/shared.h"
 
 namespace flair::translator {
@@ -13,7 +12,7 @@ namespace flair::translator {
 namespace {
 
 bool Has(const Words& words, std::string_view word) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& one) {
+  return std::ranges::any_of(words, [&](const std::string& one) {
     return one == word || (one.front() == '*' && word.ends_with(std::string_view(one).substr(1)));
   });
 }
@@ -200,8 +199,7 @@ class Fact {
   }
 
   bool Holds(const Case& one, const Pair& pair) {
-    return std::all_of(one.tests.begin(), one.tests.end(),
-                       [&](const Condition& test) { return Holds(test, pair) != test.denied; });
+    return std::ranges::all_of(one.tests, [&](const Condition& test) { return Holds(test, pair) != test.denied; });
   }
 
   bool Holds(const Condition& test, const Pair& pair) {
@@ -229,14 +227,14 @@ class Fact {
   }
 
   bool OfAny(const Condition& test, const std::vector<Placed>& list) const {
-    return std::any_of(list.begin(), list.end(), [&](const Placed& one) { return OfPlaced(test, &one); });
+    return std::ranges::any_of(list, [&](const Placed& one) { return OfPlaced(test, &one); });
   }
 
   static const Placed* First(const std::vector<Placed>& list) { return list.empty() ? nullptr : &list.front(); }
 
   bool Moves(const Placed* object) {
     const std::vector<Placed>& movers = Movers();
-    return object != nullptr && (movers.empty() || std::any_of(movers.begin(), movers.end(), [&](const Placed& mover) {
+    return object != nullptr && (movers.empty() || std::ranges::any_of(movers, [&](const Placed& mover) {
                                    return mover.object == object->object;
                                  }));
   }
@@ -257,8 +255,8 @@ class Fact {
     const Reference& first = mention->references.front();
     if (test.about == '=') return Has(test.values, first.name);
     if (test.about == '.') return test.values.empty() ? !first.side.empty() : Has(test.values, first.side);
-    return std::any_of(test.values.begin(), test.values.end(),
-                       [&](const std::string& kind) { return MentionIs(kind, *mention, composer_); });
+    return std::ranges::any_of(test.values,
+                               [&](const std::string& kind) { return MentionIs(kind, *mention, composer_); });
   }
 
   // Parts of the room, where "wall" of an object is what carries it.
@@ -286,8 +284,7 @@ class Fact {
   bool OfPlaced(const Condition& test, const Placed* placed) const {
     if (placed == nullptr || test.about == 0) return placed != nullptr;
     if (test.about == '.') return test.values.empty() ? !placed->side.empty() : Has(test.values, placed->side);
-    return std::any_of(test.values.begin(), test.values.end(),
-                       [&](const std::string& kind) { return composer_.PlacedIs(kind, *placed); });
+    return std::ranges::any_of(test.values, [&](const std::string& kind) { return composer_.PlacedIs(kind, *placed); });
   }
 
   const std::vector<Placed>& Movers() {

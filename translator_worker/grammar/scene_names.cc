@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "absl/strings/str_join.h"
-#include "english/lexicon.h"
 #include "english/words.h"
+#include "english/lexicon.h"
 
 namespace flair::translator {
 namespace {
@@ -29,8 +29,7 @@ std::vector<std::string> SingularWords(const std::string& name) {
 }
 
 bool IsNumber(const std::string& word) {
-  return !word.empty() && word.size() < 4 &&
-         std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return !word.empty() && word.size() < 4 && std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 int NumberOf(const std::string& word) { return IsNumber(word) ? std::atoi(word.c_str()) : 0; }
@@ -110,8 +109,7 @@ void SceneNames::AddNamesOf(int i, int rank) {
     Add(tail, i, rank + (skip == 0 ? 0 : 1));
     for (const english::v1::WordList& group : english::Language::Get().data().lists()) {
       if (group.name() != "furniture synonyms") continue;
-      if (std::find(group.words().begin(), group.words().end(), absl::StrJoin(tail, " ")) == group.words().end())
-        continue;
+      if (std::ranges::find(group.words(), absl::StrJoin(tail, " ")) == group.words().end()) continue;
       for (const std::string& synonym : group.words()) Add(NameWords(synonym), i, rank + (skip == 0 ? 2 : 3));
     }
   }
@@ -120,7 +118,7 @@ void SceneNames::AddNamesOf(int i, int rank) {
 void SceneNames::Add(const std::vector<std::string>& words, int object, int rank) {
   if (words.empty() || words.size() > kLongestName) return;
   std::vector<Candidate>& list = names_[absl::StrJoin(words, " ")];
-  const auto same = std::find_if(list.begin(), list.end(), [&](const Candidate& c) { return c.object == object; });
+  const auto same = std::ranges::find_if(list, [&](const Candidate& c) { return c.object == object; });
   if (same == list.end()) {
     list.push_back({object, rank});
   } else {
@@ -205,7 +203,7 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
       entry = whole;
     }
     const auto chosen_later = [](const Candidate& candidate) { return candidate.rank >= kLaterRank; };
-    const bool later = !entry->second.empty() && std::all_of(entry->second.begin(), entry->second.end(), chosen_later);
+    const bool later = !entry->second.empty() && std::ranges::all_of(entry->second, chosen_later);
     found.length = length;
     // "The TV screen" before there is a screen: what "the TV" is, the TV stand.
     if (later && best == kFrontRank) continue;
@@ -223,7 +221,7 @@ SceneNames::Found SceneNames::FindObjectByWords(const std::vector<Token>& tokens
     }
     found.full = best == 0;
     found.reference.full = found.full;
-    std::sort(found.reference.candidates.begin(), found.reference.candidates.end());
+    std::ranges::sort(found.reference.candidates);
   }
   // "the alchemical table" among several tables: the word before tells which.
   if (found.reference.candidates.size() > 1 && at > 0 && tokens[at - 1].kind == Token::Kind::kWord) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "english/lexicon.h"
 #include "english/words.h"
+#include "english/lexicon.h"
 #include "translator_worker/grammar/scene_names.h"
 
 namespace flair::translator {
@@ -13,12 +13,11 @@ namespace {
 // Whether the two are words for one use of a room.
 bool SameUse(const std::string& a, const std::string& b) {
   const auto has = [](const english::v1::WordList& list, const std::string& word) {
-    return std::find(list.words().begin(), list.words().end(), word) != list.words().end();
+    return std::ranges::find(list.words(), word) != list.words().end();
   };
   const auto& lists = english::Language::Get().data().lists();
-  return std::any_of(lists.begin(), lists.end(), [&](const english::v1::WordList& list) {
-    return list.name() == "uses" && has(list, a) && has(list, b);
-  });
+  return std::ranges::any_of(
+      lists, [&](const english::v1::WordList& list) { return list.name() == "uses" && has(list, a) && has(list, b); });
 }
 
 // "Reading spot": words that say nothing alone make a zone of its name.

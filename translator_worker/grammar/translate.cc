@@ -3,19 +3,14 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 
 #include "absl/strings/str_join.h"
 #include "english/frames/frames.h"
 #include "english/frames/term.h"
 #include "fmt/format.h"
-#include "translator_worker/catalog/catalog_index.h"
 #include "translator_worker/grammar/composer.h"
 #include "translator_worker/grammar/meanings.h"
-#include "translator_worker/grammar/scene_names.h"
-#include "translator_worker/grammar/typed_facts.h"
 
 namespace flair::translator {
 
@@ -64,9 +59,9 @@ class Walk {
   bool reasons() const { return reasons_; }
   // Whether it names something no call is about.
   bool vague() const {
-    return std::any_of(unused_.begin(), unused_.end(), [](const Mention* mention) {
-      return std::any_of(mention->references.begin(), mention->references.end(),
-                         [](const Reference& reference) { return reference.kind == RefKind::kVague; });
+    return std::ranges::any_of(unused_, [](const Mention* mention) {
+      return std::ranges::any_of(mention->references,
+                                 [](const Reference& reference) { return reference.kind == RefKind::kVague; });
     });
   }
 
@@ -234,10 +229,6 @@ Analysis WithoutUnknown(const Analysis& analysis) {
   }
   return known;
 }
-
-}  // namespace
-
-namespace {
 
 // Reads the text; says whether it is a wish.
 bool ReadText(const v1::Sentence& sentence, const SceneNames& names, Composer& composer) {

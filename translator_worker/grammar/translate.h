@@ -7,8 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "english/frames/facts.h"
+#include "flair/v1/constraint_list.pb.h"
 #include "flair/v1/translator_service.pb.h"
-#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/catalog/catalog_source.h"
 #include "translator_worker/grammar/call.h"
 #include "translator_worker/grammar/scene_names.h"
 
@@ -50,5 +53,11 @@ v1::LayoutGraph GraphOf(const v1::TranslateRequest& request, std::map<std::strin
 
 // Translates every sentence of a request whose catalogue is set. The request must have been validated.
 v1::LayoutGraph Translate(const v1::TranslateRequest& request);
+
+// The facts that the sentence's typed meaning states, their objects by index of the request's list; none when it has no
+// meaning, or one of another text. An error says what of the meaning cannot be used: a relation that no frame knows, or
+// knows only with other participants, or something that is not in the room.
+absl::StatusOr<std::vector<english::Fact>> TypedFacts(const v1::TranslateRequest& request,
+                                                      const v1::Sentence& sentence);
 
 }  // namespace flair::translator

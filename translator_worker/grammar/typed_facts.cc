@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "translator_worker/grammar/typed_facts.h"
-
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "fmt/format.h"
+#include "translator_worker/grammar/translate.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -18,20 +16,20 @@ using Participants = google::protobuf::RepeatedPtrField<v1::Participant>;
 
 template <typename List, typename NameOf>
 bool HasNamed(const List& list, const std::string& name, NameOf&& name_of) {
-  return std::any_of(list.begin(), list.end(), [&](const auto& one) { return name_of(one) == name; });
+  return std::ranges::any_of(list, [&](const auto& one) { return name_of(one) == name; });
 }
 
 absl::StatusOr<english::Reference> ReferenceOf(const v1::TranslateRequest& request,
                                                const v1::Participant& participant) {
   const auto absent = [](std::string_view what, const std::string& name) {
-    return absl::NotFoundError(fmt::format("there is no {} \"{}\"", what, name));
+    return NotFound("there is no {} \"{}\"", what, name);
   };
   english::Reference reference;
   const auto& objects = request.object_list().objects();
   switch (participant.thing_case()) {
     case v1::Participant::kObjectId: {
-      const auto object = std::find_if(objects.begin(), objects.end(),
-                                       [&](const v1::Object& one) { return one.id() == participant.object_id(); });
+      const auto object =
+          std::ranges::find_if(objects, [&](const v1::Object& one) { return one.id() == participant.object_id(); });
       if (object == objects.end()) return absent("object", participant.object_id());
       reference.kind = RefKind::kObjects;
       reference.name = object->name();
@@ -98,8 +96,8 @@ absl::StatusOr<std::vector<english::Fact>> TypedFacts(const v1::TranslateRequest
       length.exact = typed.measure().exact();
     }
     if (!english::FrameBook::Get().Knows(fact.meaning, fact.detail, fact.AsMatch())) {
-      return absl::InvalidArgumentError(fmt::format("no frame is \"{}{}{}\" of such participants", fact.meaning,
-                                                    fact.detail.empty() ? "" : ", ", fact.detail));
+      return InvalidArgument("no frame is \"{}{}{}\" of such participants", fact.meaning,
+                             fact.detail.empty() ? "" : ", ", fact.detail);
     }
   }
   return facts;

@@ -8,7 +8,7 @@
 
 #include "fmt/format.h"
 #include "llm/answers/read_answer.h"
-#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/catalog/catalog_source.h"
 #include "translator_worker/model/prompt_texts.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -15,7 +15,7 @@
 #include "llm/answers/read_answer.h"
 #include "llm/config/check_llm_config.h"
 #include "llm/make_llm_client.h"
-#include "translator_worker/catalog/catalog_index.h"
+#include "translator_worker/catalog/catalog_source.h"
 #include "translator_worker/grammar/call.h"
 #include "translator_worker/grammar/scene_names.h"
 #include "translator_worker/grammar/translate.h"

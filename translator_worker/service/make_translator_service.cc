@@ -26,42 +26,36 @@ class TranslateHandler {
   // `source` gives the catalogue to requests without one; `model` may be null. Both must outlive the handler.
   TranslateHandler(CatalogSource& source, const Translator* model) : source_(source), model_(model) {}
 
-  absl::StatusOr<v1::TranslateResponse> Handle(const v1::TranslateRequest& request, runtime::CallContext& call) const;
+  absl::StatusOr<v1::TranslateResponse> Handle(const v1::TranslateRequest& request, runtime::CallContext& call) const {
+    RETURN_IF_ERROR(Validate(request));
+    if (request.has_catalog()) return Answer(request, call);
+    v1::TranslateRequest complete = request;
+    ASSIGN_OR_RETURN(*complete.mutable_catalog(), source_.Get(call));
+    return Answer(complete, call);
+  }
 
  private:
-  absl::StatusOr<v1::TranslateResponse> Answer(const v1::TranslateRequest& complete, runtime::CallContext& call) const;
+  absl::StatusOr<v1::TranslateResponse> Answer(const v1::TranslateRequest& complete, runtime::CallContext& call) const {
+    v1::TranslateResponse response;
+    if (model_ != nullptr) {
+      ASSIGN_OR_RETURN(response, model_->Translate(complete, call));
+      // As the server names it; a request that needed no call names what was configured.
+      response.mutable_producer()->set_method(response.model_calls().empty() ? model_->model()
+                                                                             : response.model_calls(0).model());
+      response.mutable_producer()->set_version(model_->version());
+    } else {
+      *response.mutable_layout_graph() = Translate(complete);
+      response.mutable_producer()->set_method("grammar");
+      response.mutable_producer()->set_version(kGrammarVersion);
+    }
+    RETURN_IF_ERROR(call.CheckAlive());
+    response.mutable_producer()->set_program("flair-translator");
+    return response;
+  }
 
   CatalogSource& source_;
   const Translator* const model_;
 };
-
-absl::StatusOr<v1::TranslateResponse> TranslateHandler::Handle(const v1::TranslateRequest& request,
-                                                               runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  if (request.has_catalog()) return Answer(request, call);
-  v1::TranslateRequest complete = request;
-  ASSIGN_OR_RETURN(*complete.mutable_catalog(), source_.Get(call));
-  return Answer(complete, call);
-}
-
-absl::StatusOr<v1::TranslateResponse> TranslateHandler::Answer(const v1::TranslateRequest& complete,
-                                                               runtime::CallContext& call) const {
-  v1::TranslateResponse response;
-  if (model_ != nullptr) {
-    ASSIGN_OR_RETURN(response, model_->Translate(complete, call));
-    // As the server names it; a request that needed no call names what was configured.
-    response.mutable_producer()->set_method(response.model_calls().empty() ? model_->model()
-                                                                           : response.model_calls(0).model());
-    response.mutable_producer()->set_version(model_->version());
-  } else {
-    *response.mutable_layout_graph() = Translate(complete);
-    response.mutable_producer()->set_method("grammar");
-    response.mutable_producer()->set_version(kGrammarVersion);
-  }
-  RETURN_IF_ERROR(call.CheckAlive());
-  response.mutable_producer()->set_program("flair-translator");
-  return response;
-}
 
 class Service final : public runtime::Service {
  public:
@@ -86,7 +80,7 @@ absl::StatusOr<std::unique_ptr<CatalogSource>> MakeSource(const config::v1::Tran
       runtime::MakeChannel(config.optimizer_address(), v1::OptimizerService::service_full_name(),
                            runtime::ChannelOptionsOf(config.runtime()));
   if (!channel.ok()) {
-    return absl::InvalidArgumentError(fmt::format("optimizer_address: {}", std::string(channel.status().message())));
+    return InvalidArgument("optimizer_address: {}", channel.status().message());
   }
   return MakeRemoteCatalogSource(*channel);
 }

@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "worker_runtime/logging/log.h"
-#include "worker_runtime/metrics/metrics_endpoint.h"
 #include "worker_runtime/metrics/prometheus_metrics.h"
 #include "worker_runtime/status/status_macros.h"
 

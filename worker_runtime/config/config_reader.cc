@@ -16,6 +16,7 @@
 
 #include "flair/config/v1/runtime_config.pb.h"
 #include "worker_runtime/security/security.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -139,8 +140,7 @@ const config::v1::RuntimeConfig* FindRuntime(const google::protobuf::Message& co
 
 absl::Status ToStatus(const std::string& name, std::vector<Problem> problems) {
   if (problems.empty()) return absl::OkStatus();
-  std::stable_sort(problems.begin(), problems.end(),
-                   [](const Problem& a, const Problem& b) { return a.line < b.line; });
+  std::ranges::stable_sort(problems, [](const Problem& a, const Problem& b) { return a.line < b.line; });
   std::string text;
   for (const Problem& problem : problems) {
     const std::string place = problem.line < 0 ? name : fmt::format("{}:{}", name, problem.line + 1);
@@ -196,7 +196,7 @@ absl::Status ReadConfigFile(const std::string& path, google::protobuf::Message& 
   if (file) text << file.rdbuf();
   // An empty file leaves failbit in `text`; only the file's own state tells of a failed read.
   if (!file || file.bad()) {
-    return absl::NotFoundError(fmt::format("{}: cannot read the config file: {}", path, std::strerror(errno)));
+    return NotFound("{}: cannot read the config file: {}", path, std::strerror(errno));
   }
   return ReadConfigText(path, text.str(), config, check);
 }

@@ -10,16 +10,12 @@
 
 #include <map>
 #include <mutex>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "absl/time/clock.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
-
 namespace {
 
 constexpr int kConnectWithinMs = 5000;
@@ -31,15 +27,15 @@ constexpr int kKeepaliveTimeoutMs = 20000;
 absl::Status CheckAddress(const std::string& address, const ChannelOptions& options) {
   const bool unix_socket = address.starts_with("unix:") && address.size() > 5;
   if (!unix_socket && PortOf(address).value_or(0) == 0) {
-    return absl::InvalidArgumentError(fmt::format(
-        "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535]", address));
+    return InvalidArgument(
+        "address \"{}\": expected HOST:PORT, unix:PATH or dns:///NAME:PORT with a port in [1, 65535]", address);
   }
   if (options.tls.has_value() || options.allow_insecure || IsLocalAddress(address)) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("address \"{}\": on another machine, and{} plain text can be read and changed in transit; use TLS "
-                  "(tls), or allow it "
-                  "(allow_insecure)",
-                  address, options.token.empty() ? "" : " the token in"));
+  return InvalidArgument(
+      "address \"{}\": on another machine, and{} plain text can be read and changed in transit; use TLS "
+      "(tls), or allow it "
+      "(allow_insecure)",
+      address, options.token.empty() ? "" : " the token in");
 }
 
 grpc::ChannelArguments Arguments(const std::string& address, const std::string& service,
@@ -66,36 +62,6 @@ grpc::ChannelArguments Arguments(const std::string& address, const std::string& 
   return arguments;
 }
 
-}  // namespace
-
-int MaxMessageBytes(int max_message_mib) { return (max_message_mib > 0 ? max_message_mib : 32) * 1024 * 1024; }
-
-ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime) {
-  ChannelOptions options;
-  options.max_message_mib = runtime.max_message_mib();
-  options.allow_insecure = runtime.allow_insecure();
-  if (runtime.has_tls()) options.tls = runtime.tls();
-  return options;
-}
-
-absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
-                                                           const ChannelOptions& options) {
-  RETURN_IF_ERROR(CheckAddress(address, options));
-  // Otherwise gRPC shuts itself down with the last channel, and version 1.51 then waits ten seconds for a thread that
-  // it started when a large message, such as one that is refused, did not fit into the socket at once.
-  [[maybe_unused]] static const bool never_shut_down = (grpc_init(), true);
-  std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
-  if (options.tls.has_value()) {
-    ASSIGN_OR_RETURN(credentials, MakeChannelCredentials(*options.tls));
-  }
-  const grpc::ChannelArguments arguments = Arguments(address, service, options);
-  if (options.token.empty()) return grpc::CreateCustomChannel(address, credentials, arguments);
-  return grpc::experimental::CreateCustomChannelWithInterceptors(address, credentials, arguments,
-                                                                 SendBearerToken(options.token));
-}
-
-namespace {
-
 using grpc::experimental::FileWatcherCertificateProvider;
 
 constexpr unsigned kLookEverySeconds = 2;
@@ -115,34 +81,6 @@ std::shared_ptr<grpc::ChannelCredentials> NewChannelCredentials(const config::v1
   if (has_certificate) options.watch_identity_key_cert_pairs();
   return grpc::experimental::TlsCredentials(options);
 }
-
-}  // namespace
-
-absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(const config::v1::TlsConfig& tls) {
-  RETURN_IF_ERROR(CheckTlsFiles(tls, absl::Now()));
-  grpc::experimental::TlsServerCredentialsOptions options(Watch(tls, tls.require_client_certificate()));
-  options.watch_identity_key_cert_pairs();
-  if (tls.require_client_certificate()) {
-    options.watch_root_certs();
-    options.set_cert_request_type(GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY);
-  }
-  return grpc::experimental::TlsServerCredentials(options);
-}
-
-absl::StatusOr<std::shared_ptr<grpc::ChannelCredentials>> MakeChannelCredentials(const config::v1::TlsConfig& tls) {
-  // A program has many channels of one config; each would watch the same files.
-  static std::mutex mutex;
-  static auto& known = *new std::map<std::string, std::weak_ptr<grpc::ChannelCredentials>>();
-  const std::lock_guard lock(mutex);
-  std::weak_ptr<grpc::ChannelCredentials>& made = known[tls.SerializeAsString()];
-  if (std::shared_ptr<grpc::ChannelCredentials> credentials = made.lock()) return credentials;
-  RETURN_IF_ERROR(CheckTlsFiles(tls, absl::Now()));
-  std::shared_ptr<grpc::ChannelCredentials> credentials = NewChannelCredentials(tls);
-  made = credentials;
-  return credentials;
-}
-
-namespace {
 
 using grpc::experimental::InterceptionHookPoints;
 
@@ -172,6 +110,56 @@ class Factory final : public grpc::experimental::ClientInterceptorFactoryInterfa
 };
 
 }  // namespace
+
+int MaxMessageBytes(int max_message_mib) { return (max_message_mib > 0 ? max_message_mib : 32) * 1024 * 1024; }
+
+ChannelOptions ChannelOptionsOf(const config::v1::RuntimeConfig& runtime) {
+  ChannelOptions options;
+  options.max_message_mib = runtime.max_message_mib();
+  options.allow_insecure = runtime.allow_insecure();
+  if (runtime.has_tls()) options.tls = runtime.tls();
+  return options;
+}
+
+absl::StatusOr<std::shared_ptr<grpc::Channel>> MakeChannel(const std::string& address, const std::string& service,
+                                                           const ChannelOptions& options) {
+  RETURN_IF_ERROR(CheckAddress(address, options));
+  // Otherwise gRPC shuts itself down with the last channel, and version 1.51 then waits ten seconds for a thread that
+  // it started when a large message, such as one that is refused, did not fit into the socket at once.
+  [[maybe_unused]] static const bool never_shut_down = (grpc_init(), true);
+  std::shared_ptr<grpc::ChannelCredentials> credentials = grpc::InsecureChannelCredentials();
+  if (options.tls.has_value()) {
+    ASSIGN_OR_RETURN(credentials, MakeChannelCredentials(*options.tls));
+  }
+  const grpc::ChannelArguments arguments = Arguments(address, service, options);
+  if (options.token.empty()) return grpc::CreateCustomChannel(address, credentials, arguments);
+  return grpc::experimental::CreateCustomChannelWithInterceptors(address, credentials, arguments,
+                                                                 SendBearerToken(options.token));
+}
+
+absl::StatusOr<std::shared_ptr<grpc::ServerCredentials>> MakeServerCredentials(const config::v1::TlsConfig& tls) {
+  RETURN_IF_ERROR(CheckTlsFiles(tls, absl::Now()));
+  grpc::experimental::TlsServerCredentialsOptions options(Watch(tls, tls.require_client_certificate()));
+  options.watch_identity_key_cert_pairs();
+  if (tls.require_client_certificate()) {
+    options.watch_root_certs();
+    options.set_cert_request_type(GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY);
+  }
+  return grpc::experimental::TlsServerCredentials(options);
+}
+
+absl::StatusOr<std::shared_ptr<grpc::ChannelCredentials>> MakeChannelCredentials(const config::v1::TlsConfig& tls) {
+  // A program has many channels of one config; each would watch the same files.
+  static std::mutex mutex;
+  static auto& known = *new std::map<std::string, std::weak_ptr<grpc::ChannelCredentials>>();
+  const std::lock_guard lock(mutex);
+  std::weak_ptr<grpc::ChannelCredentials>& made = known[tls.SerializeAsString()];
+  if (std::shared_ptr<grpc::ChannelCredentials> credentials = made.lock()) return credentials;
+  RETURN_IF_ERROR(CheckTlsFiles(tls, absl::Now()));
+  std::shared_ptr<grpc::ChannelCredentials> credentials = NewChannelCredentials(tls);
+  made = credentials;
+  return credentials;
+}
 
 std::vector<std::unique_ptr<grpc::experimental::ClientInterceptorFactoryInterface>> SendBearerToken(
     const std::string& token) {

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <string>
 
 #include "flair/v1/worker_service.pb.h"
 
@@ -88,6 +86,18 @@ std::string NameWords(std::string_view message, std::string_view rest) {
   return std::string(message);
 }
 
+constexpr int kProtocolsNamed = 4;
+constexpr size_t kNameLength = 60;
+
+// Text from another program, cut and made safe for our messages and for terminals.
+std::string Printable(const std::string& text) {
+  std::string shown = text.substr(0, kNameLength);
+  for (char& c : shown) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return shown;
+}
+
 }  // namespace
 
 std::string InPlainWords(std::string_view message) {
@@ -121,22 +131,6 @@ absl::Status FromGrpcStatus(const grpc::Status& status) {
   if (status.ok()) return absl::OkStatus();
   return absl::Status(static_cast<absl::StatusCode>(status.error_code()), InPlainWords(status.error_message()));
 }
-
-namespace {
-
-constexpr int kProtocolsNamed = 4;
-constexpr size_t kNameLength = 60;
-
-// Text from another program, cut and made safe for our messages and for terminals.
-std::string Printable(const std::string& text) {
-  std::string shown = text.substr(0, kNameLength);
-  for (char& c : shown) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return shown;
-}
-
-}  // namespace
 
 std::string ProtocolFault(const v1::GetWorkerResponse& worker) {
   const auto& protocols = worker.protocols();

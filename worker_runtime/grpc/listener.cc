@@ -8,15 +8,13 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <vector>
 
 #include "worker_runtime/clock/clock.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -43,43 +41,6 @@ std::string KeyOf(const sockaddr_storage& peer) {
   }
   return "";
 }
-
-}  // namespace
-
-bool ConnectionGate::Admit(int file, const sockaddr_storage& peer, absl::Duration now) {
-  // Whoever had that number has closed it. New files get the lowest free number, so it says how many are open.
-  Forget(file);
-  if (file >= file_limit_) return false;
-  const std::string key = KeyOf(peer);
-  if (static_cast<int>(files_of_peers_[key].size()) >= peer_limit_) Sweep(key, now);
-  std::unordered_set<int>& files = files_of_peers_[key];
-  if (static_cast<int>(files.size()) >= peer_limit_) return false;
-  files.insert(file);
-  connections_[file] = {CookieOf(file), key};
-  return true;
-}
-
-void ConnectionGate::Forget(int file) {
-  const auto connection = connections_.find(file);
-  if (connection == connections_.end()) return;
-  const auto files = files_of_peers_.find(connection->second.peer);
-  files->second.erase(file);
-  if (files->second.empty()) files_of_peers_.erase(files);
-  connections_.erase(connection);
-}
-
-void ConnectionGate::Sweep(const std::string& peer, absl::Duration now) {
-  // It takes a while, so it must not run for every connection that is refused.
-  if (now - swept_at_ < kSweepEvery) return;
-  swept_at_ = now;
-  const std::unordered_set<int>& files = files_of_peers_[peer];
-  const std::vector<int> known(files.begin(), files.end());
-  for (const int file : known) {
-    if (CookieOf(file) != connections_[file].cookie) Forget(file);
-  }
-}
-
-namespace {
 
 constexpr int kBacklog = 4096;
 constexpr int kAcceptedAtOnce = 256;
@@ -142,6 +103,39 @@ std::vector<int> ListenOnAll(addrinfo* first, in_port_t& port) {
 
 }  // namespace
 
+bool ConnectionGate::Admit(int file, const sockaddr_storage& peer, absl::Duration now) {
+  // Whoever had that number has closed it. New files get the lowest free number, so it says how many are open.
+  Forget(file);
+  if (file >= file_limit_) return false;
+  const std::string key = KeyOf(peer);
+  if (static_cast<int>(files_of_peers_[key].size()) >= peer_limit_) Sweep(key, now);
+  std::unordered_set<int>& files = files_of_peers_[key];
+  if (static_cast<int>(files.size()) >= peer_limit_) return false;
+  files.insert(file);
+  connections_[file] = {CookieOf(file), key};
+  return true;
+}
+
+void ConnectionGate::Forget(int file) {
+  const auto connection = connections_.find(file);
+  if (connection == connections_.end()) return;
+  const auto files = files_of_peers_.find(connection->second.peer);
+  files->second.erase(file);
+  if (files->second.empty()) files_of_peers_.erase(files);
+  connections_.erase(connection);
+}
+
+void ConnectionGate::Sweep(const std::string& peer, absl::Duration now) {
+  // It takes a while, so it must not run for every connection that is refused.
+  if (now - swept_at_ < kSweepEvery) return;
+  swept_at_ = now;
+  const std::unordered_set<int>& files = files_of_peers_[peer];
+  const std::vector<int> known(files.begin(), files.end());
+  for (const int file : known) {
+    if (CookieOf(file) != connections_[file].cookie) Forget(file);
+  }
+}
+
 absl::StatusOr<std::unique_ptr<Listener>> Listener::Bind(const std::string& address) {
   const size_t colon = address.rfind(':');
   const std::string shown_host = address.substr(0, colon);
@@ -158,8 +152,7 @@ absl::StatusOr<std::unique_ptr<Listener>> Listener::Bind(const std::string& addr
     ::freeaddrinfo(found);
   }
   if (files.empty()) {
-    return absl::UnavailableError(
-        fmt::format("cannot listen on {}: the address is in use, not of this machine, or not permitted", address));
+    return Unavailable("cannot listen on {}: the address is in use, not of this machine, or not permitted", address);
   }
   const int wake = ::eventfd(0, EFD_CLOEXEC);
   return std::unique_ptr<Listener>(

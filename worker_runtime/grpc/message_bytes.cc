@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "worker_runtime/grpc/message_bytes.h"
-
-#include <fmt/format.h>
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/wire_format_lite.h>
@@ -10,6 +7,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+
+#include "worker_runtime/grpc/server_call.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -92,15 +92,14 @@ absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& me
     grpc::ProtoBufferReader reader(&bytes);
     google::protobuf::io::CodedInputStream in(&reader);
     if (!Unfolding(in, limit).Fits(*message.GetDescriptor())) {
-      return absl::InvalidArgumentError(
-          fmt::format("{}: {} bytes that would take more than {} MiB of memory; send fewer fields at once", name, size,
-                      limit >> 20));
+      return InvalidArgument("{}: {} bytes that would take more than {} MiB of memory; send fewer fields at once", name,
+                             size, limit >> 20);
     }
   }
   grpc::ProtoBufferReader reader(&bytes);
   const bool parsed = reader.status().ok() && message.ParseFromZeroCopyStream(&reader);
   bytes.Clear();
-  return parsed ? absl::OkStatus() : absl::InvalidArgumentError(fmt::format("these bytes are no {}", name));
+  return parsed ? absl::OkStatus() : InvalidArgument("these bytes are no {}", name);
 }
 
 }  // namespace flair::runtime

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "worker_runtime/grpc/reflection.h"
-
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
 #include <google/protobuf/io/coded_stream.h>
@@ -13,6 +11,8 @@
 #include <cstdint>
 #include <set>
 #include <utility>
+
+#include "worker_runtime/grpc/server.h"
 
 namespace flair::runtime {
 namespace {

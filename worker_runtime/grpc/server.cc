@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "worker_runtime/grpc/server.h"
 
-#include <fmt/format.h>
 #include <grpc/grpc.h>
-#include <grpcpp/channel.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/impl/codegen/server_callback_handlers.h>
 #include <grpcpp/resource_quota.h>
@@ -20,7 +18,6 @@
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/listener.h"
-#include "worker_runtime/grpc/reflection.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -59,8 +56,7 @@ class WorkerInfo final : public grpc::Service {
 absl::Status CheckListenAddress(const std::string& address) {
   if (address.starts_with("unix:") && address.size() > 5) return absl::OkStatus();
   if (PortOf(address).has_value()) return absl::OkStatus();
-  return absl::InvalidArgumentError(
-      fmt::format("listen_address \"{}\": expected HOST:PORT with a port in [0, 65535], or unix:PATH", address));
+  return InvalidArgument("listen_address \"{}\": expected HOST:PORT with a port in [0, 65535], or unix:PATH", address);
 }
 
 // What callers may cost, in connections that are never used, calls that never end and messages that are never taken.
@@ -150,8 +146,8 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
   for (const NamedService& service : server->services_) builder.RegisterService(service.service.get());
   server->server_ = builder.BuildAndStart();
   if (server->server_ == nullptr) {
-    return absl::UnavailableError(fmt::format(
-        "cannot listen on {}: the address is in use, not of this machine, or not permitted", options.listen_address));
+    return Unavailable("cannot listen on {}: the address is in use, not of this machine, or not permitted",
+                       options.listen_address);
   }
   server->SetServing(true);
   if (server->listener_ != nullptr) {

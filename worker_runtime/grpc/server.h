@@ -2,6 +2,7 @@
 #pragma once
 
 #include <grpcpp/channel.h>
+#include <grpcpp/impl/codegen/service_type.h>
 #include <grpcpp/impl/service_type.h>
 
 #include <atomic>
@@ -92,5 +93,9 @@ class Server {
   std::unique_ptr<Listener> listener_;
   std::string address_;
 };
+
+// Serves grpc.reflection.v1alpha.ServerReflection, by which tools learn the services of these names and their messages.
+// gRPC's own makes of a message whatever it is sent: gigabytes of 30 MiB.
+std::unique_ptr<grpc::Service> MakeReflectionService(std::vector<std::string> service_names);
 
 }  // namespace flair::runtime

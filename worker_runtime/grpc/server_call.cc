@@ -10,6 +10,7 @@
 
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/logging/log.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -19,62 +20,6 @@ constexpr size_t kLongestId = 200;
 constexpr size_t kLongestError = 500;
 
 std::string_view Cut(std::string_view text, size_t limit) { return text.substr(0, limit); }
-
-}  // namespace
-
-RpcRecord::RpcRecord(WorkerContext& worker, std::string_view rpc)
-    : worker_(worker),
-      counters_(worker.rpc_metrics.Of(rpc)),
-      open_calls_(worker.rpc_metrics.open_calls()),
-      rpc_(rpc),
-      arrival_(worker.clock.Elapsed()) {
-  ++*open_calls_;
-  counters_.Begin();
-}
-
-RpcRecord::~RpcRecord() { --*open_calls_; }
-
-void RpcRecord::Begin() {
-  if (wait_ != absl::InfiniteDuration()) return;
-  wait_ = worker_.clock.Elapsed() - arrival_;
-  counters_.ObserveWait(wait_);
-}
-
-absl::Status RpcRecord::Refuse() {
-  counters_.Refuse();
-  return absl::ResourceExhaustedError(
-      fmt::format("{}: the queue is full ({} calls wait); try again later", rpc_, worker_.executor.queued()));
-}
-
-void RpcRecord::End(const absl::Status& status, int64_t message_count) {
-  const absl::Duration total = worker_.clock.Elapsed() - arrival_;
-  counters_.End(status.code(), total);
-  const std::string code = absl::StatusCodeToString(status.code());
-  const std::string error(Cut(std::string_view(status.message().data(), status.message().size()), kLongestError));
-  LogField messages{"messages", {}};
-  if (message_count >= 0) messages.value = message_count;
-  // Callers that leave are no failure: watchers do when they have seen enough.
-  const bool good = status.ok() || absl::IsCancelled(status);
-  Log(*worker_.logger, good ? spdlog::level::info : spdlog::level::warn, fmt::format("{} {}", rpc_, code),
-      {{"rpc", rpc_},
-       {"code", code},
-       {"caller", Cut(caller_, kLongestId)},
-       {"request_id", Cut(ids_.request_id, kLongestId)},
-       {"job_id", Cut(ids_.job_id, kLongestId)},
-       {"batch_id", Cut(ids_.batch_id, kLongestId)},
-       {"duration_ms", absl::ToDoubleMilliseconds(total)},
-       {"wait_ms", absl::ToDoubleMilliseconds(std::min(wait_, total))},
-       messages,
-       {"error", error}});
-}
-
-absl::Time DeadlineOf(const grpc::CallbackServerContext& context) {
-  const std::chrono::system_clock::time_point deadline = context.deadline();
-  if (deadline == std::chrono::system_clock::time_point::max()) return absl::InfiniteFuture();
-  return absl::FromChrono(deadline);
-}
-
-namespace {
 
 // One call from arrival to answer. Deletes itself when gRPC is done with it, which is never before it has ended.
 class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
@@ -128,6 +73,57 @@ class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
 };
 
 }  // namespace
+
+RpcRecord::RpcRecord(WorkerContext& worker, std::string_view rpc)
+    : worker_(worker),
+      counters_(worker.rpc_metrics.Of(rpc)),
+      open_calls_(worker.rpc_metrics.open_calls()),
+      rpc_(rpc),
+      arrival_(worker.clock.Elapsed()) {
+  ++*open_calls_;
+  counters_.Begin();
+}
+
+RpcRecord::~RpcRecord() { --*open_calls_; }
+
+void RpcRecord::Begin() {
+  if (wait_ != absl::InfiniteDuration()) return;
+  wait_ = worker_.clock.Elapsed() - arrival_;
+  counters_.ObserveWait(wait_);
+}
+
+absl::Status RpcRecord::Refuse() {
+  counters_.Refuse();
+  return ResourceExhausted("{}: the queue is full ({} calls wait); try again later", rpc_, worker_.executor.queued());
+}
+
+void RpcRecord::End(const absl::Status& status, int64_t message_count) {
+  const absl::Duration total = worker_.clock.Elapsed() - arrival_;
+  counters_.End(status.code(), total);
+  const std::string code = absl::StatusCodeToString(status.code());
+  const std::string error(Cut(std::string_view(status.message().data(), status.message().size()), kLongestError));
+  LogField messages{"messages", {}};
+  if (message_count >= 0) messages.value = message_count;
+  // Callers that leave are no failure: watchers do when they have seen enough.
+  const bool good = status.ok() || absl::IsCancelled(status);
+  Log(*worker_.logger, good ? spdlog::level::info : spdlog::level::warn, fmt::format("{} {}", rpc_, code),
+      {{"rpc", rpc_},
+       {"code", code},
+       {"caller", Cut(caller_, kLongestId)},
+       {"request_id", Cut(ids_.request_id, kLongestId)},
+       {"job_id", Cut(ids_.job_id, kLongestId)},
+       {"batch_id", Cut(ids_.batch_id, kLongestId)},
+       {"duration_ms", absl::ToDoubleMilliseconds(total)},
+       {"wait_ms", absl::ToDoubleMilliseconds(std::min(wait_, total))},
+       messages,
+       {"error", error}});
+}
+
+absl::Time DeadlineOf(const grpc::CallbackServerContext& context) {
+  const std::chrono::system_clock::time_point deadline = context.deadline();
+  if (deadline == std::chrono::system_clock::time_point::max()) return absl::InfiniteFuture();
+  return absl::FromChrono(deadline);
+}
 
 absl::Status Service::Admit(grpc::CallbackServerContext& context, CallContext& call) {
   const auto peer = context.auth_context();

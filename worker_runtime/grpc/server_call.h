@@ -2,6 +2,8 @@
 // How a service answers calls: who is let in, queue, log line, figures and status of each.
 #pragma once
 
+#include <google/protobuf/message.h>
+#include <grpcpp/impl/codegen/proto_utils.h>
 #include <grpcpp/impl/codegen/server_callback_handlers.h>
 #include <grpcpp/impl/codegen/service_type.h>
 #include <grpcpp/server_context.h>
@@ -24,10 +26,23 @@
 #include "worker_runtime/bootstrap/call_context.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/grpc/message_bytes.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
+
+// Messages between their bytes and what they unfold to.
+
+// Parses `bytes` and lets go of them. INVALID_ARGUMENT for what is no such message, and for a small one that would take
+// much memory, such as millions of empty fields: nothing of it is made then.
+absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message);
+
+template <typename Message>
+grpc::ByteBuffer BytesOf(const Message& message) {
+  grpc::ByteBuffer bytes;
+  bool own = false;
+  (void)grpc::SerializationTraits<Message>::Serialize(message, &bytes, &own);
+  return bytes;
+}
 
 // What a call is about: the keys under which its log line is found. Any may be empty.
 struct CallIds {

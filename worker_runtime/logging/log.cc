@@ -67,31 +67,6 @@ bool IsEmpty(const LogField& field) {
   return std::holds_alternative<std::monostate>(field.value) || (text != nullptr && text->empty());
 }
 
-}  // namespace
-
-std::string TextLogLine(const LogLine& line) {
-  std::string out =
-      fmt::format("{} {} {} {}", TimeText(line.time), line.level, line.program, Escaped(line.message, ""));
-  for (const LogField& field : line.fields) {
-    if (!IsEmpty(field)) out += fmt::format(" {}={}", field.name, TextValue(field));
-  }
-  return out;
-}
-
-std::string JsonLogLine(const LogLine& line) {
-  nlohmann::ordered_json json = {{"time", TimeText(line.time)},
-                                 {"level", std::string(line.level)},
-                                 {"program", std::string(line.program)},
-                                 {"message", std::string(line.message)}};
-  for (const LogField& field : line.fields) {
-    if (!IsEmpty(field)) json[std::string(field.name)] = JsonValue(field);
-  }
-  // ASCII only: nothing in a line can steer a terminal or end the line.
-  return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-}
-
-namespace {
-
 // The fields of the line that this thread is writing: the sinks format on the thread that logs.
 thread_local LogFields current_fields;
 
@@ -126,6 +101,27 @@ spdlog::level::level_enum Level(const std::string& level) {
 }
 
 }  // namespace
+
+std::string TextLogLine(const LogLine& line) {
+  std::string out =
+      fmt::format("{} {} {} {}", TimeText(line.time), line.level, line.program, Escaped(line.message, ""));
+  for (const LogField& field : line.fields) {
+    if (!IsEmpty(field)) out += fmt::format(" {}={}", field.name, TextValue(field));
+  }
+  return out;
+}
+
+std::string JsonLogLine(const LogLine& line) {
+  nlohmann::ordered_json json = {{"time", TimeText(line.time)},
+                                 {"level", std::string(line.level)},
+                                 {"program", std::string(line.program)},
+                                 {"message", std::string(line.message)}};
+  for (const LogField& field : line.fields) {
+    if (!IsEmpty(field)) json[std::string(field.name)] = JsonValue(field);
+  }
+  // ASCII only: nothing in a line can steer a terminal or end the line.
+  return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
 
 void Log(spdlog::logger& logger, spdlog::level::level_enum level, std::string_view message,
          std::initializer_list<LogField> fields) {

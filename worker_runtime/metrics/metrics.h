@@ -21,7 +21,7 @@ namespace flair::runtime {
 enum class MetricKind { kCounter, kGauge, kHistogram };
 
 // What is measured, declared once as a constant beside the code that measures it:
-//   constexpr MetricFamily kRestarts{.kind = MetricKind::kCounter, .name = "flair_optimizer_restarts_total", ...};
+//   constexpr MetricFamily kRestarts = CounterFamily("flair_optimizer_restarts_total", "Restarts of the solver.");
 // Names follow Prometheus: letters, digits and "_", the unit last ("_seconds", "_bytes"), counters end in "_total".
 struct MetricFamily {
   MetricKind kind = MetricKind::kCounter;
@@ -45,26 +45,28 @@ struct MetricFamily {
 inline constexpr double kSecondsBuckets[] = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25,
                                              0.5,    1,     2.5,    5,     10,   30,    60,   180, 600};
 
-// Only grows.
-class Counter {
- public:
-  virtual ~Counter() = default;
-  // Amounts below 0 and those that are no number count nothing.
-  virtual void Add(double amount = 1) = 0;
-};
+using MetricLabels = std::array<std::string_view, 2>;
+constexpr MetricFamily CounterFamily(std::string_view name, std::string_view help, MetricLabels labels = {}) {
+  return {MetricKind::kCounter, name, help, labels};
+}
+constexpr MetricFamily GaugeFamily(std::string_view name, std::string_view help, MetricLabels labels = {}) {
+  return {MetricKind::kGauge, name, help, labels};
+}
+constexpr MetricFamily HistogramFamily(std::string_view name, std::string_view help, std::span<const double> buckets,
+                                       MetricLabels labels = {}) {
+  return {MetricKind::kHistogram, name, help, labels, buckets};
+}
 
-// Goes up and down.
-class Gauge {
+// Of a counter, which only grows, a gauge, which goes up and down, or a histogram, which notes how often which value
+// was seen: what was counted under one set of labels.
+class Meter {
  public:
-  virtual ~Gauge() = default;
-  virtual void Add(double amount) = 0;
-};
+  explicit Meter(std::function<void(double)> add = [](double) {}) : add_(std::move(add)) {}
+  // A histogram sees the value. To a counter amounts below 0 and those that are no number add nothing.
+  void Add(double amount = 1) { add_(amount); }
 
-// How often which value was seen.
-class Histogram {
- public:
-  virtual ~Histogram() = default;
-  virtual void Observe(double value) = 0;
+ private:
+  const std::function<void(double)> add_;
 };
 
 // A gauge, or a counter that somebody else keeps, that is asked for its value when somebody looks; until this object is
@@ -77,16 +79,14 @@ class WatchedValue {
 // One value for each of the family's labels, in order.
 using LabelValues = std::initializer_list<std::string_view>;
 
-// Where figures about the program's work go. Looking up a counter takes a lock and a search: hot code keeps what it
+// Where figures about the program's work go. Looking up a meter takes a lock and a search: hot code keeps what it
 // found. What is returned lives as long as this object; all of it is thread-safe. Families are constants that outlive
 // it.
 class Metrics {
  public:
   virtual ~Metrics() = default;
 
-  virtual Counter& GetCounter(const MetricFamily& family, LabelValues labels = {}) = 0;
-  virtual Gauge& GetGauge(const MetricFamily& family, LabelValues labels = {}) = 0;
-  virtual Histogram& GetHistogram(const MetricFamily& family, LabelValues labels = {}) = 0;
+  virtual Meter& Get(const MetricFamily& family, LabelValues labels = {}) = 0;
 
   // `read` is called from any thread, one call at a time; it must be quick and must not use Metrics.
   [[nodiscard]] virtual std::unique_ptr<WatchedValue> Watch(const MetricFamily& family, LabelValues labels,
@@ -108,7 +108,7 @@ class RpcCounters {
   // `total` from arrival to answer.
   void End(absl::StatusCode code, absl::Duration total);
   // A thread began to work on it, so long after its arrival.
-  void ObserveWait(absl::Duration wait) { wait_.Observe(absl::ToDoubleSeconds(wait)); }
+  void ObserveWait(absl::Duration wait) { wait_.Add(absl::ToDoubleSeconds(wait)); }
   // It was turned away because too many wait.
   void Refuse() { refused_.Add(); }
 
@@ -117,12 +117,12 @@ class RpcCounters {
 
   Metrics& metrics_;
   const std::string name_;
-  Gauge& in_flight_;
-  Histogram& duration_;
-  Histogram& wait_;
-  Counter& refused_;
+  Meter& in_flight_;
+  Meter& duration_;
+  Meter& wait_;
+  Meter& refused_;
   // By code, looked up when first needed.
-  std::array<std::atomic<Counter*>, kCodeCount> ended_ = {};
+  std::array<std::atomic<Meter*>, kCodeCount> ended_ = {};
 };
 
 // Counts the calls that a server answers, by the name of the RPC, and shows its queue. The arguments outlive it.

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "worker_runtime/metrics/metrics_endpoint.h"
-
 #include <fmt/format.h>
 #include <prometheus/text_serializer.h>
 
@@ -14,7 +12,9 @@
 #include <thread>
 #include <utility>
 
+#include "worker_runtime/metrics/prometheus_metrics.h"
 #include "worker_runtime/security/security.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -183,9 +183,9 @@ absl::StatusOr<std::unique_ptr<MetricsEndpoint>> MetricsEndpoint::Start(const st
   auto server = std::make_unique<Server>(metrics, patience);
   const std::optional<int> port = server->Listen(host, address.substr(colon + 1));
   if (!port.has_value()) {
-    return absl::UnavailableError(fmt::format(
+    return Unavailable(
         "metrics_address {}: cannot listen there: the address is in use, not of this machine, or not permitted",
-        address));
+        address);
   }
   server->Start();
   std::string bound = fmt::format("{}:{}", address.substr(0, colon), *port);

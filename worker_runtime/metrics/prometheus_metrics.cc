@@ -48,36 +48,26 @@ auto& Register(Builder builder, const MetricFamily& family, prometheus::Registry
   return builder.Name(std::string(family.name)).Help(std::string(family.help)).Register(registry);
 }
 
-}  // namespace
-
-class PrometheusMetrics::CounterForm final : public Counter {
- public:
-  explicit CounterForm(prometheus::Counter& counter) : counter_(counter) {}
-  void Add(double amount) override {
-    if (amount > 0) counter_.Increment(amount);
+std::function<void(double)> Adder(const MetricFamily& family, const prometheus::Labels& labels,
+                                  prometheus::Registry& registry) {
+  switch (family.kind) {
+    case MetricKind::kGauge:
+      return [&gauge = Register(prometheus::BuildGauge(), family, registry).Add(labels)](double amount) {
+        gauge.Increment(amount);
+      };
+    case MetricKind::kHistogram: {
+      const prometheus::Histogram::BucketBoundaries buckets(family.buckets.begin(), family.buckets.end());
+      auto& histogram = Register(prometheus::BuildHistogram(), family, registry).Add(labels, buckets);
+      return [&histogram](double value) { histogram.Observe(value); };
+    }
+    default:
+      return [&counter = Register(prometheus::BuildCounter(), family, registry).Add(labels)](double amount) {
+        if (amount > 0) counter.Increment(amount);
+      };
   }
+}
 
- private:
-  prometheus::Counter& counter_;
-};
-
-class PrometheusMetrics::GaugeForm final : public Gauge {
- public:
-  explicit GaugeForm(prometheus::Gauge& gauge) : gauge_(gauge) {}
-  void Add(double amount) override { gauge_.Increment(amount); }
-
- private:
-  prometheus::Gauge& gauge_;
-};
-
-class PrometheusMetrics::HistogramForm final : public Histogram {
- public:
-  explicit HistogramForm(prometheus::Histogram& histogram) : histogram_(histogram) {}
-  void Observe(double value) override { histogram_.Observe(value); }
-
- private:
-  prometheus::Histogram& histogram_;
-};
+}  // namespace
 
 class PrometheusMetrics::Watched final : public WatchedValue {
  public:
@@ -109,36 +99,15 @@ class PrometheusMetrics::Watched final : public WatchedValue {
 PrometheusMetrics::PrometheusMetrics() = default;
 PrometheusMetrics::~PrometheusMetrics() = default;
 
-template <typename Form, typename Make>
-Form& PrometheusMetrics::Find(Families<Form>& families, const MetricFamily& family, LabelValues labels,
-                              const Make& make) {
+Meter& PrometheusMetrics::Get(const MetricFamily& family, LabelValues labels) {
   std::vector<std::string> values = Values(family, labels);
   std::lock_guard lock(mutex_);
   declared_.emplace(family.name, &family);
-  Forms<Form>& forms = families[std::string(family.name)];
-  if (forms.size() >= kLabelSetLimit && !forms.contains(values)) values.assign(values.size(), "other");
-  std::unique_ptr<Form>& form = forms[values];
-  if (form == nullptr) form = std::make_unique<Form>(make(ToLabels(family, values)));
-  return *form;
-}
-
-Counter& PrometheusMetrics::GetCounter(const MetricFamily& family, LabelValues labels) {
-  return Find(counters_, family, labels, [&](const prometheus::Labels& of) -> prometheus::Counter& {
-    return Register(prometheus::BuildCounter(), family, registry_).Add(of);
-  });
-}
-
-Gauge& PrometheusMetrics::GetGauge(const MetricFamily& family, LabelValues labels) {
-  return Find(gauges_, family, labels, [&](const prometheus::Labels& of) -> prometheus::Gauge& {
-    return Register(prometheus::BuildGauge(), family, registry_).Add(of);
-  });
-}
-
-Histogram& PrometheusMetrics::GetHistogram(const MetricFamily& family, LabelValues labels) {
-  return Find(histograms_, family, labels, [&](const prometheus::Labels& of) -> prometheus::Histogram& {
-    return Register(prometheus::BuildHistogram(), family, registry_)
-        .Add(of, prometheus::Histogram::BucketBoundaries(family.buckets.begin(), family.buckets.end()));
-  });
+  auto& meters = meters_[std::string(family.name)];
+  if (meters.size() >= kLabelSetLimit && !meters.contains(values)) values.assign(values.size(), "other");
+  std::unique_ptr<Meter>& meter = meters[values];
+  if (meter == nullptr) meter = std::make_unique<Meter>(Adder(family, ToLabels(family, values), registry_));
+  return *meter;
 }
 
 std::unique_ptr<WatchedValue> PrometheusMetrics::Watch(const MetricFamily& family, LabelValues labels,
@@ -175,23 +144,15 @@ std::vector<prometheus::MetricFamily> PrometheusMetrics::Collect() const {
 
 namespace {
 
-constexpr MetricFamily kCpu{
-    .kind = MetricKind::kCounter, .name = "process_cpu_seconds_total", .help = "CPU time of the process."};
-constexpr MetricFamily kResident{
-    .kind = MetricKind::kGauge, .name = "process_resident_memory_bytes", .help = "Memory in use."};
-constexpr MetricFamily kVirtual{
-    .kind = MetricKind::kGauge, .name = "process_virtual_memory_bytes", .help = "Address space in use."};
-constexpr MetricFamily kOpenFiles{
-    .kind = MetricKind::kGauge, .name = "process_open_fds", .help = "Open files and connections."};
-constexpr MetricFamily kMaxFiles{
-    .kind = MetricKind::kGauge, .name = "process_max_fds", .help = "Most open files and connections."};
-constexpr MetricFamily kThreads{.kind = MetricKind::kGauge, .name = "process_threads", .help = "Threads."};
-constexpr MetricFamily kStart{
-    .kind = MetricKind::kGauge, .name = "process_start_time_seconds", .help = "Start time, in seconds since 1970."};
-constexpr MetricFamily kBuild{.kind = MetricKind::kGauge,
-                              .name = "flair_build_info",
-                              .help = "Always 1; the labels name program and build.",
-                              .labels = {"program", "build"}};
+constexpr MetricFamily kCpu = CounterFamily("process_cpu_seconds_total", "CPU time of the process.");
+constexpr MetricFamily kResident = GaugeFamily("process_resident_memory_bytes", "Memory in use.");
+constexpr MetricFamily kVirtual = GaugeFamily("process_virtual_memory_bytes", "Address space in use.");
+constexpr MetricFamily kOpenFiles = GaugeFamily("process_open_fds", "Open files and connections.");
+constexpr MetricFamily kMaxFiles = GaugeFamily("process_max_fds", "Most open files and connections.");
+constexpr MetricFamily kThreads = GaugeFamily("process_threads", "Threads.");
+constexpr MetricFamily kStart = GaugeFamily("process_start_time_seconds", "Start time, in seconds since 1970.");
+constexpr MetricFamily kBuild =
+    GaugeFamily("flair_build_info", "Always 1; the labels name program and build.", {"program", "build"});
 
 // The fields of /proc/self/stat after the program's name, which may hold anything; the first is field 3 of proc(5).
 double StatField(size_t number) {
@@ -258,7 +219,7 @@ ProcessMetrics::ProcessMetrics(Metrics& metrics, const std::string& program, con
   watch(kMaxFiles, MaxFiles);
   watch(kThreads, [] { return StatField(20); });
   watch(kStart, [start = StartSeconds()] { return start; });
-  metrics.GetGauge(kBuild, {program, build}).Add(1);
+  metrics.Get(kBuild, {program, build}).Add(1);
 }
 
 }  // namespace flair::runtime

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "absl/status/statusor.h"
+#include "absl/time/time.h"
 #include "worker_runtime/metrics/metrics.h"
 
 namespace flair::runtime {
@@ -23,9 +25,7 @@ class PrometheusMetrics final : public Metrics, public prometheus::Collectable {
   PrometheusMetrics();
   ~PrometheusMetrics() override;
 
-  Counter& GetCounter(const MetricFamily& family, LabelValues labels) override;
-  Gauge& GetGauge(const MetricFamily& family, LabelValues labels) override;
-  Histogram& GetHistogram(const MetricFamily& family, LabelValues labels) override;
+  Meter& Get(const MetricFamily& family, LabelValues labels) override;
   std::unique_ptr<WatchedValue> Watch(const MetricFamily& family, LabelValues labels,
                                       std::function<double()> read) override;
   void Declare(const MetricFamily& family) override;
@@ -34,25 +34,13 @@ class PrometheusMetrics final : public Metrics, public prometheus::Collectable {
   std::vector<prometheus::MetricFamily> Collect() const override;
 
  private:
-  class CounterForm;
-  class GaugeForm;
-  class HistogramForm;
   class Watched;
-  // Of one family, by label values.
-  template <typename Form>
-  using Forms = std::map<std::vector<std::string>, std::unique_ptr<Form>>;
-  template <typename Form>
-  using Families = std::map<std::string, Forms<Form>, std::less<>>;
-
-  template <typename Form, typename Make>
-  Form& Find(Families<Form>& families, const MetricFamily& family, LabelValues labels, const Make& make);
 
   prometheus::Registry registry_;
   mutable std::mutex mutex_;
   std::map<std::string, const MetricFamily*, std::less<>> declared_;
-  Families<CounterForm> counters_;
-  Families<GaugeForm> gauges_;
-  Families<HistogramForm> histograms_;
+  // Of a family, by label values.
+  std::map<std::string, std::map<std::vector<std::string>, std::unique_ptr<Meter>>, std::less<>> meters_;
   // Held while they are asked. Apart from mutex_, so that counting goes on meanwhile.
   mutable std::mutex watched_mutex_;
   std::vector<const Watched*> watched_;
@@ -66,6 +54,30 @@ class ProcessMetrics {
 
  private:
   std::vector<std::unique_ptr<WatchedValue>> watched_;
+};
+
+// Answers GET /metrics over HTTP with the figures of the process, on one thread. Takes a few connections at a time,
+// each for one request of a few kilobytes, so that no caller can take files, memory or threads from the program.
+class MetricsEndpoint {
+ public:
+  // `address` is "HOST:PORT"; port 0 takes a free one. INVALID_ARGUMENT for an address of another form, UNAVAILABLE
+  // when it cannot be bound. `metrics` outlives the endpoint. A caller has `patience` to send its request and to take
+  // the answer.
+  static absl::StatusOr<std::unique_ptr<MetricsEndpoint>> Start(const std::string& address,
+                                                                const PrometheusMetrics& metrics,
+                                                                absl::Duration patience = absl::Seconds(3));
+  // Closes all connections.
+  ~MetricsEndpoint();
+
+  // Where it listens, with the port chosen, such as "127.0.0.1:43211".
+  const std::string& address() const { return address_; }
+
+ private:
+  class Server;
+  MetricsEndpoint(std::unique_ptr<Server> server, std::string address);
+
+  const std::unique_ptr<Server> server_;
+  const std::string address_;
 };
 
 }  // namespace flair::runtime

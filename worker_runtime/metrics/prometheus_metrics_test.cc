@@ -18,23 +18,19 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr MetricFamily kTests{
-    .kind = MetricKind::kCounter, .name = "flair_tests_total", .help = "Tests run.", .labels = {"outcome"}};
-constexpr MetricFamily kOpen{.kind = MetricKind::kGauge, .name = "flair_tests_open", .help = "Tests that run."};
+constexpr MetricFamily kTests = CounterFamily("flair_tests_total", "Tests run.", {"outcome"});
+constexpr MetricFamily kOpen = GaugeFamily("flair_tests_open", "Tests that run.");
 constexpr double kBuckets[] = {0.1, 1};
-constexpr MetricFamily kDuration{.kind = MetricKind::kHistogram,
-                                 .name = "flair_test_duration_seconds",
-                                 .help = "What tests take.",
-                                 .buckets = kBuckets};
+constexpr MetricFamily kDuration = HistogramFamily("flair_test_duration_seconds", "What tests take.", kBuckets);
 
 std::string Text(const PrometheusMetrics& metrics) { return prometheus::TextSerializer().Serialize(metrics.Collect()); }
 
 TEST(PrometheusMetrics, ShowsWhatWasCountedUnderItsLabels) {
   PrometheusMetrics metrics;
-  metrics.GetCounter(kTests, {"passed"}).Add();
-  metrics.GetCounter(kTests, {"passed"}).Add(2);
-  metrics.GetCounter(kTests, {"failed"}).Add();
-  metrics.GetHistogram(kDuration, {}).Observe(0.5);
+  metrics.Get(kTests, {"passed"}).Add();
+  metrics.Get(kTests, {"passed"}).Add(2);
+  metrics.Get(kTests, {"failed"}).Add();
+  metrics.Get(kDuration, {}).Add(0.5);
   const std::string text = Text(metrics);
   EXPECT_THAT(text, HasSubstr("# HELP flair_tests_total Tests run.\n# TYPE flair_tests_total counter\n"));
   EXPECT_THAT(text, HasSubstr("flair_tests_total{outcome=\"passed\"} 3"));
@@ -46,7 +42,7 @@ TEST(PrometheusMetrics, ShowsWhatWasCountedUnderItsLabels) {
 
 TEST(PrometheusMetrics, ACounterNeverFalls) {
   PrometheusMetrics metrics;
-  Counter& counter = metrics.GetCounter(kTests, {"passed"});
+  Meter& counter = metrics.Get(kTests, {"passed"});
   counter.Add(2);
   counter.Add(-1);
   counter.Add(std::numeric_limits<double>::quiet_NaN());
@@ -73,7 +69,7 @@ TEST(PrometheusMetrics, ShowsDeclaredFamiliesWithoutValues) {
 TEST(PrometheusMetrics, LabelsWithoutEndAreCountedAsOther) {
   PrometheusMetrics metrics;
   for (size_t i = 0; i < PrometheusMetrics::kLabelSetLimit + 100; ++i) {
-    metrics.GetCounter(kTests, {std::to_string(i)}).Add();
+    metrics.Get(kTests, {std::to_string(i)}).Add();
   }
   EXPECT_THAT(Text(metrics), HasSubstr("flair_tests_total{outcome=\"other\"} 100"));
   EXPECT_EQ(metrics.Collect().front().metric.size(), PrometheusMetrics::kLabelSetLimit + 1);
@@ -81,7 +77,7 @@ TEST(PrometheusMetrics, LabelsWithoutEndAreCountedAsOther) {
 
 TEST(PrometheusMetrics, EscapesWhatLabelsHold) {
   PrometheusMetrics metrics;
-  metrics.GetCounter(kTests, {"a\"b\nforged 1"}).Add();
+  metrics.Get(kTests, {"a\"b\nforged 1"}).Add();
   EXPECT_THAT(Text(metrics), HasSubstr("outcome=\"a\\\"b\\nforged 1\"} 1"));
 }
 
@@ -95,8 +91,8 @@ TEST(PrometheusMetrics, LosesNothingWhenManyThreadsCountWhileOthersLook) {
   for (int t = 0; t < 4; ++t) {
     counters.emplace_back([&] {
       for (int i = 0; i < 1000; ++i) {
-        metrics.GetCounter(kTests, {i % 2 == 0 ? "passed" : "failed"}).Add();
-        metrics.GetHistogram(kDuration, {}).Observe(i);
+        metrics.Get(kTests, {i % 2 == 0 ? "passed" : "failed"}).Add();
+        metrics.Get(kDuration, {}).Add(i);
         const auto watched = metrics.Watch(kOpen, {}, [] { return 1.0; });
       }
     });

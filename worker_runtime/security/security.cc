@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <string>
 
 #include "worker_runtime/status/status_macros.h"
 
@@ -48,62 +47,12 @@ std::string HostOf(std::string_view address) {
 
 constexpr unsigned char kLoopbackNet = 127;
 
-}  // namespace
-
-bool IsLocalAddress(std::string_view address) {
-  if (address.starts_with("unix:")) return true;
-  // A list of addresses is no address.
-  if (address.find_first_of(", \t\n") != std::string_view::npos || address.find('\0') != std::string_view::npos)
-    return false;
-  const std::string host = HostOf(address);
-  if (host == "localhost") return true;
-  in_addr four = {};
-  if (inet_pton(AF_INET, host.c_str(), &four) == 1) return (ntohl(four.s_addr) >> 24) == kLoopbackNet;
-  in6_addr six = {};
-  if (inet_pton(AF_INET6, host.c_str(), &six) != 1) return false;
-  return IN6_IS_ADDR_LOOPBACK(&six) || (IN6_IS_ADDR_V4MAPPED(&six) && six.s6_addr[12] == kLoopbackNet);
-}
-
-std::optional<int> PortOf(std::string_view address) {
-  const size_t colon = address.rfind(':');
-  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
-  int port = -1;
-  const char* end = address.data() + address.size();
-  const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
-  if (error != std::errc() || rest != end || port < 0 || port > 65535) return std::nullopt;
-  return port;
-}
-
-namespace {
-
 bool Exposed(const std::string& address, bool allowed) {
   return !address.empty() && !IsLocalAddress(address) && !allowed;
 }
 
 constexpr char kElse[] =
     "or listen on 127.0.0.1, or set runtime.{}: true if only trusted machines can reach that network";
-
-}  // namespace
-
-std::string ExposureFault(const config::v1::RuntimeConfig& runtime, std::optional<bool> asks_for_tokens) {
-  if (!Exposed(runtime.listen_address(), runtime.allow_insecure())) return "";
-  const bool knows_callers = asks_for_tokens.value_or(false) || runtime.tls().require_client_certificate();
-  if (runtime.has_tls() && knows_callers) return "";
-  return fmt::format("\"{}\" can be reached from other machines, {}; set runtime.tls{}, {}", runtime.listen_address(),
-                     runtime.has_tls() ? "but anybody may call" : "but in plain text, which others can read and change",
-                     asks_for_tokens.has_value() ? " and one of tokens_path and runtime.tls.require_client_certificate"
-                                                 : " with require_client_certificate",
-                     fmt::format(kElse, "allow_insecure"));
-}
-
-std::string MetricsExposureFault(const config::v1::RuntimeConfig& runtime) {
-  const bool allowed = runtime.allow_insecure() || runtime.allow_insecure_metrics();
-  if (!Exposed(runtime.metrics_address(), allowed)) return "";
-  return fmt::format("\"{}\" can be reached from other machines, in plain text and by anybody; remove it, {}",
-                     runtime.metrics_address(), fmt::format(kElse, "allow_insecure_metrics"));
-}
-
-namespace {
 
 struct Deleter {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -119,9 +68,7 @@ struct Source {
   const std::string& field;
   const std::string& path;
 
-  absl::Status Fault(const std::string& problem) const {
-    return absl::InvalidArgumentError(fmt::format("{}: {}: {}", field, path, problem));
-  }
+  absl::Status Fault(const std::string& problem) const { return InvalidArgument("{}: {}: {}", field, path, problem); }
   absl::Status Open(File& file) const {
     file.reset(std::fopen(path.c_str(), "rb"));
     if (file == nullptr) return Fault(fmt::format("cannot be read: {}", std::strerror(errno)));
@@ -198,6 +145,48 @@ absl::Status CheckFiles(const config::v1::TlsConfig& tls, absl::Time now, const 
 
 }  // namespace
 
+bool IsLocalAddress(std::string_view address) {
+  if (address.starts_with("unix:")) return true;
+  // A list of addresses is no address.
+  if (address.find_first_of(", \t\n") != std::string_view::npos || address.find('\0') != std::string_view::npos)
+    return false;
+  const std::string host = HostOf(address);
+  if (host == "localhost") return true;
+  in_addr four = {};
+  if (inet_pton(AF_INET, host.c_str(), &four) == 1) return (ntohl(four.s_addr) >> 24) == kLoopbackNet;
+  in6_addr six = {};
+  if (inet_pton(AF_INET6, host.c_str(), &six) != 1) return false;
+  return IN6_IS_ADDR_LOOPBACK(&six) || (IN6_IS_ADDR_V4MAPPED(&six) && six.s6_addr[12] == kLoopbackNet);
+}
+
+std::optional<int> PortOf(std::string_view address) {
+  const size_t colon = address.rfind(':');
+  if (colon == std::string_view::npos || colon == 0) return std::nullopt;
+  int port = -1;
+  const char* end = address.data() + address.size();
+  const auto [rest, error] = std::from_chars(address.data() + colon + 1, end, port);
+  if (error != std::errc() || rest != end || port < 0 || port > 65535) return std::nullopt;
+  return port;
+}
+
+std::string ExposureFault(const config::v1::RuntimeConfig& runtime, std::optional<bool> asks_for_tokens) {
+  if (!Exposed(runtime.listen_address(), runtime.allow_insecure())) return "";
+  const bool knows_callers = asks_for_tokens.value_or(false) || runtime.tls().require_client_certificate();
+  if (runtime.has_tls() && knows_callers) return "";
+  return fmt::format("\"{}\" can be reached from other machines, {}; set runtime.tls{}, {}", runtime.listen_address(),
+                     runtime.has_tls() ? "but anybody may call" : "but in plain text, which others can read and change",
+                     asks_for_tokens.has_value() ? " and one of tokens_path and runtime.tls.require_client_certificate"
+                                                 : " with require_client_certificate",
+                     fmt::format(kElse, "allow_insecure"));
+}
+
+std::string MetricsExposureFault(const config::v1::RuntimeConfig& runtime) {
+  const bool allowed = runtime.allow_insecure() || runtime.allow_insecure_metrics();
+  if (!Exposed(runtime.metrics_address(), allowed)) return "";
+  return fmt::format("\"{}\" can be reached from other machines, in plain text and by anybody; remove it, {}",
+                     runtime.metrics_address(), fmt::format(kElse, "allow_insecure_metrics"));
+}
+
 absl::Status CheckTlsFiles(const config::v1::TlsConfig& tls, absl::Time now, const TlsFieldNames& names) {
   // OpenSSL remembers errors per thread: neither those of others here nor ours there.
   ERR_clear_error();
@@ -210,8 +199,7 @@ absl::Status CheckMetricsAddress(const std::string& address) {
   if (PortOf(address).has_value() && IsHost(std::string_view(address).substr(0, address.rfind(':')))) {
     return absl::OkStatus();
   }
-  return absl::InvalidArgumentError(
-      fmt::format("\"{}\": expected HOST:PORT with a port in [0, 65535], such as 127.0.0.1:9090", address));
+  return InvalidArgument("\"{}\": expected HOST:PORT with a port in [0, 65535], such as 127.0.0.1:9090", address);
 }
 
 }  // namespace flair::runtime

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "evaluation/metrics/layout_metrics.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/polygon.h"
 #include "room/scene/room.h"
 

@@ -9,7 +9,6 @@
 
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "room/autodiff/dual.h"
-#include "room/autodiff/smooth.h"
 #include "room/geometry/gap.h"
 
 namespace flair::optimizer {

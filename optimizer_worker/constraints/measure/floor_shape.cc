@@ -2,10 +2,8 @@
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flair::optimizer {
-
 namespace {
 
 constexpr double kFarOut_m = 100;
@@ -16,8 +14,7 @@ constexpr double kSmall = 1e-9;
 std::vector<size_t> HullOf(const std::vector<Vec2<double>>& v) {
   std::vector<size_t> order(v.size());
   for (size_t i = 0; i < v.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&v](size_t a, size_t b) { return v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y; });
+  std::ranges::sort(order, [&v](size_t a, size_t b) { return v[a].x != v[b].x ? v[a].x < v[b].x : v[a].y < v[b].y; });
   std::vector<size_t> hull;
   const auto extend = [&v, &hull](size_t i, size_t base) {
     while (hull.size() >= base + 2 &&
@@ -30,7 +27,7 @@ std::vector<size_t> HullOf(const std::vector<Vec2<double>>& v) {
   const size_t upper = hull.size() - 1;
   for (size_t k = order.size() - 1; k-- > 0;) extend(order[k], upper);
   hull.pop_back();
-  std::sort(hull.begin(), hull.end());  // hull order equals floor order for a counter-clockwise simple polygon
+  std::ranges::sort(hull);  // hull order equals floor order for a counter-clockwise simple polygon
   return hull;
 }
 
@@ -75,7 +72,7 @@ std::vector<Polygon> MergeConvex(std::vector<Polygon> pieces) {
 
 // Whether a half-plane has the edge line of one that is there: its hull edge has a vertex in the middle.
 bool Repeats(const std::vector<FloorShape::HalfPlane>& planes, const FloorShape::HalfPlane& plane) {
-  return std::any_of(planes.begin(), planes.end(), [&plane](const FloorShape::HalfPlane& other) {
+  return std::ranges::any_of(planes, [&plane](const FloorShape::HalfPlane& other) {
     return Norm(other.normal - plane.normal) < kSmall &&
            std::abs(Dot(plane.normal, plane.point - other.point)) < kSmall;
   });
@@ -96,6 +93,9 @@ Polygon Extended(const Polygon& piece, const Vec2<double>& a, const Vec2<double>
   }
   return IsConvex(result) ? result : piece;
 }
+
+constexpr double kBehind_m = 10;
+constexpr double kOnWall_m = 1e-9;
 
 }  // namespace
 
@@ -121,13 +121,6 @@ FloorShape::FloorShape(const Polygon& floor) {
     }
   }
 }
-
-namespace {
-
-constexpr double kBehind_m = 10;
-constexpr double kOnWall_m = 1e-9;
-
-}  // namespace
 
 ConvexPiece AreaAtWall(const Polygon& area, const Wall& wall) {
   Polygon extended;

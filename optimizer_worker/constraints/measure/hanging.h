@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/autodiff/smooth.h"
-#include "room/geometry/footprint.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/polygon.h"
 #include "room/scene/scene.h"
 

@@ -6,8 +6,8 @@
 
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
-#include "room/autodiff/smooth.h"
-#include "room/geometry/footprint.h"
+#include "room/autodiff/dual.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

@@ -11,7 +11,6 @@
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "room/geometry/convex_piece.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/gap.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"

@@ -5,15 +5,16 @@
 #include <array>
 #include <vector>
 
-#include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/linked_pairs.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/autodiff/smooth.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/pose.h"
 #include "room/scene/scene.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 
@@ -30,72 +31,60 @@ class RowCost final : public Cost {
   static constexpr int kMaxObjects = 16;
 
   // Two to kMaxObjects objects.
-  RowCost(const Scene& scene, const std::vector<int>& objects);
+  RowCost(const Scene& scene, const std::vector<int>& objects) : objects_(objects) {
+    std::ranges::sort(objects_);
+    for (int i : objects_) footprints_.push_back(scene.objects[static_cast<size_t>(i)].footprint);
+  }
 
   std::span<const int> objects() const override { return objects_; }
-  double ValueAt(std::span<const Frame<double>> frames) const override;
-  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override {
+    const auto order = Order(frames);
+    double sum = 0;
+    for (size_t k = 0; k + 1 < frames.size(); ++k) {
+      sum += NeighbourCost(footprints_[order[k]], frames[order[k]], footprints_[order[k + 1]], frames[order[k + 1]]);
+    }
+    return sum;
+  }
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
+    std::ranges::fill(gradient, 0.0);
+    const auto order = Order(frames);
+    double sum = 0;
+    for (size_t k = 0; k + 1 < frames.size(); ++k) {
+      const size_t left = order[k], right = order[k + 1];
+      sum += AddPair(frames, left, right, gradient, [this, left, right](const auto& a, const auto& b) {
+        return NeighbourCost(footprints_[left], a, footprints_[right], b);
+      });
+    }
+    return sum;
+  }
 
  private:
   // Positions in objects_, from left to right.
-  std::array<size_t, kMaxObjects> Order(std::span<const Frame<double>> frames) const;
+  std::array<size_t, kMaxObjects> Order(std::span<const Frame<double>> frames) const {
+    std::array<size_t, kMaxObjects> order{};
+    std::array<double, kMaxObjects> place{};
+    const Vec2<double> right = frames[0].right;
+    for (size_t i = 0; i < frames.size(); ++i) {
+      order[i] = i;
+      place[i] = Dot(right, frames[i].center);
+    }
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(frames.size()),
+              [&place](size_t a, size_t b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
+    return order;
+  }
   template <typename T>
   T NeighbourCost(const Footprint& left, const Frame<T>& left_frame, const Footprint& right,
-                  const Frame<T>& right_frame) const;
+                  const Frame<T>& right_frame) const {
+    constexpr double kAir_m = 0.05;
+    const Vec2<T> p = left_frame.ToObject(right_frame.center);
+    const T gap = p.x - (left.width_m + right.width_m) / 2;
+    const T offset = p.y - (right.depth_m - left.depth_m) / 2;
+    return SquaredOutside(gap, 0, kAir_m) + Square(offset) + Turn(left_frame.front, right_frame.front);
+  }
 
   std::vector<int> objects_;
   std::vector<Footprint> footprints_;
 };
-
-RowCost::RowCost(const Scene& scene, const std::vector<int>& objects) : objects_(objects) {
-  std::sort(objects_.begin(), objects_.end());
-  for (int i : objects_) footprints_.push_back(scene.objects[static_cast<size_t>(i)].footprint);
-}
-
-std::array<size_t, RowCost::kMaxObjects> RowCost::Order(std::span<const Frame<double>> frames) const {
-  std::array<size_t, kMaxObjects> order{};
-  std::array<double, kMaxObjects> place{};
-  const Vec2<double> right = frames[0].right;
-  for (size_t i = 0; i < frames.size(); ++i) {
-    order[i] = i;
-    place[i] = Dot(right, frames[i].center);
-  }
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(frames.size()),
-            [&place](size_t a, size_t b) { return place[a] != place[b] ? place[a] < place[b] : a < b; });
-  return order;
-}
-
-template <typename T>
-T RowCost::NeighbourCost(const Footprint& left, const Frame<T>& left_frame, const Footprint& right,
-                         const Frame<T>& right_frame) const {
-  constexpr double kAir_m = 0.05;
-  const Vec2<T> p = left_frame.ToObject(right_frame.center);
-  const T gap = p.x - (left.width_m + right.width_m) / 2;
-  const T offset = p.y - (right.depth_m - left.depth_m) / 2;
-  return SquaredOutside(gap, 0, kAir_m) + Square(offset) + Turn(left_frame.front, right_frame.front);
-}
-
-double RowCost::ValueAt(std::span<const Frame<double>> frames) const {
-  const auto order = Order(frames);
-  double sum = 0;
-  for (size_t k = 0; k + 1 < frames.size(); ++k) {
-    sum += NeighbourCost(footprints_[order[k]], frames[order[k]], footprints_[order[k + 1]], frames[order[k + 1]]);
-  }
-  return sum;
-}
-
-double RowCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
-  std::fill(gradient.begin(), gradient.end(), 0.0);
-  const auto order = Order(frames);
-  double sum = 0;
-  for (size_t k = 0; k + 1 < frames.size(); ++k) {
-    const size_t left = order[k], right = order[k + 1];
-    sum += AddPair(frames, left, right, gradient, [this, left, right](const auto& a, const auto& b) {
-      return NeighbourCost(footprints_[left], a, footprints_[right], b);
-    });
-  }
-  return sum;
-}
 
 std::optional<Shortfall> RowShortfall(const PlacedCall& call) {
   const std::vector<int>& objects = call.arguments().Objects("objects");
@@ -106,10 +95,16 @@ std::optional<Shortfall> RowShortfall(const PlacedCall& call) {
 BoundCost BindRow(const Arguments& a, const BindContext& context) {
   const std::vector<int>& objects = a.Objects("objects");
   if (objects.size() < 2 || objects.size() > static_cast<size_t>(RowCost::kMaxObjects)) {
-    return absl::InvalidArgumentError(
-        fmt::format("argument objects: {} cannot form a row; give 2 to {}", objects.size(), RowCost::kMaxObjects));
+    return InvalidArgument("argument objects: {} cannot form a row; give 2 to {}", objects.size(),
+                           RowCost::kMaxObjects);
   }
   return std::make_unique<RowCost>(context.scene, objects);
+}
+
+constexpr double kAir_m = 0.1;
+
+size_t PositionOf(const std::vector<int>& sorted, int object) {
+  return static_cast<size_t>(std::ranges::lower_bound(sorted, object) - sorted.begin());
 }
 
 // Seats objects round a centre object.
@@ -127,11 +122,44 @@ class SurroundCost final : public Cost {
   static constexpr int kMaxSeats = kMostSeats;
 
   // At most kMaxSeats seats.
-  SurroundCost(const Scene& scene, int center, const std::vector<int>& seats);
+  SurroundCost(const Scene& scene, int center, const std::vector<int>& seats)
+      : objects_(seats), table_(scene.objects[static_cast<size_t>(center)].footprint), floor_(scene.room.floor) {
+    objects_.push_back(center);
+    std::ranges::sort(objects_);
+    center_ = PositionOf(objects_, center);
+    shallowest_m_ = scene.objects[static_cast<size_t>(seats[0])].footprint.depth_m;
+    for (int seat : seats) {
+      seats_.push_back(PositionOf(objects_, seat));
+      footprints_.push_back(scene.objects[static_cast<size_t>(seat)].footprint);
+      widest_m_ = std::max(widest_m_, footprints_.back().width_m);
+      shallowest_m_ = std::min(shallowest_m_, footprints_.back().depth_m);
+    }
+  }
 
   std::span<const int> objects() const override { return objects_; }
-  double ValueAt(std::span<const Frame<double>> frames) const override;
-  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override {
+    const Frame<double> center = frames[center_];
+    const Places places = PlacesAround(center);
+    const std::array<int, kMaxSeats> place_of = Assign(frames, places);
+    double sum = 0;
+    for (size_t i = 0; i < seats_.size(); ++i) {
+      sum += SeatCost(center, frames[seats_[i]], footprints_[i], places.items[static_cast<size_t>(place_of[i])]);
+    }
+    return sum;
+  }
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
+    std::ranges::fill(gradient, 0.0);
+    const Places places = PlacesAround(frames[center_]);
+    const std::array<int, kMaxSeats> place_of = Assign(frames, places);
+    double sum = 0;
+    for (size_t i = 0; i < seats_.size(); ++i) {
+      const Place& place = places.items[static_cast<size_t>(place_of[i])];
+      sum += AddPair(frames, center_, seats_[i], gradient, [this, i, &place](const auto& center, const auto& seat) {
+        return SeatCost(center, seat, footprints_[i], place);
+      });
+    }
+    return sum;
+  }
 
  private:
   struct Place {
@@ -145,13 +173,99 @@ class SurroundCost final : public Cost {
     int count = 0;
   };
 
-  Places PlacesAround(const Frame<double>& center) const;
-  bool HasRoom(const Frame<double>& center, Side side) const;
-  void AddPlaces(Side side, int count, Places& places) const;
+  Places PlacesAround(const Frame<double>& center) const {
+    const int seats = static_cast<int>(seats_.size());
+    const bool wide = table_.width_m >= table_.depth_m;
+    const std::array<Side, 4> order = wide ? std::array<Side, 4>{Side::kFront, Side::kBack, Side::kLeft, Side::kRight}
+                                           : std::array<Side, 4>{Side::kLeft, Side::kRight, Side::kFront, Side::kBack};
+    std::array<bool, 4> free{};
+    int free_count = 0;
+    for (size_t k = 0; k < 4; ++k) free_count += free[k] = HasRoom(center, order[k]);
+    if (free_count == 0) free.fill(true), free_count = 4;
+
+    Places places;
+    if (seats == 2 && free[0] && free[1]) free[2] = free[3] = false, free_count = 2;
+    std::array<int, 4> counts{};
+    for (size_t k = 0; k < 4; ++k) counts[k] = free[k];
+    for (int left = seats - free_count; left > 0; --left) {
+      size_t best = 4;
+      for (size_t k = 0; k < 4; ++k) {
+        const double spare = free[k] ? SideLength(table_, order[k]) / (counts[k] + 1) : -1;
+        if (best == 4 || spare > SideLength(table_, order[best]) / (counts[best] + 1)) best = free[k] ? k : best;
+      }
+      ++counts[best];
+    }
+    for (size_t k = 0; k < 4; ++k) AddPlaces(order[k], counts[k], places);
+    return places;
+  }
+  bool HasRoom(const Frame<double>& center, Side side) const {
+    const Vec2<double> outer = MiddleOf(table_, center, side) + shallowest_m_ * NormalOf(center, side);
+    return floor_.SquaredExcess(outer) == 0;
+  }
+  void AddPlaces(Side side, int count, Places& places) const {
+    const double spacing = SideLength(table_, side) / count;
+    for (int i = 0; i < count; ++i) {
+      places.items[static_cast<size_t>(places.count++)] = {side, (i + 0.5 - count / 2.0) * spacing,
+                                                           std::max(0.0, (spacing - widest_m_) / 4)};
+    }
+  }
   // The place of each seat, cheapest together: greedy, then exchanged pairwise while that helps.
-  std::array<int, kMaxSeats> Assign(std::span<const Frame<double>> frames, const Places& places) const;
+  std::array<int, kMaxSeats> Assign(std::span<const Frame<double>> frames, const Places& places) const {
+    std::array<std::array<double, kMaxSeats>, kMaxSeats> cost;
+    const Frame<double> center = frames[center_];
+    const size_t seats = seats_.size();
+    const size_t count = static_cast<size_t>(places.count);
+    for (size_t i = 0; i < seats; ++i) {
+      const Frame<double> seat = frames[seats_[i]];
+      for (size_t p = 0; p < count; ++p) cost[i][p] = SeatCost(center, seat, footprints_[i], places.items[p]);
+    }
+    std::array<int, kMaxSeats> of_place;
+    of_place.fill(-1);
+    std::array<int, kMaxSeats> place_of;
+    place_of.fill(-1);
+    for (size_t round = 0; round < seats; ++round) {
+      size_t best_seat = 0, best_place = 0;
+      double least = -1;
+      for (size_t i = 0; i < seats; ++i) {
+        if (place_of[i] >= 0) continue;
+        for (size_t p = 0; p < count; ++p) {
+          if (of_place[p] < 0 && (least < 0 || cost[i][p] < least)) least = cost[i][p], best_seat = i, best_place = p;
+        }
+      }
+      place_of[best_seat] = static_cast<int>(best_place);
+      of_place[best_place] = static_cast<int>(best_seat);
+    }
+    // Each exchange lowers the sum, so this ends; the bound is for rounding.
+    bool better = true;
+    for (size_t round = 0; better && round < 4 * kMaxSeats; ++round) {
+      better = false;
+      for (size_t i = 0; i < seats; ++i) {
+        for (size_t p = 0; p < count; ++p) {
+          const size_t own = static_cast<size_t>(place_of[i]);
+          if (p == own) continue;
+          const int other = of_place[p];
+          const double before = cost[i][own] + (other < 0 ? 0 : cost[static_cast<size_t>(other)][p]);
+          const double after = cost[i][p] + (other < 0 ? 0 : cost[static_cast<size_t>(other)][own]);
+          if (after >= before - 1e-12) continue;
+          of_place[p] = static_cast<int>(i);
+          of_place[own] = other;
+          place_of[i] = static_cast<int>(p);
+          if (other >= 0) place_of[static_cast<size_t>(other)] = static_cast<int>(own);
+          better = true;
+        }
+      }
+    }
+    return place_of;
+  }
   template <typename T>
-  T SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint, const Place& place) const;
+  T SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint, const Place& place) const {
+    const Vec2<double> n = LocalNormal(place.side);
+    const Vec2<T> front = center.ToObject(MiddleOf(footprint, seat, Side::kFront));
+    const T gap = n.x * front.x + n.y * front.y - ExtentBehind(table_, place.side) / 2;
+    const T along = n.x * front.y - n.y * front.x;
+    return SquaredOutside(gap, 0, kAir_m) + SquaredOutside(along - place.along_m, -place.play_m, place.play_m) +
+           (Dot(seat.front, NormalOf(center, place.side)) + 1.0);
+  }
 
   std::vector<int> objects_;
   // Where the centre and the seats are in objects_.
@@ -163,150 +277,6 @@ class SurroundCost final : public Cost {
   double shallowest_m_ = 0;
   FloorShape floor_;
 };
-
-constexpr double kAir_m = 0.1;
-
-size_t PositionOf(const std::vector<int>& sorted, int object) {
-  return static_cast<size_t>(std::lower_bound(sorted.begin(), sorted.end(), object) - sorted.begin());
-}
-
-SurroundCost::SurroundCost(const Scene& scene, int center, const std::vector<int>& seats)
-    : objects_(seats), table_(scene.objects[static_cast<size_t>(center)].footprint), floor_(scene.room.floor) {
-  objects_.push_back(center);
-  std::sort(objects_.begin(), objects_.end());
-  center_ = PositionOf(objects_, center);
-  shallowest_m_ = scene.objects[static_cast<size_t>(seats[0])].footprint.depth_m;
-  for (int seat : seats) {
-    seats_.push_back(PositionOf(objects_, seat));
-    footprints_.push_back(scene.objects[static_cast<size_t>(seat)].footprint);
-    widest_m_ = std::max(widest_m_, footprints_.back().width_m);
-    shallowest_m_ = std::min(shallowest_m_, footprints_.back().depth_m);
-  }
-}
-
-bool SurroundCost::HasRoom(const Frame<double>& center, Side side) const {
-  const Vec2<double> outer = MiddleOf(table_, center, side) + shallowest_m_ * NormalOf(center, side);
-  return floor_.SquaredExcess(outer) == 0;
-}
-
-void SurroundCost::AddPlaces(Side side, int count, Places& places) const {
-  const double spacing = SideLength(table_, side) / count;
-  for (int i = 0; i < count; ++i) {
-    places.items[static_cast<size_t>(places.count++)] = {side, (i + 0.5 - count / 2.0) * spacing,
-                                                         std::max(0.0, (spacing - widest_m_) / 4)};
-  }
-}
-
-SurroundCost::Places SurroundCost::PlacesAround(const Frame<double>& center) const {
-  const int seats = static_cast<int>(seats_.size());
-  const bool wide = table_.width_m >= table_.depth_m;
-  const std::array<Side, 4> order = wide ? std::array<Side, 4>{Side::kFront, Side::kBack, Side::kLeft, Side::kRight}
-                                         : std::array<Side, 4>{Side::kLeft, Side::kRight, Side::kFront, Side::kBack};
-  std::array<bool, 4> free{};
-  int free_count = 0;
-  for (size_t k = 0; k < 4; ++k) free_count += free[k] = HasRoom(center, order[k]);
-  if (free_count == 0) free.fill(true), free_count = 4;
-
-  Places places;
-  if (seats == 2 && free[0] && free[1]) free[2] = free[3] = false, free_count = 2;
-  std::array<int, 4> counts{};
-  for (size_t k = 0; k < 4; ++k) counts[k] = free[k];
-  for (int left = seats - free_count; left > 0; --left) {
-    size_t best = 4;
-    for (size_t k = 0; k < 4; ++k) {
-      const double spare = free[k] ? SideLength(table_, order[k]) / (counts[k] + 1) : -1;
-      if (best == 4 || spare > SideLength(table_, order[best]) / (counts[best] + 1)) best = free[k] ? k : best;
-    }
-    ++counts[best];
-  }
-  for (size_t k = 0; k < 4; ++k) AddPlaces(order[k], counts[k], places);
-  return places;
-}
-
-template <typename T>
-T SurroundCost::SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint,
-                         const Place& place) const {
-  const Vec2<double> n = LocalNormal(place.side);
-  const Vec2<T> front = center.ToObject(MiddleOf(footprint, seat, Side::kFront));
-  const T gap = n.x * front.x + n.y * front.y - ExtentBehind(table_, place.side) / 2;
-  const T along = n.x * front.y - n.y * front.x;
-  return SquaredOutside(gap, 0, kAir_m) + SquaredOutside(along - place.along_m, -place.play_m, place.play_m) +
-         (Dot(seat.front, NormalOf(center, place.side)) + 1.0);
-}
-
-std::array<int, SurroundCost::kMaxSeats> SurroundCost::Assign(std::span<const Frame<double>> frames,
-                                                              const Places& places) const {
-  std::array<std::array<double, kMaxSeats>, kMaxSeats> cost;
-  const Frame<double> center = frames[center_];
-  const size_t seats = seats_.size();
-  const size_t count = static_cast<size_t>(places.count);
-  for (size_t i = 0; i < seats; ++i) {
-    const Frame<double> seat = frames[seats_[i]];
-    for (size_t p = 0; p < count; ++p) cost[i][p] = SeatCost(center, seat, footprints_[i], places.items[p]);
-  }
-  std::array<int, kMaxSeats> of_place;
-  of_place.fill(-1);
-  std::array<int, kMaxSeats> place_of;
-  place_of.fill(-1);
-  for (size_t round = 0; round < seats; ++round) {
-    size_t best_seat = 0, best_place = 0;
-    double least = -1;
-    for (size_t i = 0; i < seats; ++i) {
-      if (place_of[i] >= 0) continue;
-      for (size_t p = 0; p < count; ++p) {
-        if (of_place[p] < 0 && (least < 0 || cost[i][p] < least)) least = cost[i][p], best_seat = i, best_place = p;
-      }
-    }
-    place_of[best_seat] = static_cast<int>(best_place);
-    of_place[best_place] = static_cast<int>(best_seat);
-  }
-  // Each exchange lowers the sum, so this ends; the bound is for rounding.
-  bool better = true;
-  for (size_t round = 0; better && round < 4 * kMaxSeats; ++round) {
-    better = false;
-    for (size_t i = 0; i < seats; ++i) {
-      for (size_t p = 0; p < count; ++p) {
-        const size_t own = static_cast<size_t>(place_of[i]);
-        if (p == own) continue;
-        const int other = of_place[p];
-        const double before = cost[i][own] + (other < 0 ? 0 : cost[static_cast<size_t>(other)][p]);
-        const double after = cost[i][p] + (other < 0 ? 0 : cost[static_cast<size_t>(other)][own]);
-        if (after >= before - 1e-12) continue;
-        of_place[p] = static_cast<int>(i);
-        of_place[own] = other;
-        place_of[i] = static_cast<int>(p);
-        if (other >= 0) place_of[static_cast<size_t>(other)] = static_cast<int>(own);
-        better = true;
-      }
-    }
-  }
-  return place_of;
-}
-
-double SurroundCost::ValueAt(std::span<const Frame<double>> frames) const {
-  const Frame<double> center = frames[center_];
-  const Places places = PlacesAround(center);
-  const std::array<int, kMaxSeats> place_of = Assign(frames, places);
-  double sum = 0;
-  for (size_t i = 0; i < seats_.size(); ++i) {
-    sum += SeatCost(center, frames[seats_[i]], footprints_[i], places.items[static_cast<size_t>(place_of[i])]);
-  }
-  return sum;
-}
-
-double SurroundCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
-  std::fill(gradient.begin(), gradient.end(), 0.0);
-  const Places places = PlacesAround(frames[center_]);
-  const std::array<int, kMaxSeats> place_of = Assign(frames, places);
-  double sum = 0;
-  for (size_t i = 0; i < seats_.size(); ++i) {
-    const Place& place = places.items[static_cast<size_t>(place_of[i])];
-    sum += AddPair(frames, center_, seats_[i], gradient, [this, i, &place](const auto& center, const auto& seat) {
-      return SeatCost(center, seat, footprints_[i], place);
-    });
-  }
-  return sum;
-}
 
 std::optional<Shortfall> SurroundShortfall(const PlacedCall& call) {
   const std::string center = call.Name(call.arguments().Object("center"));
@@ -324,8 +294,7 @@ std::optional<Shortfall> SurroundShortfall(const PlacedCall& call) {
 BoundCost BindSurround(const Arguments& a, const BindContext& context) {
   const std::vector<int>& seats = a.Objects("objects");
   if (seats.size() > static_cast<size_t>(SurroundCost::kMaxSeats)) {
-    return absl::InvalidArgumentError(
-        fmt::format("argument objects: {} are too many; at most {}", seats.size(), SurroundCost::kMaxSeats));
+    return InvalidArgument("argument objects: {} are too many; at most {}", seats.size(), SurroundCost::kMaxSeats);
   }
   return std::make_unique<SurroundCost>(context.scene, a.Object("center"), seats);
 }

@@ -9,17 +9,15 @@
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/hanging.h"
-#include "optimizer_worker/constraints/measure/outside.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/constraints/shortfall.h"
 #include "optimizer_worker/constraints/whole_room.h"
-#include "room/geometry/footprint.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
-#include "room/geometry/vec2.h"
 #include "room/scene/scene.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Hangs a wall object on a wall, off the openings.
@@ -41,16 +39,6 @@ struct OnWallFormula {
                       [this](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
   }
 };
-
-}  // namespace
-
-std::unique_ptr<Cost> OnWall(const Scene& scene, int object) {
-  const Object& o = scene.objects[static_cast<size_t>(object)];
-  if (o.kind != ObjectKind::kWall) return nullptr;
-  return MakeCost(OnWallFormula{o.footprint, HangingWalls(scene, object)}, {object});
-}
-
-namespace {
 
 // How an object misses hanging on any wall.
 Shortfall NotHanging(const PlacedCall& call, int object) {
@@ -173,7 +161,7 @@ BoundCost BindOnWallFacing(const Arguments& a, const BindContext& context) {
 }
 
 // Hangs a wall object in a zone.
-//   cost = (zone cost of measure/outside.h) + (cost of on_wall) [m2]
+//   cost = (zone cost of measure/walls.h) + (cost of on_wall) [m2]
 // Zero exactly when it hangs on a wall, its centre in the zone's Voronoi cell. The released on_wall_in_region is the
 // first part; the second is there so that the call alone says all of its sentence.
 struct OnWallInZone {
@@ -203,8 +191,8 @@ BoundCost BindOnWallInZone(const Arguments& a, const BindContext& context) {
     return absl::FailedPreconditionError("the zones have no places yet");
   }
   if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
-    return absl::FailedPreconditionError(fmt::format("nothing stands in zone \"{}\", so it has no place",
-                                                     context.scene.zones[static_cast<size_t>(zone)].name));
+    return FailedPrecondition("nothing stands in zone \"{}\", so it has no place",
+                              context.scene.zones[static_cast<size_t>(zone)].name);
   }
   return MakeCost(OnWallInZone{FootprintOf(context, object),
                                HangingWalls(context.scene, object),
@@ -265,6 +253,12 @@ constexpr ConstraintCode kOnWallCode[] = {
 };
 
 }  // namespace
+
+std::unique_ptr<Cost> OnWall(const Scene& scene, int object) {
+  const Object& o = scene.objects[static_cast<size_t>(object)];
+  if (o.kind != ObjectKind::kWall) return nullptr;
+  return MakeCost(OnWallFormula{o.footprint, HangingWalls(scene, object)}, {object});
+}
 
 std::span<const ConstraintCode> OnWallCode() { return kOnWallCode; }
 

@@ -10,10 +10,10 @@
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/autodiff/smooth.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/convex_piece.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/gap.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "room/scene/room.h"
 
-#include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "room/geometry/convex_piece.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/gap.h"
-#include "room/geometry/vec2.h"
+#include "room/geometry/polygon.h"
 #include "room/scene/scene.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Weakly prefers headings along the room's axes: cost = sin^2(2 theta) / 5, [Paper] Eq. aligned, as released.
@@ -33,19 +30,6 @@ struct AlignedFormula {
   }
 };
 
-}  // namespace
-
-std::unique_ptr<Cost> Aligned(const Scene& scene, int object) {
-  AlignedFormula formula{{1, 0}};
-  double longest = 0;
-  for (const Wall& wall : scene.room.walls) {
-    if (wall.length_m > longest) longest = wall.length_m, formula.axis = wall.Along();
-  }
-  return MakeCost(formula, {object});
-}
-
-namespace {
-
 BoundCost BindAligned(const Arguments& a, const BindContext& context) {
   return Aligned(context.scene, a.Object("object"));
 }
@@ -58,15 +42,32 @@ BoundCost BindAligned(const Arguments& a, const BindContext& context) {
 class BalancedCost final : public Cost {
  public:
   // `objects` ascending, each once, at least one.
-  BalancedCost(const Scene& scene, std::vector<int> objects);
+  BalancedCost(const Scene& scene, std::vector<int> objects)
+      : objects_(std::move(objects)), room_center_(Centroid(scene.room.floor)) {
+    double total = 0;
+    for (int i : objects_) total += scene.objects[static_cast<size_t>(i)].footprint.area_m2();
+    for (int i : objects_) shares_.push_back(scene.objects[static_cast<size_t>(i)].footprint.area_m2() / total);
+  }
 
   std::span<const int> objects() const override { return objects_; }
-  double ValueAt(std::span<const Frame<double>> frames) const override;
-  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override { return SquaredNorm(Offset(frames)); }
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
+    const Vec2<double> offset = Offset(frames);
+    for (size_t i = 0; i < shares_.size(); ++i) {
+      gradient[3 * i] = 2 * shares_[i] * offset.x;
+      gradient[3 * i + 1] = 2 * shares_[i] * offset.y;
+      gradient[3 * i + 2] = 0;
+    }
+    return SquaredNorm(offset);
+  }
 
  private:
   // Centre of mass minus centre of the room.
-  Vec2<double> Offset(std::span<const Frame<double>> frames) const;
+  Vec2<double> Offset(std::span<const Frame<double>> frames) const {
+    Vec2<double> offset = -room_center_;
+    for (size_t i = 0; i < shares_.size(); ++i) offset += shares_[i] * frames[i].center;
+    return offset;
+  }
 
   std::vector<int> objects_;
   // a_i / sum a_i.
@@ -74,67 +75,9 @@ class BalancedCost final : public Cost {
   Vec2<double> room_center_;
 };
 
-BalancedCost::BalancedCost(const Scene& scene, std::vector<int> objects)
-    : objects_(std::move(objects)), room_center_(Centroid(scene.room.floor)) {
-  double total = 0;
-  for (int i : objects_) total += scene.objects[static_cast<size_t>(i)].footprint.area_m2();
-  for (int i : objects_) shares_.push_back(scene.objects[static_cast<size_t>(i)].footprint.area_m2() / total);
-}
-
-Vec2<double> BalancedCost::Offset(std::span<const Frame<double>> frames) const {
-  Vec2<double> offset = -room_center_;
-  for (size_t i = 0; i < shares_.size(); ++i) offset += shares_[i] * frames[i].center;
-  return offset;
-}
-
-double BalancedCost::ValueAt(std::span<const Frame<double>> frames) const { return SquaredNorm(Offset(frames)); }
-
-double BalancedCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
-  const Vec2<double> offset = Offset(frames);
-  for (size_t i = 0; i < shares_.size(); ++i) {
-    gradient[3 * i] = 2 * shares_[i] * offset.x;
-    gradient[3 * i + 1] = 2 * shares_[i] * offset.y;
-    gradient[3 * i + 2] = 0;
-  }
-  return SquaredNorm(offset);
-}
-
-}  // namespace
-
-std::unique_ptr<Cost> Balanced(const Scene& scene, std::span<const int> objects) {
-  if (objects.empty()) return nullptr;
-  std::vector<int> sorted(objects.begin(), objects.end());
-  std::sort(sorted.begin(), sorted.end());
-  return std::make_unique<BalancedCost>(scene, std::move(sorted));
-}
-
-namespace {
-
 BoundCost BindBalanced(const Arguments& a, const BindContext& context) {
   return Balanced(context.scene, a.Objects("objects"));
 }
-
-}  // namespace
-
-// Keeps an object out of the way of doors.
-//   cost = sum over doors of  depth(swing)^2 + depth(passage)^2                                   [m2]
-//   swing    the sector that the leaf really sweeps, hinge and angle as given (doors that open inwards)
-//   passage  the opening's width, kPassage deep into the room, so that one can step through
-//   depth    the shortest push out of the area that does not go through the wall
-// Zero exactly when swings and passages are free. The paper's door term uses a square twice as wide as the door in one
-// function and three different zones in all (SEMANTICS.md section 10).
-std::unique_ptr<Cost> DoorClear(const Scene& scene, int object) {
-  const Object& o = scene.objects[static_cast<size_t>(object)];
-  std::vector<ConvexPiece> areas = DoorAreas(scene.room);
-  // Doors pass over rugs and under lamps; things on tables are where the tables are.
-  constexpr double kHeadroom_m = 2;
-  const bool out_of_the_way = o.walk_over || o.kind == ObjectKind::kSurface ||
-                              (o.kind != ObjectKind::kFloor && scene.BottomOf(object) >= kHeadroom_m);
-  if (areas.empty() || out_of_the_way || o.kind == ObjectKind::kCeiling) return nullptr;
-  return MakeCost(ClearOfAreas{o.footprint, std::move(areas)}, {object});
-}
-
-namespace {
 
 BoundCost BindDoorClear(const Arguments& a, const BindContext& context) {
   std::unique_ptr<Cost> cost = DoorClear(context.scene, a.Object("object"));
@@ -159,15 +102,6 @@ struct InBoundsFormula {
     return floor.SquaredExcess(Box<T>(footprint, frames[0]));
   }
 };
-
-}  // namespace
-
-std::unique_ptr<Cost> InBounds(const Scene& scene, int object) {
-  return MakeCost(InBoundsFormula{scene.objects[static_cast<size_t>(object)].footprint, FloorShape(scene.room.floor)},
-                  {object});
-}
-
-namespace {
 
 BoundCost BindInBounds(const Arguments& a, const BindContext& context) {
   return InBounds(context.scene, a.Object("object"));
@@ -197,7 +131,87 @@ struct NoOverlap {
   }
 };
 
+BoundCost BindNoOverlap(const Arguments& a, const BindContext& context) {
+  std::unique_ptr<Cost> cost = NoOverlapPair(context.scene, a.Object("object"), a.Object("other"));
+  if (cost != nullptr) return cost;
+  return absl::FailedPreconditionError("these two cannot be in each other's way");
+}
+
+// Keeps objects from floating in the middle of the room without reason.
+//   cost = max(d - r - T, 0)^2                                                                     [m2]
+//   d  distance of the object's centre to the nearest wall, r half its diagonal, T = 0.5 m
+// [Paper] Eq. wall_attraction without its factor 1/lambda_2. Zero exactly when the object is within T of a wall. The
+// released term also asks for the back to be the nearest side; that is against_wall's matter.
+struct WallAttractionFormula {
+  static constexpr int kObjects = 1;
+  static constexpr bool kSeesZero = true;
+  std::vector<Wall> walls;
+  // r + T.
+  double free_m;
+
+  template <typename T>
+  T operator()(const Frames<T, 1>& frames) const {
+    return LeastOf<T>(walls, frames, [this](const Wall& wall, const auto& f) {
+      const auto& center = f[0].center;
+      // Beyond the ends of a wall its end counts.
+      const auto height = wall.Height(center);
+      const auto beyond = SquaredOutside(wall.Offset(center), 0, wall.length_m);
+      using std::sqrt;
+      if (ValueOf(beyond) == 0) return SquaredHinge(Magnitude(height) - free_m);
+      return SquaredHinge(sqrt(height * height + beyond) - free_m);
+    });
+  }
+};
+
+BoundCost BindWallAttraction(const Arguments& a, const BindContext& context) {
+  return WallAttraction(context.scene, a.Object("object"));
+}
+
+constexpr ConstraintCode kRoomCode[] = {
+    {"aligned", BindAligned},    {"balanced", BindBalanced},    {"door_clear", BindDoorClear},
+    {"in_bounds", BindInBounds}, {"no_overlap", BindNoOverlap}, {"wall_attraction", BindWallAttraction},
+};
+
 }  // namespace
+
+std::unique_ptr<Cost> Aligned(const Scene& scene, int object) {
+  AlignedFormula formula{{1, 0}};
+  double longest = 0;
+  for (const Wall& wall : scene.room.walls) {
+    if (wall.length_m > longest) longest = wall.length_m, formula.axis = wall.Along();
+  }
+  return MakeCost(formula, {object});
+}
+
+std::unique_ptr<Cost> Balanced(const Scene& scene, std::span<const int> objects) {
+  if (objects.empty()) return nullptr;
+  std::vector<int> sorted(objects.begin(), objects.end());
+  std::ranges::sort(sorted);
+  return std::make_unique<BalancedCost>(scene, std::move(sorted));
+}
+
+// Keeps an object out of the way of doors.
+//   cost = sum over doors of  depth(swing)^2 + depth(passage)^2                                   [m2]
+//   swing    the sector that the leaf really sweeps, hinge and angle as given (doors that open inwards)
+//   passage  the opening's width, kPassage deep into the room, so that one can step through
+//   depth    the shortest push out of the area that does not go through the wall
+// Zero exactly when swings and passages are free. The paper's door term uses a square twice as wide as the door in one
+// function and three different zones in all (SEMANTICS.md section 10).
+std::unique_ptr<Cost> DoorClear(const Scene& scene, int object) {
+  const Object& o = scene.objects[static_cast<size_t>(object)];
+  std::vector<ConvexPiece> areas = DoorAreas(scene.room);
+  // Doors pass over rugs and under lamps; things on tables are where the tables are.
+  constexpr double kHeadroom_m = 2;
+  const bool out_of_the_way = o.walk_over || o.kind == ObjectKind::kSurface ||
+                              (o.kind != ObjectKind::kFloor && scene.BottomOf(object) >= kHeadroom_m);
+  if (areas.empty() || out_of_the_way || o.kind == ObjectKind::kCeiling) return nullptr;
+  return MakeCost(ClearOfAreas{o.footprint, std::move(areas)}, {object});
+}
+
+std::unique_ptr<Cost> InBounds(const Scene& scene, int object) {
+  return MakeCost(InBoundsFormula{scene.objects[static_cast<size_t>(object)].footprint, FloorShape(scene.room.floor)},
+                  {object});
+}
 
 bool CanCollide(const Scene& scene, int a, int b) {
   const Object& first = scene.objects[static_cast<size_t>(a)];
@@ -236,61 +250,12 @@ std::unique_ptr<Cost> NoOverlapPair(const Scene& scene, int a, int b) {
   return MakeCost(NoOverlap{first, second}, {a, b});
 }
 
-namespace {
-
-BoundCost BindNoOverlap(const Arguments& a, const BindContext& context) {
-  std::unique_ptr<Cost> cost = NoOverlapPair(context.scene, a.Object("object"), a.Object("other"));
-  if (cost != nullptr) return cost;
-  return absl::FailedPreconditionError("these two cannot be in each other's way");
-}
-
-// Keeps objects from floating in the middle of the room without reason.
-//   cost = max(d - r - T, 0)^2                                                                     [m2]
-//   d  distance of the object's centre to the nearest wall, r half its diagonal, T = 0.5 m
-// [Paper] Eq. wall_attraction without its factor 1/lambda_2. Zero exactly when the object is within T of a wall. The
-// released term also asks for the back to be the nearest side; that is against_wall's matter.
-struct WallAttractionFormula {
-  static constexpr int kObjects = 1;
-  static constexpr bool kSeesZero = true;
-  std::vector<Wall> walls;
-  // r + T.
-  double free_m;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(walls, frames, [this](const Wall& wall, const auto& f) {
-      const auto& center = f[0].center;
-      // Beyond the ends of a wall its end counts.
-      const auto height = wall.Height(center);
-      const auto beyond = SquaredOutside(wall.Offset(center), 0, wall.length_m);
-      using std::sqrt;
-      if (ValueOf(beyond) == 0) return SquaredHinge(Magnitude(height) - free_m);
-      return SquaredHinge(sqrt(height * height + beyond) - free_m);
-    });
-  }
-};
-
-}  // namespace
-
 std::unique_ptr<Cost> WallAttraction(const Scene& scene, int object) {
   const Footprint& f = scene.objects[static_cast<size_t>(object)].footprint;
   constexpr double kThreshold_m = 0.5;
   return MakeCost(WallAttractionFormula{scene.room.walls, std::hypot(f.width_m, f.depth_m) / 2 + kThreshold_m},
                   {object});
 }
-
-namespace {
-
-BoundCost BindWallAttraction(const Arguments& a, const BindContext& context) {
-  return WallAttraction(context.scene, a.Object("object"));
-}
-
-constexpr ConstraintCode kRoomCode[] = {
-    {"aligned", BindAligned},    {"balanced", BindBalanced},    {"door_clear", BindDoorClear},
-    {"in_bounds", BindInBounds}, {"no_overlap", BindNoOverlap}, {"wall_attraction", BindWallAttraction},
-};
-
-}  // namespace
 
 std::span<const ConstraintCode> RoomCode() { return kRoomCode; }
 

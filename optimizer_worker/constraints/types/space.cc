@@ -5,20 +5,19 @@
 #include <cmath>
 #include <vector>
 
-#include "optimizer_worker/constraints/cost.h"
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/floor_shape.h"
-#include "optimizer_worker/constraints/measure/outside.h"
+#include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/whole_room.h"
-#include "room/autodiff/smooth.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/convex_piece.h"
 #include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
-#include "room/geometry/vec2.h"
 #include "room/scene/scene.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
 namespace {
@@ -38,13 +37,71 @@ inline constexpr double kStandingRoom_m = 0.6;
 
 class AccessibleCost final : public Cost {
  public:
-  AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m);
+  AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m)
+      : sides_(std::move(sides)), clearance_m_(clearance_m), floor_(context.scene.room.floor) {
+    const std::vector<Object>& all = context.scene.objects;
+    for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+      const Object& other = all[static_cast<size_t>(i)];
+      unsigned belongs = 0;
+      for (size_t k = 0; k < sides_.size() && context.linked != nullptr; ++k) {
+        if (context.linked->BelongsAt(object, i, sides_[k])) belongs |= 1u << k;
+      }
+      const bool everywhere = belongs == (1u << sides_.size()) - 1;
+      if (i != object && (other.kind != ObjectKind::kFloor || other.walk_over || everywhere)) continue;
+      if (i == object) own_ = objects_.size();
+      objects_.push_back(i);
+      footprints_.push_back(other.footprint);
+      belongs_.push_back(belongs);
+      reaches_m_.push_back(std::hypot(other.footprint.width_m, other.footprint.depth_m) / 2);
+    }
+    // The pieces reach far behind their walls; no strip that is in the room does.
+    const BoundingBox room = BoundsOf(context.scene.room.floor);
+    for (ConvexPiece& piece : SwingPieces(context.scene.room)) {
+      std::vector<Vec2<double>> inside;
+      for (const Vec2<double>& v : piece.vertices) {
+        inside.push_back({std::clamp(v.x, room.min.x, room.max.x), std::clamp(v.y, room.min.y, room.max.y)});
+      }
+      const BoundingBox box = BoundsOf(inside);
+      // Twice as far, so that strips which lean out of the room are measured too.
+      const double reach = std::hypot(box.width_m(), box.height_m());
+      swings_.push_back({std::move(piece), box.Center(), reach});
+    }
+    const Footprint& own = footprints_[own_];
+    reach_m_ = std::hypot(own.width_m / 2 + clearance_m_, own.depth_m / 2 + clearance_m_);
+  }
 
   std::span<const int> objects() const override { return objects_; }
-  double ValueAt(std::span<const Frame<double>> frames) const override;
-  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override;
-  double FixedPart(std::span<const Frame<double>> frames, size_t moving) const override;
-  double ValueGiven(double fixed_part, std::span<const Frame<double>> frames, size_t moving) const override;
+  double ValueAt(std::span<const Frame<double>> frames) const override {
+    double sum = RoomCost(frames[own_]);
+    for (size_t i = 0; i < frames.size(); ++i) {
+      if (i != own_) sum += BlockValue(frames, i);
+    }
+    return sum;
+  }
+  double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
+    std::ranges::fill(gradient, 0.0);
+    double sum = 0;
+    if (RoomCost(frames[own_]) > 0) {
+      sum += AddSingle(frames, own_, gradient, [this](const auto& f) { return RoomCost(f); });
+    }
+    for (size_t i = 0; i < frames.size(); ++i) {
+      if (i == own_ || BlockValue(frames, i) == 0) continue;
+      sum += AddPair(frames, own_, i, gradient,
+                     [this, i](const auto& f, const auto& other) { return BlockCost(f, i, other); });
+    }
+    return sum;
+  }
+  double FixedPart(std::span<const Frame<double>> frames, size_t moving) const override {
+    if (moving == own_) return 0;
+    double sum = RoomCost(frames[own_]);
+    for (size_t i = 0; i < frames.size(); ++i) {
+      if (i != own_ && i != moving) sum += BlockValue(frames, i);
+    }
+    return sum;
+  }
+  double ValueGiven(double fixed_part, std::span<const Frame<double>> frames, size_t moving) const override {
+    return moving == own_ ? ValueAt(frames) : fixed_part + BlockValue(frames, moving);
+  }
 
  private:
   // Another object in the frame of this one: its centre, and how far it reaches from there to the sides and ahead.
@@ -56,15 +113,49 @@ class AccessibleCost final : public Cost {
     SeenFrom(const Frame<double>& own, const Footprint& footprint, const Frame<double>& frame);
   };
   // Whether it is beside, before or behind the strip of a side: then it does not block it.
-  bool Apart(const SeenFrom& seen, Side side) const;
+  bool Apart(const SeenFrom& seen, Side side) const {
+    const Footprint& own = footprints_[own_];
+    const Vec2<double> n = LocalNormal(side);
+    const double to_middle = (ExtentBehind(own, side) + clearance_m_) / 2;
+    const bool ahead = side == Side::kFront || side == Side::kBack;
+    const double half_across = (ahead ? own.width_m : clearance_m_) / 2;
+    const double half_ahead = (ahead ? clearance_m_ : own.depth_m) / 2;
+    return std::abs(seen.center.x - to_middle * n.x) >= half_across + seen.half_across ||
+           std::abs(seen.center.y - to_middle * n.y) >= half_ahead + seen.half_ahead;
+  }
   // What depends on the object alone: floor and doors.
   template <typename T>
-  T RoomCost(const Frame<T>& frame) const;
+  T RoomCost(const Frame<T>& frame) const {
+    T sum(0.0);
+    for (Side side : sides_) {
+      const Box<T> strip = Box<T>::Before(footprints_[own_], frame, side, clearance_m_);
+      sum += floor_.SquaredExcess(strip);
+      for (const Swing& swing : swings_) {
+        const double reach = reach_m_ + swing.reach_m;
+        const double dx = ValueOf(frame.center.x) - swing.center.x, dy = ValueOf(frame.center.y) - swing.center.y;
+        if (dx * dx + dy * dy < reach * reach) sum += SquaredPenetration<T>(strip, swing.piece);
+      }
+    }
+    return sum;
+  }
   // The object at position `other` of objects_ in the way.
   template <typename T>
-  T BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const;
+  T BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const {
+    const SeenFrom seen(ValueOf(frame), footprints_[other], ValueOf(other_frame));
+    T sum(0.0);
+    for (size_t k = 0; k < sides_.size(); ++k) {
+      if ((belongs_[other] >> k & 1u) != 0 || Apart(seen, sides_[k])) continue;
+      sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, sides_[k], clearance_m_),
+                                   Box<T>(footprints_[other], other_frame));
+    }
+    return sum;
+  }
   // The same, without work for objects that are too far away to be in the way of any strip.
-  double BlockValue(std::span<const Frame<double>> frames, size_t other) const;
+  double BlockValue(std::span<const Frame<double>> frames, size_t other) const {
+    const double reach = reach_m_ + reaches_m_[other];
+    if (SquaredNorm(frames[own_].center - frames[other].center) >= reach * reach) return 0;
+    return BlockCost(frames[own_], other, frames[other]);
+  }
 
   std::vector<int> objects_;
   // In the order of objects_.
@@ -89,123 +180,11 @@ class AccessibleCost final : public Cost {
   std::vector<Swing> swings_;
 };
 
-AccessibleCost::AccessibleCost(const BindContext& context, int object, std::vector<Side> sides, double clearance_m)
-    : sides_(std::move(sides)), clearance_m_(clearance_m), floor_(context.scene.room.floor) {
-  const std::vector<Object>& all = context.scene.objects;
-  for (int i = 0; i < static_cast<int>(all.size()); ++i) {
-    const Object& other = all[static_cast<size_t>(i)];
-    unsigned belongs = 0;
-    for (size_t k = 0; k < sides_.size() && context.linked != nullptr; ++k) {
-      if (context.linked->BelongsAt(object, i, sides_[k])) belongs |= 1u << k;
-    }
-    const bool everywhere = belongs == (1u << sides_.size()) - 1;
-    if (i != object && (other.kind != ObjectKind::kFloor || other.walk_over || everywhere)) continue;
-    if (i == object) own_ = objects_.size();
-    objects_.push_back(i);
-    footprints_.push_back(other.footprint);
-    belongs_.push_back(belongs);
-    reaches_m_.push_back(std::hypot(other.footprint.width_m, other.footprint.depth_m) / 2);
-  }
-  // The pieces reach far behind their walls; no strip that is in the room does.
-  const BoundingBox room = BoundsOf(context.scene.room.floor);
-  for (ConvexPiece& piece : SwingPieces(context.scene.room)) {
-    std::vector<Vec2<double>> inside;
-    for (const Vec2<double>& v : piece.vertices) {
-      inside.push_back({std::clamp(v.x, room.min.x, room.max.x), std::clamp(v.y, room.min.y, room.max.y)});
-    }
-    const BoundingBox box = BoundsOf(inside);
-    // Twice as far, so that strips which lean out of the room are measured too.
-    const double reach = std::hypot(box.width_m(), box.height_m());
-    swings_.push_back({std::move(piece), box.Center(), reach});
-  }
-  const Footprint& own = footprints_[own_];
-  reach_m_ = std::hypot(own.width_m / 2 + clearance_m_, own.depth_m / 2 + clearance_m_);
-}
-
-template <typename T>
-T AccessibleCost::RoomCost(const Frame<T>& frame) const {
-  T sum(0.0);
-  for (Side side : sides_) {
-    const Box<T> strip = Box<T>::Before(footprints_[own_], frame, side, clearance_m_);
-    sum += floor_.SquaredExcess(strip);
-    for (const Swing& swing : swings_) {
-      const double reach = reach_m_ + swing.reach_m;
-      const double dx = ValueOf(frame.center.x) - swing.center.x, dy = ValueOf(frame.center.y) - swing.center.y;
-      if (dx * dx + dy * dy < reach * reach) sum += SquaredPenetration<T>(strip, swing.piece);
-    }
-  }
-  return sum;
-}
-
 AccessibleCost::SeenFrom::SeenFrom(const Frame<double>& own, const Footprint& footprint, const Frame<double>& frame)
     : center(own.ToObject(frame.center)) {
   const double w = footprint.width_m / 2, d = footprint.depth_m / 2;
   half_across = std::abs(Dot(own.right, frame.right)) * w + std::abs(Dot(own.right, frame.front)) * d;
   half_ahead = std::abs(Dot(own.front, frame.right)) * w + std::abs(Dot(own.front, frame.front)) * d;
-}
-
-bool AccessibleCost::Apart(const SeenFrom& seen, Side side) const {
-  const Footprint& own = footprints_[own_];
-  const Vec2<double> n = LocalNormal(side);
-  const double to_middle = (ExtentBehind(own, side) + clearance_m_) / 2;
-  const bool ahead = side == Side::kFront || side == Side::kBack;
-  const double half_across = (ahead ? own.width_m : clearance_m_) / 2;
-  const double half_ahead = (ahead ? clearance_m_ : own.depth_m) / 2;
-  return std::abs(seen.center.x - to_middle * n.x) >= half_across + seen.half_across ||
-         std::abs(seen.center.y - to_middle * n.y) >= half_ahead + seen.half_ahead;
-}
-
-template <typename T>
-T AccessibleCost::BlockCost(const Frame<T>& frame, size_t other, const Frame<T>& other_frame) const {
-  const SeenFrom seen(ValueOf(frame), footprints_[other], ValueOf(other_frame));
-  T sum(0.0);
-  for (size_t k = 0; k < sides_.size(); ++k) {
-    if ((belongs_[other] >> k & 1u) != 0 || Apart(seen, sides_[k])) continue;
-    sum += SquaredPenetration<T>(Box<T>::Before(footprints_[own_], frame, sides_[k], clearance_m_),
-                                 Box<T>(footprints_[other], other_frame));
-  }
-  return sum;
-}
-
-double AccessibleCost::BlockValue(std::span<const Frame<double>> frames, size_t other) const {
-  const double reach = reach_m_ + reaches_m_[other];
-  if (SquaredNorm(frames[own_].center - frames[other].center) >= reach * reach) return 0;
-  return BlockCost(frames[own_], other, frames[other]);
-}
-
-double AccessibleCost::ValueAt(std::span<const Frame<double>> frames) const {
-  double sum = RoomCost(frames[own_]);
-  for (size_t i = 0; i < frames.size(); ++i) {
-    if (i != own_) sum += BlockValue(frames, i);
-  }
-  return sum;
-}
-
-double AccessibleCost::FixedPart(std::span<const Frame<double>> frames, size_t moving) const {
-  if (moving == own_) return 0;
-  double sum = RoomCost(frames[own_]);
-  for (size_t i = 0; i < frames.size(); ++i) {
-    if (i != own_ && i != moving) sum += BlockValue(frames, i);
-  }
-  return sum;
-}
-
-double AccessibleCost::ValueGiven(double fixed_part, std::span<const Frame<double>> frames, size_t moving) const {
-  return moving == own_ ? ValueAt(frames) : fixed_part + BlockValue(frames, moving);
-}
-
-double AccessibleCost::GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const {
-  std::fill(gradient.begin(), gradient.end(), 0.0);
-  double sum = 0;
-  if (RoomCost(frames[own_]) > 0) {
-    sum += AddSingle(frames, own_, gradient, [this](const auto& f) { return RoomCost(f); });
-  }
-  for (size_t i = 0; i < frames.size(); ++i) {
-    if (i == own_ || BlockValue(frames, i) == 0) continue;
-    sum += AddPair(frames, own_, i, gradient,
-                   [this, i](const auto& f, const auto& other) { return BlockCost(f, i, other); });
-  }
-  return sum;
 }
 
 std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
@@ -301,7 +280,7 @@ BoundCost BindFacingIntoRoom(const Arguments& a, const BindContext& context) {
   return MakeCost(FacingIntoRoom{Centroid(context.scene.room.floor)}, {a.Object("object")});
 }
 
-// Keeps an object's centre in the Voronoi cell of a zone: cost as in measure/outside.h [m2]. Zero exactly in the cell.
+// Keeps an object's centre in the Voronoi cell of a zone: cost as in measure/walls.h [m2]. Zero exactly in the cell.
 // The released ind_in_region is 5 times this.
 struct InZone {
   static constexpr int kObjects = 1;
@@ -314,16 +293,6 @@ struct InZone {
   }
 };
 
-}  // namespace
-
-std::unique_ptr<Cost> ZoneAffinity(const Scene& scene, int object, std::span<const Vec2<double>> zone_centers) {
-  const int zone = scene.objects[static_cast<size_t>(object)].zone;
-  if (zone < 0 || zone_centers.size() < 2 || !HasPlace(zone_centers[static_cast<size_t>(zone)])) return nullptr;
-  return MakeCost(InZone{{zone_centers.begin(), zone_centers.end()}, zone}, {object});
-}
-
-namespace {
-
 std::optional<Shortfall> InZoneShortfall(const PlacedCall& call) {
   const Zone& zone = call.scene().zones[static_cast<size_t>(call.arguments().Zone("zone"))];
   return Worst({OffBy(call.NameOf("object"), fmt::format("the {} zone", zone.name), call.CostRoot() / 2)});
@@ -335,8 +304,8 @@ BoundCost BindInZone(const Arguments& a, const BindContext& context) {
     return absl::FailedPreconditionError("the zones have no places yet");
   }
   if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
-    return absl::FailedPreconditionError(fmt::format("nothing stands in zone \"{}\", so it has no place",
-                                                     context.scene.zones[static_cast<size_t>(zone)].name));
+    return FailedPrecondition("nothing stands in zone \"{}\", so it has no place",
+                              context.scene.zones[static_cast<size_t>(zone)].name);
   }
   return MakeCost(InZone{{context.zone_centers.begin(), context.zone_centers.end()}, zone}, {a.Object("object")});
 }
@@ -358,6 +327,12 @@ constexpr ConstraintCode kSpaceCode[] = {
 };
 
 }  // namespace
+
+std::unique_ptr<Cost> ZoneAffinity(const Scene& scene, int object, std::span<const Vec2<double>> zone_centers) {
+  const int zone = scene.objects[static_cast<size_t>(object)].zone;
+  if (zone < 0 || zone_centers.size() < 2 || !HasPlace(zone_centers[static_cast<size_t>(zone)])) return nullptr;
+  return MakeCost(InZone{{zone_centers.begin(), zone_centers.end()}, zone}, {object});
+}
 
 std::span<const ConstraintCode> SpaceCode() { return kSpaceCode; }
 

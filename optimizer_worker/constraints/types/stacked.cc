@@ -3,12 +3,10 @@
 
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/formula_cost.h"
-#include "optimizer_worker/constraints/measure/outside.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/autodiff/smooth.h"
-#include "room/geometry/footprint.h"
+#include "room/autodiff/dual.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
-#include "room/geometry/vec2.h"
 
 namespace flair::optimizer {
 
@@ -109,7 +107,7 @@ BoundCost BindOnTopCenter(const Arguments& a, const BindContext& context) {
 // Sets a thing on one corner of another.
 //   cost = overhang^2 + max(-s_u u, 0)^2 + max(-s_v v, 0)^2 + (1 - cos(theta_1 - theta_2))                      [m2]
 //   u, v      its centre in the host's frame;  s_u, s_v  signs of the corner
-//   overhang  of its corners over the host's edges (measure/outside.h); of its centre when it is too large to fit
+//   overhang  of its corners over the host's edges (measure/walls.h); of its centre when it is too large to fit
 // Zero exactly when it stands wholly on the host, its centre in that quarter, facing the same way. The released
 // on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
 struct OnTopCorner {

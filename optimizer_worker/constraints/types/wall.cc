@@ -11,10 +11,10 @@
 #include "optimizer_worker/constraints/formula_cost.h"
 #include "optimizer_worker/constraints/measure/choose.h"
 #include "optimizer_worker/constraints/measure/walls.h"
-#include "room/autodiff/smooth.h"
+#include "room/autodiff/dual.h"
 #include "room/geometry/convex_piece.h"
-#include "room/geometry/footprint.h"
 #include "room/geometry/gap.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 #include "room/scene/room.h"
 
@@ -357,7 +357,7 @@ struct ParallelToWall {
 std::vector<Vec2<double>> DirectionsOf(const Room& room) {
   std::vector<Vec2<double>> directions;
   for (const Wall& wall : room.walls) {
-    const bool known = std::any_of(directions.begin(), directions.end(), [&](const Vec2<double>& other) {
+    const bool known = std::ranges::any_of(directions, [&](const Vec2<double>& other) {
       return std::abs(Cross(other, wall.Along()) * Dot(other, wall.Along())) < 1e-12;
     });
     if (!known) directions.push_back(wall.Along());

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <thread>
 
-#include "tests/contract/queue/deletion_test.h"
+#include "tests/contract/queue/queue_test.h"
 
 namespace flair::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "tests/contract/queue/deletion_test.h"
+#include "tests/contract/queue/queue_test.h"
 #include "tests/fixtures/nats_server.h"
 
 namespace flair::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/contract/queue/deletion_test.h"
+#include "tests/contract/queue/queue_test.h"
 
 namespace flair::testing {
 

@@ -10,8 +10,8 @@
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "orchestrator/jetstream/streams.h"
-#include "orchestrator/service/watches.h"
-#include "tests/contract/queue/watched_queue.h"
+#include "orchestrator/service/orchestrator_handlers.h"
+#include "tests/contract/queue/queue_forms.h"
 #include "tests/fixtures/nats_server.h"
 #include "worker_runtime/clock/clock.h"
 

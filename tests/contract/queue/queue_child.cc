@@ -9,7 +9,7 @@
 #include "orchestrator/jetstream/open.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
-#include "tests/contract/queue/watched_queue.h"
+#include "tests/contract/queue/queue_forms.h"
 #include "worker_runtime/clock/clock.h"
 
 namespace {

@@ -50,8 +50,7 @@ bool MentionIs(const std::string& kind, const Mention& mention, const Composer& 
   if (kind == "area") return first.area;
   if (kind == "many") return mention.references.size() > 1;
   if (kind == "some-feature") {
-    return std::any_of(mention.references.begin(), mention.references.end(),
-                       [](const Reference& one) { return one.kind == RefKind::kFeature; });
+    return std::ranges::any_of(mention.references, [](const Reference& one) { return one.kind == RefKind::kFeature; });
   }
   if (kind == "bare") return first.kind == RefKind::kPronoun && first.name.empty();
   if (kind == "own-part") {
@@ -60,8 +59,8 @@ bool MentionIs(const std::string& kind, const Mention& mention, const Composer& 
   }
   if (kind == "own-sides") return AreOwnSides(mention, composer);
   if (kind == "sided") {
-    return std::any_of(mention.references.begin(), mention.references.end(),
-                       [](const Reference& one) { return one.kind != RefKind::kVague && !one.side.empty(); });
+    return std::ranges::any_of(mention.references,
+                               [](const Reference& one) { return one.kind != RefKind::kVague && !one.side.empty(); });
   }
   // Two that are named, or several of a name.
   if (kind == "several-things") {
@@ -199,8 +198,7 @@ void KeepApart(const std::vector<Placed>& all, const std::vector<Reference>& gro
                                  [](const Reference& one) { return one.each && !one.plural; });
   const long last_group = groups.size() < 3 ? static_cast<long>(groups.size()) : both - groups.begin();
   const auto group_of = [&](const Placed& placed) {
-    const auto named =
-        std::find_if(groups.begin(), groups.end(), [&](const Reference& one) { return one.Names(placed.object); });
+    const auto named = std::ranges::find_if(groups, [&](const Reference& one) { return one.Names(placed.object); });
     return named == groups.end() ? -1 : std::min(named - groups.begin(), last_group);
   };
   for (size_t i = 0; i < all.size(); ++i) {
