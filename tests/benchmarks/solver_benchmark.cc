@@ -12,7 +12,7 @@
 
 #include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/measures.h"
-#include "evaluation/metrics/routes.h"
+#include "evaluation/metrics/walk_grid.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
@@ -160,7 +160,7 @@ std::vector<std::filesystem::path> Files() {
            folder != nullptr ? folder : FLAIR_SOURCE_DIR "/evaluation/readers/testdata")) {
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   if (files.size() > kRooms) files.resize(kRooms);
   return files;
 }
