@@ -98,6 +98,10 @@ Phrase::Phrase(std::string_view text) {
       words_.push_back(slot ? "{" + token.text + "}" : token.text);
     }
   }
+  for (const std::string& word : words_) {
+    const bool counts = word.size() >= 3 && !IsIn("vague_numbers", word);
+    numbers_.push_back(counts ? NumberWord(word).value_or(0) : 0);
+  }
 }
 
 // "barstool" for "bar stool", and "night stand" for "nightstand".
@@ -145,8 +149,7 @@ std::size_t Phrase::MatchAt(const std::vector<Token>& tokens, std::size_t start,
       if (number != nullptr) *number = digits ? static_cast<int>(token.number) : *named;
     } else if (token.kind == Token::Kind::kNumber) {
       // "2-seater" for "two-seater".
-      if (token.text != wanted && (wanted.size() < 3 || IsIn("vague_numbers", wanted) || NumberWord(wanted) != token.number))
-        return 0;
+      if (token.text != wanted && (numbers_[w] == 0 || numbers_[w] != token.number)) return 0;
     } else if (token.text != wanted) {
       const bool any_form = wanted.back() == '*' || (plural && w + 1 == words_.size());
       if (!any_form || !MatchesWord(token.text, wanted)) return 0;

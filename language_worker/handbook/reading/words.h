@@ -56,6 +56,7 @@ class Phrase {
   std::size_t MatchSpelling(const std::vector<Token>& tokens, std::size_t start, bool plural) const;
 
   std::vector<std::string> words_;
+  std::vector<int> numbers_;  // of each word, 0 where it says none
 };
 
 // The words of the list of that name, in its order, and the same as phrases.
