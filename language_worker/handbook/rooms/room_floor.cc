@@ -49,22 +49,34 @@ double CrowdFactor(const BriefFacts& facts, const hb::Archetype& archetype, cons
   return 1;
 }
 
-// The least floor on which what the brief asks for can be used. [Handbook facts] furniture covers 20 to 29 % of the
-// floor in the recorded rooms and up to 49 % in small bedrooms; some of that comes without being asked for.
-double FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {
-  constexpr double kMostCovered = 0.33, kMostCoveredIfSmall = 0.4;
-  constexpr double kLargest_m2 = 400, kRowsTake = 2;
-  double asked_m2 = 0;
+struct FloorRange {
+  double least_m2 = 0;
+  double most_m2 = 0;
+};
+
+// The least floor on which what the brief asks for can be used, and the most that it furnishes where it lists what is
+// there. [Handbook facts] furniture covers 20 to 29 % of the floor in the recorded rooms and up to 49 % in small
+// bedrooms; some of that comes without being asked for.
+FloorRange FloorForWishes(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {
+  constexpr double kMostCovered = 0.33, kMostCoveredIfSmall = 0.4, kLeastCovered = 0.2;
+  constexpr double kLargest_m2 = 400, kRowsTake = 2, kLeastOfUsual = 0.5;
+  double asked_m2 = 0, all_m2 = 0;
   const RoomProgram program = MakeRoomProgram(facts, handbook, area_m2, choice);
   for (const ProgramItem& item : program.floor_items) {
     const hb::Furniture& furniture = *item.furniture;
+    const double each_m2 = furniture.width_m().typical() * furniture.depth_m().typical();
+    all_m2 += item.count * each_m2;
     if (!item.requested || item.optional) continue;
     // Between rows one walks, and before them somebody stands.
     const bool in_rows = std::ranges::any_of(
         program.archetype->rows(), [&](const hb::Rows& rows) { return rows.furniture() == furniture.name(); });
-    asked_m2 += item.count * furniture.width_m().typical() * furniture.depth_m().typical() * (in_rows ? kRowsTake : 1);
+    asked_m2 += item.count * each_m2 * (in_rows ? kRowsTake : 1);
   }
-  return std::min(kLargest_m2, asked_m2 / (facts.size.area_factor < 1 ? kMostCoveredIfSmall : kMostCovered));
+  FloorRange range;
+  range.least_m2 = std::min(kLargest_m2, asked_m2 / (facts.size.area_factor < 1 ? kMostCoveredIfSmall : kMostCovered));
+  // Some rooms are for what is done on their floor.
+  range.most_m2 = program.listed ? std::max(kLeastOfUsual * area_m2, all_m2 / kLeastCovered) : kLargest_m2;
+  return range;
 }
 
 }  // namespace
@@ -100,15 +112,16 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     const std::vector<FurtherKind> also = AlsoOf(facts, archetype);
     for (const FurtherKind& one : also) all_m2 += kShared * one.share * UsualArea(*one.archetype);
     const double usual_m2 = all_m2 * area_factor;
-    const double needed_m2 = FloorForWishes(facts, handbook, usual_m2, choice);
-    const bool larger = needed_m2 > usual_m2 || !also.empty();
-    SidesOf(std::max(usual_m2, needed_m2), asked.side_ratio.value_or(usual_ratio), deeper, size);
-    if (area_factor <= 2.5 && !asked.side_ratio && named && !larger) {
+    const FloorRange range = FloorForWishes(facts, handbook, usual_m2, choice);
+    const bool other = range.least_m2 > usual_m2 || range.most_m2 < usual_m2 || !also.empty();
+    SidesOf(std::max(std::min(usual_m2, range.most_m2), range.least_m2), asked.side_ratio.value_or(usual_ratio), deeper,
+            size);
+    if (area_factor <= 2.5 && !asked.side_ratio && named && !other) {
       size.width_m = std::clamp(size.width_m, LeastOf(archetype.width_m()), MostOf(archetype.width_m()));
       size.depth_m = std::clamp(size.depth_m, LeastOf(archetype.depth_m()), MostOf(archetype.depth_m()));
     }
     size.assumption = fmt::format("The brief gives no size in numbers; {:g} m x {:g} m {}.", size.width_m, size.depth_m,
-                                  larger ? "has room for what it asks for" : "is usual for this " + archetype.name());
+                                  other ? "has room for what it asks for" : "is usual for this " + archetype.name());
   }
   if (size.height_m < kLowestM) {
     size.assumption += fmt::format("{}A ceiling at {:g} m is drawn at {:g} m, the lowest that a room may have.",
