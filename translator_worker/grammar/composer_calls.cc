@@ -136,8 +136,11 @@ bool Composer::Emit(Call call) {
   }
   if (english::Language::Get().IsIn("calls of the floor", type->name()) && !call.arguments.empty()) {
     const std::string& mover = call.arguments.front().value().text();
+    // On which wall and by which opening something hangs can be asked for.
+    const bool names_part = call.Find("wall") != nullptr || call.Find("feature") != nullptr;
     for (const v1::Object& candidate : request_.object_list().objects()) {
       if (candidate.id() != mover || candidate.kind() == v1::OBJECT_KIND_FLOOR) continue;
+      if (names_part && candidate.kind() == v1::OBJECT_KIND_WALL) break;
       Refuse("not_expressible",
              fmt::format("{} is for what stands on the floor, which {} does not", type->name(), mover));
       return true;

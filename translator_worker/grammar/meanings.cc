@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "absl/strings/numbers.h"
 #include "translator_worker/grammar/rules/shared.h"
 
 namespace flair::translator {
@@ -147,6 +148,7 @@ class Fact {
   }
 
   std::optional<double> FigureFor(std::string_view value) const {
+    if (double written = 0; absl::SimpleAtod(std::string(value), &written)) return written;
     if (match_.distance == nullptr) return std::nullopt;
     if (value == "least") return match_.distance->min_m;
     if (value == "most") return match_.distance->max_m;
@@ -271,7 +273,7 @@ class Fact {
       }
       return false;
     }
-    if (test.about == '=') return Has(test.values, pair.target->name);
+    if (test.about == '=') return test.values.empty() ? !pair.target->name.empty() : Has(test.values, pair.target->name);
     if (test.about == ':') {
       for (const std::string& kind : test.values) {
         if (kind == "object" ? pair.object != nullptr : IsPart(kind) && IsOfKind(pair.target->kind, kind)) return true;

@@ -267,6 +267,7 @@ class FurnitureReader {
     if (usual != &seat && !any) return false;
     const bool each = text_.At(i + length) == "each";
     Mentioned(*host.furniture, i, length, {host.count});
+    mentions_.back().seats = true;
     if (count.said) {
       const bool shared = !each && count.number >= host.count && count.number % host.count == 0;
       host.seats = std::min(shared ? count.number / host.count : count.number, kMostSeats);

@@ -27,8 +27,8 @@ Landmark LandmarkReader::Read(std::size_t start) const {
   for (std::size_t i = start; i < at; ++i) {
     landmark.plural = landmark.plural || text_.At(i) == "two" || text_.At(i) == "2" || text_.At(i) == "both";
   }
-  if (landmark.kind == Landmark::Kind::kPiece) TakeSecond(landmark);
-  if (IsOfTheRoom(landmark.kind)) TakeWhichOne(landmark);
+  TakeSecond(landmark);
+  if (IsOfTheRoom(landmark.kind)) TakeWhichOne(start, landmark);
   return landmark;
 }
 
@@ -53,7 +53,7 @@ Landmark LandmarkReader::Pronoun(std::size_t start) const {
   if (text_.At(at).starts_with("th") && text_.At(at) != "them" && Noun(at + 1).kind != Landmark::Kind::kNone)
     pronoun = false;
   const bool counts =
-      !pronoun && at > start && (text_.At(at - 1) == "two" || text_.At(at - 1) == "both") &&
+      !pronoun && at > start && text_.Says(at - 1, {"two", "both", "each"}) &&
       (at == tokens_.size() || tokens_[at].kind == Token::Kind::kSign || IsIn("noun_ends", text_.At(at)));
   Landmark landmark;
   if (!pronoun && !counts) return landmark;
@@ -101,6 +101,9 @@ Landmark LandmarkReader::Noun(std::size_t start) const {
 bool LandmarkReader::Describes(std::size_t i) const {
   const Token& token = tokens_[i];
   if (token.kind == Token::Kind::kSign) return (token.text == "-" || token.text == "'") && token.glued;
+  // "The row of desks", but not "each side of the bed".
+  if (token.text == "of" && i > 0 && !IsFormIn("groups_of_pieces", text_.At(i - 1)) && !NumberWord(text_.At(i - 1)))
+    return false;
   // "Opposite" and "near" relate, but describe walls and corners.
   return token.kind == Token::Kind::kWord &&
          (!IsIn("noun_ends", token.text) || (IsIn("told_sides", token.text) && IsOfTheRoom(FeatureAt(i + 1))));
@@ -112,7 +115,8 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   if (text_.At(i) == "wall" || text_.At(i) == "walls") return Landmark::Kind::kWall;
   if (text_.At(i) == "corner" || text_.At(i) == "corners") return Landmark::Kind::kCorner;
   // "The east end", "the left hand side", "on the left", "across the back": the wall there.
-  const std::size_t told = i > 1 && text_.At(i - 1) == "hand" ? i - 2 : i - 1;
+  std::size_t told = i - (i > 0 ? 1 : 0);
+  if (told > 1 && text_.At(told) == "hand") told -= text_.IsHyphen(told - 1) ? 2 : 1;
   const bool side = i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && text_.Is(told, "told_sides");
   const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(i - 1, {"the", "your"});
   const bool sign = text_.IsSign(i + 1) && !text_.IsHyphen(i + 1);  // "the north-east corner"
@@ -123,20 +127,42 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
 }
 
 void LandmarkReader::TakeSecond(Landmark& landmark) const {
-  if (text_.At(landmark.end) != "and") return;
+  const auto opening = [](Landmark::Kind kind) { return kind == Landmark::Kind::kDoor || kind == Landmark::Kind::kWindow; };
+  if (!text_.Says(landmark.end, {"and", "from"}) || (landmark.kind != Landmark::Kind::kPiece && !opening(landmark.kind)))
+    return;
   const Landmark next = Noun(BehindDeterminers(landmark.end + 1));
-  if (next.kind != Landmark::Kind::kPiece) return;
-  landmark.second = next.piece;
+  const bool piece = next.kind == Landmark::Kind::kPiece;
+  if (!(piece || (opening(next.kind) && landmark.piece != nullptr))) return;
+  landmark.beside = piece ? (landmark.piece != nullptr ? Landmark::Kind::kNone : landmark.kind) : next.kind;
+  (landmark.piece != nullptr ? landmark.second : landmark.piece) = next.piece;
   landmark.second_end = next.end;
 }
 
 // Keeps of the words before it those that say which wall or corner, and reads those behind it: "the wall opposite the
 // door", "the corner of the room".
-void LandmarkReader::TakeWhichOne(Landmark& landmark) const {
+void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
   std::string sides;
   const auto add = [&](std::string_view side) { sides += (sides.empty() ? "" : " ") + std::string(side); };
   for (const Token& word : TokensOf(landmark.side)) {
     if (IsIn("told_sides", word.text)) add(word.text);
+  }
+  if (landmark.kind == Landmark::Kind::kCorner) {
+    for (std::size_t i = start; i < landmark.end; ++i) {
+      if (text_.Is(i, "other_corners")) sides = "opposite";
+      const bool each = text_.Says(i, {"each", "every", "all", "four"}) || (text_.At(i) == "corners" && sides.empty());
+      if (each) sides = "each";
+    }
+    // "The corner by the kitchen door".
+    if (const auto by = text_.BehindPhrase(landmark.end, "by_openings"); by && sides.empty()) {
+      for (std::size_t at = BehindDeterminers(*by), most = std::min(at + 3, tokens_.size()); at < most; ++at) {
+        const Landmark::Kind feature = FeatureAt(at);
+        if (feature == Landmark::Kind::kNone && Describes(at)) continue;
+        if (feature == Landmark::Kind::kDoor) add("at door");
+        if (feature == Landmark::Kind::kWindow) add("at window");
+        if (!sides.empty()) landmark.end = at + 1;
+        break;
+      }
+    }
   }
   const std::string_view how = text_.At(landmark.end);
   const bool two_words = text_.At(landmark.end + 1) == "from";

@@ -20,9 +20,10 @@ struct Landmark {
   Kind kind = Kind::kNone;
   const hb::Furniture* piece = nullptr;   // of kPiece
   const hb::Furniture* second = nullptr;  // "... and the fireplace": another piece behind it, up to `second_end`
+  Kind beside = Kind::kNone;              // "... and the window", "the door and ...": behind or before it
   bool plural = false;                    // "them", "the sofas", "both desks"
-  // Of a wall or corner the words that tell it from others, with spaces: "north", "far left"; empty for any of them. Of
-  // a door or window those that describe it: "kitchen".
+  // Of a wall or corner the words that tell it from others, with spaces: "north", "far left", "at door", of all corners
+  // "each"; empty for any of them. Of a door or window those that describe it: "kitchen".
   std::string side;
   std::size_t end = 0;  // behind its last token
   std::size_t second_end = 0;
@@ -50,7 +51,7 @@ class LandmarkReader {
   Landmark Noun(std::size_t start) const;
   bool Describes(std::size_t i) const;
   void TakeSecond(Landmark& landmark) const;
-  void TakeWhichOne(Landmark& landmark) const;
+  void TakeWhichOne(std::size_t start, Landmark& landmark) const;
 
   const std::vector<Token>& tokens_;
   const BriefText text_;

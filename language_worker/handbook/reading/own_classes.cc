@@ -369,10 +369,17 @@ bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace&
     return area_m2 <= kSmallM2;
   }
   const auto& text = asked.relation().text();
-  const bool by_piece = text.find("{target}") != std::string::npos || text.find("{first}") != std::string::npos;
+  // A curtain between two beds stands there, a television over the fireplace hangs.
+  const bool between = text.find("{first}") != std::string::npos;
+  if (between) return furniture.kind() == hb::FURNITURE_KIND_WALL;
+  const bool by_piece = text.find("{target}") != std::string::npos;
+  constexpr double kSlimM = 0.2;
+  if (by_piece && IsOneOfKinds(asked, hb::FURNITURE_KIND_WALL) && text.find("above") != std::string::npos) {
+    return furniture.kind() == hb::FURNITURE_KIND_SURFACE && furniture.depth_m().typical() < kSlimM;
+  }
   if (by_piece || asked.carried() != hb::CARRIED_UNSPECIFIED) return false;
   if (asked.kinds().empty() || IsOneOfKinds(asked, hb::FURNITURE_KIND_FLOOR)) {
-    return furniture.kind() == hb::FURNITURE_KIND_SURFACE && furniture.companions().empty();
+    return !floor && furniture.companions().empty();
   }
   if (IsOneOfKinds(asked, hb::FURNITURE_KIND_CEILING)) return area_m2 <= kHangsM2;
   return !floor || furniture.depth_m().typical() < kFlatM;

@@ -68,9 +68,13 @@ bool IsMeasure(const BriefText& text, std::size_t i) {
 }
 
 bool IsOneForEach(const BriefText& text, const std::vector<bool>& used, std::size_t i, std::size_t length) {
-  constexpr std::size_t kMostWords = 5, kMostBack = 4;
-  for (std::size_t back = 1; back <= kMostBack && back < i; ++back) {
+  constexpr std::size_t kMostWords = 5, kMostBack = 7, kMostToPer = 9;
+  for (std::size_t back = 1; back <= kMostBack && back < i && !text.IsSign(i - back); ++back) {
     if (text.Says(i - back, {"with", "has"}) && text.Says(i - back - 1, {"each", "every"})) return true;
+  }
+  // "One nightstand and one visitor's chair per bed".
+  for (std::size_t k = i + length; k < i + length + kMostToPer && !text.EndsSentence(k) && text.At(k) != "with"; ++k) {
+    if (text.At(k) == "per" && !text.Is(k + 1, "unit_words")) return true;
   }
   for (std::size_t k = i + length; k < i + length + kMostWords && k < text.size() && !text.IsSign(k); ++k) {
     if (used[k] || text.Says(k, {"and", "with"})) break;
@@ -171,6 +175,8 @@ PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Fu
     if (const std::optional<int> number = NumberWord(text.At(at))) return {*number};
   }
   if (const int behind = CountBehind(text, i + length); behind > 0) return {behind};
+  constexpr int kEverywhere = 6;
+  if (text.BehindPhrase(i + length, "everywhere")) return {kEverywhere, false};
   const std::string_view last = text.At(i + length - 1);
   const bool plural = furniture.plural() != furniture.name() && last.ends_with('s') && !last.ends_with("ss") &&
                       LongestAt(handbook.vocabulary().names, text.tokens(), i, /*plural=*/false).second < length;
@@ -210,8 +216,11 @@ bool IsRefused(const BriefText& text, std::size_t i) {
   for (const std::size_t back : {1, 2, 3}) {
     if (back <= i && text.BehindPhrase(i - back, "refused_before").value_or(0) >= i - back + 2) return true;
   }
-  for (std::size_t back = 1; back <= 4 && back <= i; ++back) {
+  // "Without a wardrobe or a dresser".
+  std::size_t most = 4;
+  for (std::size_t back = 1; back <= most && back <= i; ++back) {
     const std::size_t at = i - back;
+    if (text.Says(at, {"or", "nor"})) most += 3;
     const std::string_view before = back < i ? text.At(at - 1) : std::string_view();
     if (text.Is(at, "place_prepositions") || text.Is(at, "exceptions")) return false;
     if ((text.At(at) == "of" && before == "instead") || (text.At(at) == "than" && before == "rather")) return true;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "language_worker/handbook/reading/own_classes.h"
+
 namespace flair::language {
 namespace {
 
@@ -14,8 +16,9 @@ bool Fits(const std::string& slot, const Landmark& landmark) {
                                       std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
     if (slot == name) return kind == feature;
   }
-  const bool piece = kind == Kind::kPiece || kind == Kind::kPronoun;
-  const bool two = landmark.second != nullptr || landmark.plural;
+  const bool beside = landmark.beside != Kind::kNone;
+  const bool piece = kind == Kind::kPiece || kind == Kind::kPronoun || (beside && slot == "targets");
+  const bool two = landmark.second != nullptr || landmark.plural || beside;
   return piece && (slot == "target" || (slot == "targets" && two));
 }
 
@@ -23,30 +26,26 @@ bool Fits(const std::string& slot, const Landmark& landmark) {
 
 PlacePatterns::PlacePatterns(const Handbook& handbook, const std::vector<Token>& tokens,
                              const LandmarkReader& landmarks)
-    : handbook_(handbook), tokens_(tokens), text_(tokens), landmarks_(landmarks) {
-  for (const hb::AskedPlace& asked : handbook.contents().asked_places()) {
-    for (const std::string& words : asked.words()) {
-      const std::size_t brace = std::min(words.find('{'), words.size());
-      std::string slot = brace < words.size() ? words.substr(brace + 1, words.size() - brace - 2) : "";
-      const std::string first = words.substr(0, words.find(' '));
-      // "Not" may stand apart from the rest: "must not be placed near the door".
-      const std::size_t from = first == "not" ? first.size() : 0;
-      patterns_[first].push_back({Phrase(words.substr(from, brace - from)), std::move(slot), &asked});
-    }
+    : tokens_(tokens), text_(tokens), landmarks_(landmarks), places_(*handbook.vocabulary().places) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    plain_at_.push_back(plain_.size());
+    if (text_.IsHyphen(i)) continue;
+    plain_.push_back(tokens[i]);
+    token_at_.push_back(i);
   }
+  token_at_.push_back(tokens.size());
 }
 
 std::vector<PlacePatterns::Match> PlacePatterns::MatchesAt(std::size_t i) const {
   std::vector<Match> matches;
-  const bool negated = Denies(i);
-  const auto found = patterns_.find(negated ? "not" : tokens_[i].text);
-  if (found == patterns_.end()) return matches;
-  std::size_t start = i + (negated ? 1 : 0);
-  while (negated && start < i + 4 && IsIn("place_fillers", text_.At(start))) ++start;
-  for (const Pattern& pattern : found->second) {
-    Match match{pattern.asked, {}, pattern.words.MatchAt(tokens_, start, /*plural=*/false), 0};
+  const bool denied = Denies(i);
+  std::size_t start = i + (denied ? 1 : 0);
+  while (denied && start < i + 4 && IsIn("place_fillers", text_.At(start))) ++start;
+  for (const PlaceWords& words : places_) {
+    if (words.denied != denied) continue;
+    Match match{words.asked, {}, LengthAt(words, start), 0};
     match.end = start + match.length;
-    if (match.length > 0 && Complete(pattern, match)) matches.push_back(match);
+    if (match.length > 0 && Complete(words, match)) matches.push_back(match);
   }
   std::ranges::stable_sort(matches, [](const Match& a, const Match& b) {
     return a.length != b.length ? a.length > b.length : a.end > b.end;
@@ -54,11 +53,19 @@ std::vector<PlacePatterns::Match> PlacePatterns::MatchesAt(std::size_t i) const 
   return matches;
 }
 
-const hb::AskedPlace* PlacePatterns::Find(std::string_view words, hb::FurnitureKind kind) const {
-  for (const hb::AskedPlace& asked : handbook_.contents().asked_places()) {
-    const bool of_kind =
-        asked.kinds().empty() ? kind == hb::FURNITURE_KIND_FLOOR : Includes(asked.kinds(), static_cast<int>(kind));
-    if (of_kind && Includes(asked.words(), words)) return &asked;
+std::size_t PlacePatterns::LengthAt(const PlaceWords& words, std::size_t i) const {
+  if (i >= tokens_.size() || text_.IsHyphen(i)) return 0;
+  const std::size_t plain = plain_at_[i];
+  const std::size_t length = words.words.Find(plain_, plain).length;
+  return length == 0 ? 0 : token_at_[plain + length - 1] + 1 - i;
+}
+
+const hb::AskedPlace* PlacePatterns::Find(std::string_view words, std::string_view slot, hb::FurnitureKind kind) const {
+  const std::vector<Token> tokens = english::Tokenize(words);
+  for (const PlaceWords& one : places_) {
+    const auto& kinds = one.asked->kinds();
+    const bool of_kind = kinds.empty() ? kind == hb::FURNITURE_KIND_FLOOR : Includes(kinds, static_cast<int>(kind));
+    if (of_kind && one.slot == slot && one.words.Find(tokens, 0).length == tokens.size()) return one.asked;
   }
   return nullptr;
 }
@@ -78,37 +85,44 @@ bool PlacePatterns::EndsPhrase(std::size_t i) const {
 }
 
 // Reads what follows the words; false when it is not what they need.
-bool PlacePatterns::Complete(const Pattern& pattern, Match& match) const {
-  if (pattern.asked->target_first()) return true;
-  if (pattern.slot.empty()) {
-    const bool needs_piece = AskedNames(*pattern.asked, "{target}") || AskedNames(*pattern.asked, "{first}");
+bool PlacePatterns::Complete(const PlaceWords& words, Match& match) const {
+  if (words.asked->target_first()) return true;
+  if (words.slot.empty()) {
+    const bool needs_piece = AskedNames(*words.asked, "{target}") || AskedNames(*words.asked, "{first}");
     const std::size_t begin = match.end - match.length;
     const bool inverted = text_.Is(match.end, "thing_articles") &&
                           (begin == 0 || text_.EndsSentence(begin - 1) || text_.Says(begin - 1, {",", "and", "while"}));
     return !needs_piece || inverted || EndsPhrase(match.end);
   }
   match.landmark = landmarks_.Read(match.end);
-  match.end = match.landmark.end;
-  return Fits(pattern.slot, match.landmark);
+  match.end = words.slot == "targets" ? std::max(match.landmark.end, match.landmark.second_end) : match.landmark.end;
+  return Fits(words.slot, match.landmark);
 }
 
 void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& place) {
   const hb::Relation& relation = place.asked->relation();
   if (relation.pairing() != hb::PAIRING_TOGETHER || place.target != nullptr || &other == place.furniture) return;
   const bool facing = relation.text().find("face") != std::string::npos;
-  const hb::AskedPlace* two = patterns.Find(facing ? "facing {target}" : "next to {target}", hb::FURNITURE_KIND_FLOOR);
+  const hb::AskedPlace* two = patterns.Find(facing ? "facing" : "next to", "target", hb::FURNITURE_KIND_FLOOR);
   if (two == nullptr) return;
   place.asked = two;
   place.target = &other;
 }
 
 void TakeWhatHangs(const PlacePatterns& patterns, Place& place) {
-  if (place.target == nullptr || !AskedNames(*place.asked, "under the {target}")) return;
+  if (place.target == nullptr || place.furniture->kind() == place.target->kind()) return;
   const hb::FurnitureKind kind = place.target->kind();
-  if (kind != hb::FURNITURE_KIND_WALL && kind != hb::FURNITURE_KIND_CEILING) return;
-  const hb::AskedPlace* above = patterns.Find("above {target}", kind);
-  if (above == nullptr) return;
-  place.asked = above;
+  const bool on_wall = kind == hb::FURNITURE_KIND_WALL;
+  if (!on_wall && kind != hb::FURNITURE_KIND_CEILING) return;
+  const auto says = [&](std::string_view words) { return AskedNames(*place.asked, words); };
+  const std::string_view converse = says("under the {target}")                                      ? "above"
+                                    : !on_wall || !IsOnTheFloor(*place.furniture)                   ? ""
+                                    : says("near the {target}") || says("next to the {target}") ||
+                                            says("in front of the {target}")                        ? "near"
+                                                                                                    : "";
+  const hb::AskedPlace* hanging = converse.empty() ? nullptr : patterns.Find(converse, "target", kind);
+  if (hanging == nullptr) return;
+  place.asked = hanging;
   std::swap(place.furniture, place.target);
 }
 

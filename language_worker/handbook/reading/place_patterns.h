@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -34,37 +34,32 @@ class PlacePatterns {
   // Those that begin at a token: the longest first; of equally long ones those that say by what.
   std::vector<Match> MatchesAt(std::size_t i) const;
 
-  // What these words ask for: "next to {target}". Null when the handbook has no such place.
-  const hb::AskedPlace* Find(std::string_view words, hb::FurnitureKind kind) const;
+  // What words ask for that a slot follows: "next to" a "target". Null when the handbook has no such place.
+  const hb::AskedPlace* Find(std::string_view words, std::string_view slot, hb::FurnitureKind kind) const;
 
   // "not near the door": whether a place that begins at a token is denied, over words that say nothing.
   bool IsDenied(std::size_t i) const;
 
  private:
-  // Words for a place, without what follows them, and what follows: "door", "window", "wall", "corner", "target",
-  // "targets", or the "pieces" themselves; empty when nothing does.
-  struct Pattern {
-    Phrase words;
-    std::string slot;
-    const hb::AskedPlace* asked = nullptr;
-  };
-
   bool Denies(std::size_t i) const { return text_.Says(i, {"not", "never"}); }
   bool EndsPhrase(std::size_t i) const;
-  bool Complete(const Pattern& pattern, Match& match) const;
+  bool Complete(const PlaceWords& words, Match& match) const;
+  std::size_t LengthAt(const PlaceWords& words, std::size_t i) const;
 
-  const Handbook& handbook_;
   const std::vector<Token>& tokens_;
   const BriefText text_;
   const LandmarkReader& landmarks_;
-  std::map<std::string, std::vector<Pattern>, std::less<>> patterns_;  // by their first word
+  // The tokens without hyphens within words; of each token its index there, and back.
+  std::vector<Token> plain_;
+  std::vector<std::size_t> plain_at_, token_at_;
+  const std::vector<PlaceWords>& places_;
 };
 
 // "A washing machine and a dryer side by side": what is said of several of a kind, of a piece and the `other` listed
 // before it, is that the piece stands by the other.
 void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& place);
 
-// "A dresser under a mirror", "a table under the lamp": what hangs there is above the other.
+// "A dresser under a mirror", "a lectern by the screen": what hangs there is above the other, or near it.
 void TakeWhatHangs(const PlacePatterns& patterns, Place& place);
 
 }  // namespace flair::language

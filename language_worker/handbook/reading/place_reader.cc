@@ -54,6 +54,7 @@ class PlaceReader {
       if (i < read_to_ || used_[i] || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
+    HangWhatIsFaced();
   }
 
  private:
@@ -62,7 +63,8 @@ class PlaceReader {
   struct Subject {
     const hb::Furniture* furniture = nullptr;
     std::size_t mention = 0;
-    int which = -1;  // of several: the first, the second; -1 for all
+    int which = -1;        // of several: the first, the second; -1 for all
+    bool further = false;  // "... and one on the right": one more of it
   };
   // What was read last: its subject, and where it ends.
   struct Last {
@@ -75,11 +77,11 @@ class PlaceReader {
   // What stands right before the place, over verbs, commas and what was said of its place before.
   std::optional<Subject> SubjectBefore(std::size_t i) const {
     constexpr std::size_t kMostFillers = 10;
-    bool joined = false;
+    bool joined = false, relative = false;
     for (std::size_t at = i; at > 0 && at + kMostFillers > i; --at) {
       if (last_ && last_->end == at) {
         const std::optional<std::size_t> m = named_.EndingAt(at);
-        if (!m || joined) return last_->subject;
+        if (!m || (joined && !relative)) return last_->subject;
       }
       if (const std::optional<std::size_t> m = named_.EndingAt(at)) return SubjectOf(*m, mentions_[*m].which);
       const Token& before = tokens_[at - 1];
@@ -89,9 +91,18 @@ class PlaceReader {
         const bool again = last_ && last_->subject.which == 0 && last_->subject.mention == *earlier;
         return SubjectOf(*earlier, other || again ? 1 : 0);
       }
+      if (last_ && before.text == "one" && last_->subject.which < 1 && last_->end < at &&
+          last_->end + 3 >= at) {
+        Subject further = last_->subject;
+        further.which = 1;
+        further.further = true;
+        return further;
+      }
       if (earlier && (IsIn("singular_pronouns", before.text) || IsIn("plural_pronouns", before.text))) {
         return SubjectOf(*earlier, mentions_[*earlier].which);
       }
+      if (before.text == "nothing") return std::nullopt;
+      relative = relative || IsIn("relative_pronouns", before.text);
       joined = joined || before.text == "," || before.text == "and" || before.text == "but";
       const bool sign = before.kind == Token::Kind::kSign && !text_.EndsSentence(at - 1) && before.text != "(";
       const bool filler = IsIn("place_fillers", before.text) || IsIn("group_fillers", before.text) ||
@@ -244,6 +255,11 @@ class PlaceReader {
   bool Put(const Subject& subject, const Match& match, std::size_t i, bool otherwise) {
     const hb::AskedPlace& asked = *match.asked;
     if (!IsFor(asked, *subject.furniture, otherwise)) return false;
+    if (AskedNames(asked, "{first}") && match.landmark.beside != Landmark::Kind::kNone) {
+      return PutNearBoth(subject, match, i);
+    }
+    // Seats at a table face each other, and are in a row, as it is.
+    if (mentions_[subject.mention].seats && asked.relation().pairing() == hb::PAIRING_TOGETHER) return true;
     Place place;
     place.furniture = subject.furniture;
     place.asked = &asked;
@@ -257,22 +273,108 @@ class PlaceReader {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
     TakeWhatHangs(patterns_, place);
-    place.said = text_.Quote(i, match.end);
-    place.called = text_.Quote(mentions_[subject.mention].begin, mentions_[subject.mention].end);
-    facts_.places.push_back(place);
+    if (AskedNames(asked, "in a corner")) TakeCorner(match.landmark.kind, place);
+    TakeFront(place);
+    if (subject.further) {
+      for (Place& before : facts_.places) {
+        if (before.furniture == place.furniture && before.which < 0) before.which = 0;
+      }
+    }
+    Keep(place, subject, i, match.end);
     NoteLoosely(place, i, i + match.length);
     // "A lamp on either side" makes two of one.
     for (Wish& wish : facts_.wishes) {
-      const int least = std::max(place.asked->relation().condition().min_count(), OneForEach(place, i, match.end));
+      const int least = std::max({place.asked->relation().condition().min_count(), OneForEach(place, i, match.end),
+                                  subject.further ? 2 : 1});
       if (wish.furniture == subject.furniture) wish.count = std::max(wish.count, least);
     }
     return true;
   }
 
-  // "A chest at the foot of each bed": as many as there are beds.
+  void Keep(Place& place, const Subject& subject, std::size_t begin, std::size_t end) {
+    place.said = text_.Quote(begin, end);
+    place.called = text_.Quote(mentions_[subject.mention].begin, mentions_[subject.mention].end);
+    facts_.places.push_back(place);
+  }
+
+  // "Between the sofa and the window": no sentence asks for it, but near both it is between them, more or less.
+  bool PutNearBoth(const Subject& subject, const Match& match, std::size_t i) {
+    const bool door = match.landmark.beside == Landmark::Kind::kDoor;
+    for (const std::string_view slot : {"target", door ? "door" : "window"}) {
+      Place place;
+      place.asked = patterns_.Find("near", slot, hb::FURNITURE_KIND_FLOOR);
+      if (place.asked == nullptr || !IsOnTheFloor(*subject.furniture)) return false;
+      place.furniture = subject.furniture;
+      place.which = subject.which;
+      if (slot == "target") place.target = match.landmark.piece;
+      if (place.target == place.furniture) return false;
+      Keep(place, subject, i, match.end);
+    }
+    facts_.places_loosely_kept.push_back(
+        fmt::format("\"{} {}\": it is near both", subject.furniture->name(), facts_.places.back().said));
+    return true;
+  }
+
+  // "In each corner" is of all of them; "in the opposite corner" of the corner of the piece before.
+  void TakeCorner(Landmark::Kind kind, Place& place) {
+    if (kind == Landmark::Kind::kDoor) place.side = "across at door";
+    if (place.side == "each") place.which = -1;
+    if (place.side != "opposite") return;
+    for (std::size_t p = facts_.places.size(); p-- > 0;) {
+      Place& before = facts_.places[p];
+      if (!AskedNames(*before.asked, "in a corner") || before.side == "each") continue;
+      if (before.side.empty()) before.side = "far right";
+      place.side = "across " + before.side;
+      return;
+    }
+  }
+
+  // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
+  void TakeFront(Place& place) const {
+    if (!IsIn("look_to_the_front", facts_.archetype->per_person())) return;
+    if (place.side == "front") {
+      place.side = "far";
+    } else if (place.side == "back" || place.side == "rear") {
+      place.side = "near";
+    }
+  }
+
+  // "Desks facing a screen": what hangs on a wall hangs where they look. One piece looks somewhere; several need a wall
+  // that is told.
+  void HangWhatIsFaced() {
+    std::vector<Place> walls;
+    for (Place& place : facts_.places) {
+      if (place.target == nullptr || place.target->kind() != hb::FURNITURE_KIND_WALL ||
+          !IsOnTheFloor(*place.furniture) || !AskedNames(*place.asked, "faces the {target}")) {
+        continue;
+      }
+      const auto own = [&](const Place& one) { return one.furniture == place.target && one.asked->carried() == 0; };
+      if (std::ranges::any_of(facts_.places, own) || std::ranges::any_of(walls, own)) continue;
+      const auto wish = std::ranges::find(facts_.wishes, place.furniture, &Wish::furniture);
+      if (wish == facts_.wishes.end() || wish->count == 1) {
+        const hb::AskedPlace* opposite = patterns_.Find("opposite", "target", hb::FURNITURE_KIND_WALL);
+        if (opposite == nullptr) continue;
+        place.asked = opposite;
+        std::swap(place.furniture, place.target);
+        continue;
+      }
+      Place hung = place;
+      hung.furniture = place.target;
+      hung.target = nullptr;
+      hung.which = -1;
+      hung.asked = patterns_.Find("on", "wall", hb::FURNITURE_KIND_WALL);
+      hung.side = "blank far";
+      if (hung.asked != nullptr) walls.push_back(hung);
+    }
+    facts_.places.insert(facts_.places.end(), walls.begin(), walls.end());
+  }
+
+  // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners.
   int OneForEach(const Place& place, std::size_t begin, std::size_t end) const {
     bool each = false;
+    constexpr int kCorners = 4;
     for (std::size_t i = begin; i < end; ++i) {
+      if (place.side == "each" && text_.Says(i, {"each", "every", "all", "four"})) return kCorners;
       each = each || text_.Says(i, {"each", "every"});
       // "A barre along both long walls".
       if (text_.At(i) == "both" && AskedNames(*place.asked, "{wall}")) return 2;
@@ -287,12 +389,14 @@ class PlaceReader {
     if (last_ && last_->end == i && before && by_landmark_[before->mention]) before = last_->subject;
     if (before) {
       place.target = before->furniture;
+      if (AskedNames(*place.asked, "{first}")) place.other = place.target;
       return place.target != place.furniture;
     }
     for (std::size_t at = i; at > 0 && !text_.EndsSentence(at - 1); --at) {
       const std::optional<std::size_t> m = named_.EndingAt(at);
       if (!m || IsOnATop(*mentions_[*m].furniture)) continue;
       place.target = mentions_[*m].furniture;
+      if (AskedNames(*place.asked, "{first}")) place.other = place.target;
       return place.target != place.furniture;
     }
     return false;
@@ -301,11 +405,6 @@ class PlaceReader {
   // Directions that the sentence does not have: of "to the left of the window" only "near the window" is left.
   void NoteLoosely(const Place& place, std::size_t begin, std::size_t end) {
     const std::string& text = place.asked->relation().text();
-    // Which wall something hangs on cannot be asked for.
-    if (text.find("hangs on the wall in") != std::string::npos && !place.side.empty()) {
-      facts_.places_loosely_kept.push_back(
-          fmt::format("\"{} {}\": it hangs on a wall", place.furniture->name(), place.said));
-    }
     if (place.asked->carried() == hb::CARRIED_ALONG) {
       facts_.places_loosely_kept.push_back(
           fmt::format("\"{} {}\": it stands on the same top", place.furniture->name(), place.said));
@@ -326,7 +425,8 @@ class PlaceReader {
   void NoteUnread(std::size_t i) {
     const bool phrase = std::ranges::any_of(
         PhrasesOf("place_phrases"), [&](const Phrase& one) { return one.MatchAt(tokens_, i, /*plural=*/false) > 0; });
-    if (!phrase && !IsIn("place_words", tokens_[i].text)) return;
+    const auto named = [&](const Match& match) { return match.length > 1; };
+    if (!phrase && !IsIn("place_words", tokens_[i].text) && std::ranges::none_of(patterns_.MatchesAt(i), named)) return;
     if (i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kNumber) return;  // "under 20 m2"
     std::size_t begin = i;
     while (begin > 0 &&

@@ -16,7 +16,8 @@ struct Mention {
   std::size_t begin = 0;
   std::size_t end = 0;
   int count = 1;
-  int which = -1;  // "another desk": the second; -1 for all of them
+  int which = -1;      // "another desk": the second; -1 for all of them
+  bool seats = false;  // said of the seats of the piece: "tables, each with two chairs"
 };
 
 // Reads where the brief wants its pieces: which piece, how, and by what ("a lamp between them"). Places that it finds

@@ -81,6 +81,58 @@ TEST(PlaceReader, WallsAreAlsoSidesAndEndsAndWhatIsAcrossFromAPiece) {
   }
 }
 
+TEST(PlaceReader, WhatHangsHangsOnTheWallThatIsNamed) {
+  ExpectEach({{"A meeting room with a whiteboard on the west wall.", "The whiteboard hangs on {wall}. [west]"},
+              {"A meeting room with a screen on the wall opposite the door.", "The projector screen hangs on {wall}. [far]"},
+              {"A ballet studio, mirrors along a long wall.", "The mirror hangs on {wall}. [long]"},
+              {"A hallway with a mirror halfway along the right wall.", "The mirror is in the middle of {wall}. [right]"},
+              {"A hallway with coat hooks beside the door.", "The wall hooks is near the door."}});
+}
+
+TEST(PlaceReader, WhatIsFacedHangsWherePeopleLook) {
+  EXPECT_THAT(PlacesIn("A barber shop with four barber chairs facing the mirrors."),
+              ElementsAre("The barber chair faces the mirror.", "The mirror hangs on {wall}. [blank far]"));
+  ExpectEach({{"A lecture room with a lectern by the screen.", "The projector screen hangs on the wall near the teacher desk."},
+              {"A living room with a TV on the wall opposite the sofa.",
+               "The television hangs on the wall opposite the sofa."}});
+}
+
+TEST(PlaceReader, CornersByTheDoorOppositeAndAllOfThem) {
+  ExpectEach({{"A bedroom with a wardrobe in the corner by the door.", "The wardrobe is in a corner. [at door]"},
+              {"A living room with a plant in each corner.", "The floor plant is in a corner. [each]"},
+              {"A hall with four statues, one in each corner.", "The statue is in a corner. [each]"},
+              {"A home office with a desk diagonally opposite the door.", "The desk is in a corner. [across at door]"}});
+  EXPECT_THAT(PlacesIn("A shed with a feed bin in one corner and a waste bin in the opposite corner."),
+              ElementsAre("The feed bin is in a corner. [far right]", "The waste bin is in a corner. [across far right]"));
+  EXPECT_EQ(FactsOf("A living room with a plant in each corner.").wishes.front().count, 4);
+}
+
+TEST(PlaceReader, BetweenAPieceAndAnOpeningIsNearBoth) {
+  const BriefFacts facts = FactsOf("A dining room with a drinks trolley between the sideboard and the window.");
+  EXPECT_THAT(PlacesIn("A dining room with a drinks trolley between the sideboard and the window."),
+              ElementsAre("The bar cart is near the sideboard.", "The bar cart is near the window."));
+  EXPECT_EQ(facts.places_loosely_kept.size(), 1U);
+}
+
+TEST(PlaceReader, DividersStandBetween) {
+  constexpr const char* kBookshelf = "The bookshelf is between the desk and the desk.";
+  ExpectEach({{"A home office with two desks and a bookcase dividing them.", kBookshelf},
+              {"A home office with two desks separated by a bookcase.", kBookshelf}});
+}
+
+TEST(PlaceReader, FrontAndBackAreThoseOfWhoSitsThere) {
+  ExpectEach({{"A classroom with a bookcase at the back of the room.", "The bookshelf's back is against {wall}. [near]"},
+              {"A florist with a bookcase at the back.", "The bookshelf's back is against {wall}. [back]"}});
+}
+
+TEST(PlaceReader, OneMoreOnTheOtherSide) {
+  const BriefFacts facts = FactsOf("A bedroom with a double bed with a nightstand on the left and one on the right.");
+  ASSERT_EQ(facts.places.size(), 2U);
+  EXPECT_EQ(facts.places[0].which, 0);
+  EXPECT_EQ(facts.places[1].which, 1);
+  EXPECT_EQ(facts.wishes[1].count, 2);
+}
+
 TEST(PlaceReader, BetweenTwoPieces) {
   constexpr const char* kLamp = "The floor lamp is between the armchair and the armchair.";
   ExpectEach({{"A living room with two armchairs with a floor lamp between them.", kLamp},

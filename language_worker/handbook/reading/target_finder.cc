@@ -9,7 +9,7 @@ namespace flair::language {
 
 bool TargetFinder::Find(std::size_t subject, const PlacePatterns::Match& match, Place& place) const {
   place.side = match.landmark.side;
-  if (place.side == "opposite" && !OppositeOfLast().empty()) place.side = OppositeOfLast();
+  if (place.side == "opposite" && AskedNames(*match.asked, "{wall}") && !OppositeOfLast().empty()) place.side = OppositeOfLast();
   if (AskedNames(*match.asked, "{first}")) return FindPair(subject, match.landmark, place);
   if (!AskedNames(*match.asked, "{target}")) return true;
   // "A king bed with a bench at the foot", "a nightstand on the left": of what it usually stands by.
@@ -89,6 +89,8 @@ bool TargetFinder::FindNamedBefore(std::size_t subject, bool plural, Place& plac
     for (std::size_t m = subject; m-- > 0 && place.target == nullptr;) {
       const hb::Furniture& target = *mentions_[m].furniture;
       if (&target == &piece || (plural && !on_a_top && mentions_[m].count < 2 && tops > 0)) continue;
+      // "It" is one piece, where there is one.
+      if (!plural && mentions_[m].count > 1 && tops > 0 && !on_a_top) continue;
       const bool has_top = target.top_places() >= tops && (tops > 0 || carried == hb::CARRIED_IN);
       const bool may_be = IsOnTheFloor(target) ? !on_a_top || has_top : !on_a_top && !IsOnTheFloor(piece);
       if (may_be) place.target = &target;

@@ -126,8 +126,31 @@ std::vector<Correction> Speller::Correct(std::vector<Token>& tokens) const {
   return corrections;
 }
 
+namespace {
+
+std::vector<PlaceWords> PlaceWordsOf(const hb::Handbook& handbook) {
+  std::vector<PlaceWords> all;
+  for (const hb::AskedPlace& asked : handbook.asked_places()) {
+    const auto first = static_cast<std::ptrdiff_t>(all.size());
+    for (const std::string& words : asked.words()) {
+      const std::size_t brace = std::min(words.find('{'), words.size());
+      const std::string slot = brace < words.size() ? words.substr(brace + 1, words.size() - brace - 2) : "";
+      const std::size_t from = words.starts_with("not ") ? std::string_view("not ").size() : 0;
+      const auto same = std::find_if(all.begin() + first, all.end(), [&](const PlaceWords& one) {
+        return one.slot == slot && one.denied == (from > 0);
+      });
+      PlaceWords& place = same != all.end() ? *same : all.emplace_back(PlaceWords{&asked, slot, from > 0, {}});
+      place.words.Add(std::string_view(words).substr(from, brace - from), 0);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
 Vocabulary::Vocabulary(const Handbook& handbook)
-    : speller(std::make_shared<const Speller>(handbook.contents())),
+    : places(std::make_shared<const std::vector<PlaceWords>>(PlaceWordsOf(handbook.contents()))),
+      speller(std::make_shared<const Speller>(handbook.contents())),
       meanings(std::make_shared<const Meanings>(handbook.contents())) {
   for (const hb::Noun& noun : handbook.contents().nouns()) {
     Head head{.noun = &noun, .words = {}, .options = {}, .modifiers = {}};

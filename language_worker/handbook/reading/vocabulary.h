@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "english/lexicon.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/words.h"
@@ -84,6 +85,15 @@ class Speller {
   std::unordered_map<std::string, std::vector<std::string>> by_ends_;
 };
 
+// Words for a place, and what follows them: "door", "window", "wall", "corner", "target", "targets", or the "pieces"
+// themselves; empty when nothing does.
+struct PlaceWords {
+  const hb::AskedPlace* asked = nullptr;
+  std::string slot;
+  bool denied = false;  // they stand behind "not", maybe apart: "must not be placed near the door"
+  english::PhraseBook words;
+};
+
 // Made once for a handbook: the same in every kind of room.
 struct Vocabulary {
   // A noun for several classes, with the words before it that tell which.
@@ -108,6 +118,7 @@ struct Vocabulary {
   std::vector<Saying<hb::NamedColour>> colours;
   std::vector<Head> heads;
   std::vector<Phrase> other_things;
+  std::shared_ptr<const std::vector<PlaceWords>> places;
   std::shared_ptr<const Speller> speller;
   std::shared_ptr<const Meanings> meanings;
 };

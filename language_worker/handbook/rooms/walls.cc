@@ -134,6 +134,19 @@ std::optional<int> CornerTowards(const v1::Room& room, const std::vector<int>& h
   return best;
 }
 
+// The corner nearest to, or farthest from, a point.
+std::optional<int> ExtremeCorner(const v1::Room& room, double x_m, double y_m, bool nearest) {
+  std::optional<int> best;
+  double best_m = 0;
+  for (int i = 0; i < Count(room); ++i) {
+    const double away_m = std::hypot(CornerAt(room, i).x_m() - x_m, CornerAt(room, i).y_m() - y_m);
+    if (IsReentrant(room, i) || (best && (nearest ? away_m > best_m - 1e-9 : away_m < best_m + 1e-9))) continue;
+    best = i;
+    best_m = away_m;
+  }
+  return best;
+}
+
 }  // namespace
 
 int HeadingOf(const v1::Room& room, int wall) {
@@ -196,6 +209,21 @@ const v1::Opening* OpeningOf(const v1::Room& room, v1::OpeningKind kind, std::st
 
 std::optional<int> CornerOf(const v1::Room& room, std::string_view words) {
   if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
+  if (words.starts_with("across ")) {
+    const std::optional<int> corner = CornerOf(room, words.substr(words.find(' ') + 1));
+    if (!corner) return std::nullopt;
+    return ExtremeCorner(room, CornerAt(room, *corner).x_m(), CornerAt(room, *corner).y_m(), false);
+  }
+  if (words.starts_with("at ")) {
+    const auto kind = words.ends_with("door") ? v1::OPENING_KIND_DOOR : v1::OPENING_KIND_WINDOW;
+    const auto opening = std::ranges::find(room.openings(), kind, &v1::Opening::kind);
+    const std::optional<int> wall = opening == room.openings().end() ? std::nullopt : WallNamed(room, opening->wall());
+    if (!wall) return std::nullopt;
+    const double share = (opening->offset_m() + opening->width_m() / 2) / WallLength(room, *wall);
+    const v1::Point2 &from = CornerAt(room, *wall), &to = CornerAt(room, *wall + 1);
+    return ExtremeCorner(room, from.x_m() + share * (to.x_m() - from.x_m()), from.y_m() + share * (to.y_m() - from.y_m()),
+                         true);
+  }
   std::vector<int> headings;
   for (const std::string& word : SideWords(words)) {
     if (const std::optional<int> heading = HeadingNamed(room, word)) headings.push_back(*heading);

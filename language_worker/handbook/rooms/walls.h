@@ -20,7 +20,8 @@ std::optional<int> WallOf(const v1::Room& room, std::string_view words);
 // there. Null when the words tell none.
 const v1::Opening* OpeningOf(const v1::Room& room, v1::OpeningKind kind, std::string_view words);
 
-// The corner of the floor (the index of its vertex) that words mean: "north east", "far left", "far". Never one where
+// The corner of the floor (the index of its vertex) that words mean: "north east", "far left", "far", "at door", or
+// "across" from another one. Never one where
 // the room goes round a corner. Nothing when the words name none.
 std::optional<int> CornerOf(const v1::Room& room, std::string_view words);
 

@@ -57,7 +57,7 @@ class ConstraintLister {
         places_(facts.places),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
         writer_(room, zones, objects, handbook, program_, choice, spoken),
-        place_writer_(room, program_, writer_),
+        place_writer_(room, program_, places_, writer_),
         run_(PlanRun(room, objects, facts, handbook, choice)),
         kept_(facts.places.size(), false) {}
 

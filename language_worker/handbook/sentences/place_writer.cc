@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/rooms/walls.h"
 #include "language_worker/handbook/sentences/fill.h"
 
@@ -45,6 +47,13 @@ void NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation&
   }
 }
 
+// Where a wall stands for the target.
+void NameTheWall(const Slots& further, hb::Relation& relation) {
+  constexpr std::string_view kTarget = "the {target}";
+  const std::size_t at = relation.text().find(kTarget);
+  if (at != std::string::npos && further.contains("wall")) relation.mutable_text()->replace(at, kTarget.size(), "{wall}");
+}
+
 bool HasOpenings(const v1::Room& room, int wall) {
   return std::ranges::any_of(room.openings(),
                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
@@ -55,29 +64,37 @@ bool HasOpenings(const v1::Room& room, int wall) {
 std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& group) const {
   const Group subjects = SubjectsOf(place, group);
   if (subjects.empty()) return {};
-  if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk") {
-    const std::vector<v1::Sentence> sentences = WriteOfDesks(place, subjects);
-    if (!sentences.empty()) return sentences;
-  }
   if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
-  if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorner(place, subjects);
+  if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorners(place, subjects);
   if (PlaceNames(place, "{wall}") && place.said.ends_with("walls") && subjects.size() == 2) {
     return WriteOpposite(place, subjects);
   }
+  hb::Relation relation = place.asked->relation();
   Slots further;
   if (PlaceNames(place, "{wall}")) {
-    const std::optional<int> wall = WallOf(room_, place.side);
-    if (!wall && !place.side.empty()) return {};
-    further["wall"] = wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
+    const std::optional<Slot> wall = WallFor(place.side);
+    if (!wall) return {};
+    // It hangs on a wall anyway.
+    if (wall->means.empty() && subjects.front()->kind() == v1::OBJECT_KIND_WALL) {
+      relation.set_text("The {object} hangs on the wall in the {zone} zone.");
+    }
+    further["wall"] = *wall;
   }
-  hb::Relation relation = place.asked->relation();
   NameTheOpening(room_, place.side, relation);
+  // What stands beside a thing stands on that one's host.
   const hb::Carried carried = place.asked->carried();
+  if (place.target != nullptr && carried != hb::CARRIED_ALONG) {
+    const std::string target = StandIn(place, further);
+    if (!target.empty()) relation.add_targets(target);
+  }
+  if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk") {
+    const std::vector<v1::Sentence> sentences = WriteOfDesks(place, relation, subjects, further);
+    if (!sentences.empty()) return sentences;
+  }
+  if (relation.targets().empty()) NameTheWall(further, relation);
   const bool on_a_top = carried != hb::CARRIED_UNSPECIFIED && subjects.front()->kind() == v1::OBJECT_KIND_SURFACE;
   if (on_a_top && !writer_.IsCentral(*subjects.front()))
     relation.set_text("The {object} is on the {corner} corner of the {target}.");
-  // What stands beside a thing stands on that one's host.
-  if (place.target != nullptr && carried != hb::CARRIED_ALONG) relation.add_targets(place.target->name());
   // What one walks round stands in no row without gaps.
   constexpr double kPassM = 0.3;
   const auto parts = static_cast<std::size_t>(std::max(1, place.asked->parts()));
@@ -87,10 +104,52 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     const auto at = [&](std::size_t part) {
       return subjects.begin() + static_cast<std::ptrdiff_t>(subjects.size() * part / parts);
     };
-    const std::vector<v1::Sentence> about = writer_.Write(relation, Group(at(i), at(i + 1)), further);
+    std::vector<v1::Sentence> about = writer_.Write(relation, Group(at(i), at(i + 1)), further);
+    if (about.empty() && place.target != nullptr) about = WriteHung(relation, place, subjects, further);
     sentences.insert(sentences.end(), about.begin(), about.end());
   }
   return sentences;
+}
+
+// What hangs on a wall belongs to no other piece, but for what the brief says.
+std::vector<v1::Sentence> PlaceWriter::WriteHung(const hb::Relation& relation, const Place& place, const Group& group,
+                                                 const Slots& further) const {
+  std::vector<v1::Sentence> sentences;
+  if (group.front()->kind() != v1::OBJECT_KIND_WALL || relation.pairing() == hb::PAIRING_TOGETHER) return sentences;
+  for (const v1::Object* object : group) {
+    const v1::Object* target = Neighbour(*place.target, *object, nullptr);
+    if (target != nullptr) sentences.push_back(writer_.WriteOne(relation, {object}, {target}, sentences.size(), further));
+  }
+  return sentences;
+}
+
+std::optional<Slot> PlaceWriter::WallFor(const std::string& side) const {
+  const std::optional<int> wall = WallOf(room_, side);
+  if (!wall && !side.empty()) return std::nullopt;
+  return wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
+}
+
+std::string PlaceWriter::StandIn(const Place& place, Slots& further) const {
+  const auto& groups = writer_.groups();
+  const auto found = groups.find(place.target->name());
+  const bool standing = found != groups.end() && IsOnTheFloor(*place.furniture) &&
+                        found->second.front()->role() == v1::OBJECT_ROLE_TERTIARY;
+  if (!standing) return place.target->name();
+  const v1::Object& target = *found->second.front();
+  if (target.kind() == v1::OBJECT_KIND_SURFACE) {
+    for (const auto& [name, objects] : groups) {
+      if (std::ranges::any_of(objects, [&](const v1::Object* one) { return one->id() == target.host_id(); })) return name;
+    }
+  }
+  for (const Place& hung : places_) {
+    if (target.kind() != v1::OBJECT_KIND_WALL || hung.furniture != place.target) continue;
+    if (!PlaceNames(hung, "{wall}") && hung.target != nullptr && IsOnTheFloor(*hung.target)) return hung.target->name();
+    const std::optional<Slot> wall = PlaceNames(hung, "{wall}") ? WallFor(hung.side) : std::nullopt;
+    if (!wall || wall->means.empty()) continue;
+    further["wall"] = *wall;
+    return "";
+  }
+  return place.target->name();
 }
 
 Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
@@ -101,11 +160,11 @@ Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
   return {all[at]};
 }
 
-std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, const Group& group) const {
-  hb::Relation relation = place.asked->relation();
+std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, hb::Relation relation, const Group& group,
+                                                    const Slots& further) const {
   relation.set_text(place.asked->text_of_desks());
-  if (place.target != nullptr) relation.add_targets(place.target->name());
-  if (relation.text().find("{seat}") == std::string::npos) return writer_.Write(relation, group);
+  if (relation.targets().empty()) NameTheWall(further, relation);
+  if (relation.text().find("{seat}") == std::string::npos) return writer_.Write(relation, group, further);
   relation.set_text(Fill(relation.text(), {{"seat", "{object}"}}));
   Group seats;
   for (const auto& [name, objects] : writer_.groups()) {
@@ -115,7 +174,7 @@ std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, const Gr
     }
     if (!seats.empty()) break;
   }
-  return seats.empty() ? std::vector<v1::Sentence>() : writer_.Write(relation, seats);
+  return seats.empty() ? std::vector<v1::Sentence>() : writer_.Write(relation, seats, further);
 }
 
 std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const Group& group) const {
@@ -147,10 +206,23 @@ std::vector<v1::Sentence> PlaceWriter::WriteBetween(const Place& place, const Gr
   return sentences;
 }
 
-std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Group& group) const {
+std::vector<v1::Sentence> PlaceWriter::WriteCorners(const Place& place, const Group& group) const {
+  if (place.side == "each") {
+    constexpr std::array<std::string_view, 4> kCorners = {"far left", "near right", "far right", "near left"};
+    std::vector<v1::Sentence> sentences;
+    for (std::size_t i = 0; i < std::min(group.size(), kCorners.size()); ++i) {
+      const std::optional<int> corner = CornerOf(room_, kCorners[i]);
+      if (!corner) return writer_.Write(place.asked->relation(), group);
+      for (v1::Sentence& sentence : WriteCorner(place, {group[i]}, *corner)) sentences.push_back(std::move(sentence));
+    }
+    return sentences;
+  }
   const std::optional<int> corner = CornerOf(room_, place.side);
-  if (!corner) return writer_.Write(place.asked->relation(), group);
-  const int after = *corner, before = (*corner + room_.walls_size() - 1) % room_.walls_size();
+  return corner ? WriteCorner(place, {group.front()}, *corner) : writer_.Write(place.asked->relation(), group);
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Group& one, int corner) const {
+  const int after = corner, before = (corner + room_.walls_size() - 1) % room_.walls_size();
   // The back leaves windows and doors free where it can. Along a wall that begins in the corner the left side meets
   // the other one, along a wall that ends there the right side.
   const bool on_after = HasOpenings(room_, before) || !HasOpenings(room_, after);
@@ -158,9 +230,9 @@ std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Gro
   back.set_text("The {object}'s back is against {wall}.");
   side.set_text(fmt::format("The {{object}}'s {} side is against {{wall}}.", on_after ? "left" : "right"));
   std::vector<v1::Sentence> sentences =
-      writer_.Write(back, {group.front()}, {{"wall", TheWall(room_, on_after ? after : before)}});
+      writer_.Write(back, one, {{"wall", TheWall(room_, on_after ? after : before)}});
   for (v1::Sentence& sentence :
-       writer_.Write(side, {group.front()}, {{"wall", TheWall(room_, on_after ? before : after)}})) {
+       writer_.Write(side, one, {{"wall", TheWall(room_, on_after ? before : after)}})) {
     sentences.push_back(std::move(sentence));
   }
   return sentences;
