@@ -70,7 +70,9 @@ bool IsMeasure(const BriefText& text, std::size_t i) {
 bool IsOneForEach(const BriefText& text, const std::vector<bool>& used, std::size_t i, std::size_t length) {
   constexpr std::size_t kMostWords = 5, kMostBack = 7, kMostToPer = 9;
   for (std::size_t back = 1; back <= kMostBack && back < i && !text.IsSign(i - back); ++back) {
-    if (text.Says(i - back, {"with", "has"}) && text.Says(i - back - 1, {"each", "every"})) return true;
+    const std::size_t at = i - back;
+    const bool each = text.Says(at - 1, {"each", "every"}) || (at > 1 && text.Says(at - 2, {"each", "every"}));
+    if (text.Says(at, {"with", "has"}) && each) return true;
   }
   // "One nightstand and one visitor's chair per bed".
   for (std::size_t k = i + length; k < i + length + kMostToPer && !text.EndsSentence(k) && text.At(k) != "with"; ++k) {

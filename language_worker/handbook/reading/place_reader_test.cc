@@ -92,6 +92,8 @@ TEST(PlaceReader, WhatHangsHangsOnTheWallThatIsNamed) {
 TEST(PlaceReader, WhatIsFacedHangsWherePeopleLook) {
   EXPECT_THAT(PlacesIn("A barber shop with four barber chairs facing the mirrors."),
               ElementsAre("The barber chair faces the mirror.", "The mirror hangs on {wall}. [blank far]"));
+  EXPECT_THAT(PlacesIn("A living room with a whiteboard on the north wall and a sofa facing it."),
+              ElementsAre("The whiteboard hangs on {wall}. [north]", "The sofa faces the whiteboard."));
   ExpectEach({{"A lecture room with a lectern by the screen.", "The projector screen hangs on the wall near the teacher desk."},
               {"A living room with a TV on the wall opposite the sofa.",
                "The television hangs on the wall opposite the sofa."}});
@@ -123,6 +125,13 @@ TEST(PlaceReader, DividersStandBetween) {
 TEST(PlaceReader, FrontAndBackAreThoseOfWhoSitsThere) {
   ExpectEach({{"A classroom with a bookcase at the back of the room.", "The bookshelf's back is against {wall}. [near]"},
               {"A florist with a bookcase at the back.", "The bookshelf's back is against {wall}. [back]"}});
+}
+
+TEST(PlaceReader, BetweenTwoOfAKindThoughOthersAreNamedInBetween) {
+  const char* kText = "A bedroom with two single beds, each bed with its own nightstand, and a screen between them.";
+  EXPECT_EQ(FactsOf(kText).wishes[1].count, 2);
+  EXPECT_THAT(PlacesIn("A library with two armchairs, a floor plant and a side table between them."),
+              ElementsAre("The side table is between the armchair and the armchair."));
 }
 
 TEST(PlaceReader, OneMoreOnTheOtherSide) {

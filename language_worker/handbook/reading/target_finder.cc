@@ -39,7 +39,13 @@ bool TargetFinder::FindPair(std::size_t subject, const Landmark& landmark, Place
     place.other = places_.back().target;
     return true;
   }
-  // The two that were named last before it, those first that do not only tell where others go.
+  // Two of a kind, "two beds, each with a nightstand, a curtain in between"; else the two that were named last before
+  // it, those first that do not only tell where others go.
+  for (std::size_t m = subject; m-- > 0;) {
+    if (mentions_[m].count != 2 || mentions_[m].furniture == piece || by_landmark_[m]) continue;
+    place.target = place.other = mentions_[m].furniture;
+    return true;
+  }
   for (const bool landmarks_too : {false, true}) {
     place.target = place.other = nullptr;
     for (std::size_t m = subject; m-- > 0;) {
@@ -92,7 +98,8 @@ bool TargetFinder::FindNamedBefore(std::size_t subject, bool plural, Place& plac
       // "It" is one piece, where there is one.
       if (!plural && mentions_[m].count > 1 && tops > 0 && !on_a_top) continue;
       const bool has_top = target.top_places() >= tops && (tops > 0 || carried == hb::CARRIED_IN);
-      const bool may_be = IsOnTheFloor(target) ? !on_a_top || has_top : !on_a_top && !IsOnTheFloor(piece);
+      const bool faced = target.kind() == hb::FURNITURE_KIND_WALL && AskedNames(*place.asked, "faces the {target}");
+      const bool may_be = faced || IsOnTheFloor(target) ? !on_a_top || has_top : !on_a_top && !IsOnTheFloor(piece);
       if (may_be) place.target = &target;
     }
   }

@@ -163,6 +163,7 @@ Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
 std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, hb::Relation relation, const Group& group,
                                                     const Slots& further) const {
   relation.set_text(place.asked->text_of_desks());
+  NameTheOpening(room_, place.side, relation);
   if (relation.targets().empty()) NameTheWall(further, relation);
   if (relation.text().find("{seat}") == std::string::npos) return writer_.Write(relation, group, further);
   relation.set_text(Fill(relation.text(), {{"seat", "{object}"}}));
