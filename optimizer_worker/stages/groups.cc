@@ -18,6 +18,8 @@ namespace {
 
 // A table and its seats; more would be a room, not a group.
 constexpr size_t kMostMembers = 17;
+// An island of desks or what is side by side in a row; more are rows of themselves.
+constexpr size_t kMostInBlock = 8;
 
 // Pieces of the same make: they have the same name but for a number, and are as large to a hand's breadth or two.
 using Make = std::tuple<std::string, int, int, bool>;
@@ -34,6 +36,7 @@ class GroupFinder {
       : input_(input), scene_(input.scene), parent_(scene_.objects.size(), -1) {}
 
   Groups Find() {
+    FindBlocks();
     FindParents();
     CutOddOnes();
     Gather();
@@ -49,8 +52,34 @@ class GroupFinder {
            (what.role != ObjectRole::kTertiary || !what.walk_over);
   }
 
+  // Pieces of a make and a zone that calls put side to side, named sides: an island of desks, two of a row.
+  void FindBlocks() {
+    block_.resize(parent_.size());
+    for (size_t i = 0; i < block_.size(); ++i) block_[i] = static_cast<int>(i);
+    for (const v1::ConstraintEdge& edge : input_.graph.edges()) {
+      const auto sides = std::count_if(edge.arguments().begin(), edge.arguments().end(), [](const auto& argument) {
+        return argument.name() == "object_side" || argument.name() == "target_side";
+      });
+      const std::vector<int> named = NamedObjects(edge, scene_);
+      if (edge.type() != "next_to" || sides != 2 || named.size() != 2) continue;
+      const Object &one = scene_.objects[named[0]], &other = scene_.objects[named[1]];
+      if (one.zone != other.zone || MakeOf(one) != MakeOf(other) || !MayJoin(named[0]) || !MayJoin(named[1])) continue;
+      const int from = block_[named[0]], to = block_[named[1]];
+      std::replace(block_.begin(), block_.end(), std::max(from, to), std::min(from, to));
+    }
+  }
+  bool AreInBlock(int a, int b) const {
+    return block_[a] == block_[b] &&
+           static_cast<size_t>(std::count(block_.begin(), block_.end(), block_[a])) <= kMostInBlock;
+  }
+  // Whether its first piece has others of its make in the group.
+  bool IsBlock(const Group& group) const {
+    return std::any_of(group.objects.begin() + 1, group.objects.end(),
+                       [&](int o) { return AreInBlock(group.objects[0], o); });
+  }
+
   // Largest first: each belongs to the one before it that it is tied to most. Many of a make do not belong to each
-  // other: they make rows.
+  // other, unless in a block: they make rows.
   void FindParents() {
     for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
       if (MayJoin(i)) order_.push_back(i);
@@ -67,8 +96,8 @@ class GroupFinder {
       for (size_t k = 0; k < i; ++k) {
         const double tie = input_.linked.TieOf(order_[k], object);
         const bool alike = MakeOf(scene_.objects[order_[k]]) == MakeOf(scene_.objects[object]);
-        if (tie <= most || (alike && common_[MakeOf(scene_.objects[object])] >= kFewestAlike) ||
-            members[root[order_[k]]] >= kMostMembers)
+        const bool row = alike && common_[MakeOf(scene_.objects[object])] >= kFewestAlike;
+        if (tie <= most || (row && !AreInBlock(order_[k], object)) || members[root[order_[k]]] >= kMostMembers)
           continue;
         most = tie;
         parent_[object] = order_[k];
@@ -103,7 +132,9 @@ class GroupFinder {
     std::map<Make, std::vector<int>> like;
     for (int object : order_) like[MakeOf(scene_.objects[object])].push_back(object);
     for (const auto& [make, objects] : like) {
-      const auto tied = std::count_if(objects.begin(), objects.end(), [&](int o) { return parent_[o] >= 0; });
+      const auto tied = std::count_if(objects.begin(), objects.end(), [&](int o) {
+        return parent_[o] >= 0 || std::count(block_.begin(), block_.end(), block_[o]) > 1;
+      });
       if (objects.size() < kFewestAlike || 2 * static_cast<size_t>(tied) >= objects.size()) continue;
       for (int object : objects) parent_[object] = -1;
     }
@@ -144,14 +175,15 @@ class GroupFinder {
       clusters[MakeOf(scene_.objects[groups_.all[g].objects[0]])].push_back(g);
     }
     for (const auto& [make, cluster] : clusters) {
-      if (cluster.size() < kFewestAlike && !AreParallel(cluster)) continue;
+      const bool blocks = std::any_of(cluster.begin(), cluster.end(), [&](int g) { return IsBlock(groups_.all[g]); });
+      if (cluster.size() < (blocks ? 2 : kFewestAlike) && !AreParallel(cluster)) continue;
       std::map<Kit, size_t> counts;
       for (int g : cluster) ++counts[KitOf(groups_.all[g])];
       const auto common = std::max_element(counts.begin(), counts.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
       std::vector<int> pattern;
       for (int g : cluster) {
-        if (Reduce(g, common->first)) pattern.push_back(g);
+        if ((blocks && IsPart(KitOf(groups_.all[g]), common->first)) || Reduce(g, common->first)) pattern.push_back(g);
       }
       // Rows are often zones of their own.
       std::sort(pattern.begin(), pattern.end(), [&](int a, int b) {
@@ -159,8 +191,15 @@ class GroupFinder {
         return std::pair(scene_.objects[first].zone, first) < std::pair(scene_.objects[second].zone, second);
       });
       Chain(pattern);
-      if (pattern.size() >= std::min(kFewestAlike, cluster.size())) groups_.patterns.push_back(std::move(pattern));
+      if (pattern.size() >= std::min(blocks ? size_t{2} : kFewestAlike, cluster.size())) groups_.patterns.push_back(std::move(pattern));
     }
+  }
+
+  // The last island has fewer desks.
+  static bool IsPart(Kit few, Kit all) {
+    std::sort(few.begin(), few.end());
+    std::sort(all.begin(), all.end());
+    return std::includes(all.begin(), all.end(), few.begin(), few.end());
   }
 
   // Two or three that are each called parallel to another, such as twin beds.
@@ -241,6 +280,7 @@ class GroupFinder {
     FindEdges();
     std::map<std::string, std::vector<Arrangement>> known;
     for (Group& group : groups_.all) {
+      group.block = IsBlock(group);
       if (group.objects.size() == 1) {
         group.arrangements = {{Pose<double>()}};
         continue;
@@ -254,6 +294,8 @@ class GroupFinder {
   const SolveInput& input_;
   const Scene& scene_;
   std::vector<int> parent_, order_;
+  // Per object, the first of those of its block.
+  std::vector<int> block_;
   std::map<Make, size_t> common_;
   Groups groups_;
 };

@@ -23,6 +23,8 @@ struct Group {
   // Ways to stand together, none empty, nothing overlaps: where the first stands free, and with its back or sides at
   // walls, where they differ.
   std::vector<Arrangement> arrangements;
+  // Whether it has several of its first piece's make: an island of desks.
+  bool block = false;
 };
 
 struct Groups {

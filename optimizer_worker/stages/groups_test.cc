@@ -183,6 +183,36 @@ TEST(Groups, RowsBeginAtTheDeskThatTheyFaceForEverySeed) {
   }
 }
 
+TEST(Groups, IslandsAreGroupsOfAPattern) {
+  // Two islands of four, back to back and side by side, and one of two.
+  std::string objects, edges;
+  for (int d = 0; d < 10; ++d) objects += ObjectText(fmt::format("desk_{}", d).c_str(), "PRIMARY", "FLOOR", 1.2, 0.6);
+  const auto beside = [&](int object, int target, const char* side, const char* other) {
+    edges += EdgeText(fmt::format("beside_{}", object).c_str(), "next_to",
+                      Text("object", fmt::format("desk_{}", object).c_str()) +
+                          Text("target", fmt::format("desk_{}", target).c_str()) + Text("object_side", side) +
+                          Text("target_side", other));
+  };
+  for (int first : {0, 4}) {
+    beside(first + 1, first, "back", "back");
+    beside(first + 2, first, "left", "right");
+    beside(first + 3, first + 2, "back", "back");
+  }
+  beside(9, 8, "back", "back");
+  const v1::LayoutGraph graph = Parse(RoomText(9, 7) + "object_list {" + objects + "}" + edges);
+  const NloptSolver solver;
+  absl::StatusOr<SolveInput> input = MakeSolveInput(graph, {}, solver, nullptr);
+  ASSERT_TRUE(input.ok()) << input.status();
+  const Groups groups = FindGroups(*input);
+  ASSERT_EQ(groups.patterns.size(), 1u);
+  EXPECT_EQ(groups.patterns[0].size(), 3u) << "the last island has two desks";
+  for (int g : groups.patterns[0]) EXPECT_TRUE(groups.all[g].block);
+  const v1::SolvedLayout layout = Solve(graph, 0, v1::GROUP_POLICY_UNSPECIFIED);
+  for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+    EXPECT_LT(outcome.cost(), 0.01) << outcome.ShortDebugString();
+  }
+}
+
 TEST(WalkPenalty, ADeskDoesNotBlockTheFrontOfItsChair) {
   const NloptSolver solver;
   const v1::LayoutGraph graph = Cafe(1, 5);
@@ -246,7 +276,7 @@ TEST(ForEachPattern, KeepsRowsAlongWallsOffWindows) {
   }
   const BoundingBox bed{{-0.5, -1}, {0.5, 1}};
   bool found = false;
-  ForEachPattern(room, bed, 6, [&](const std::vector<Pose<double>>& poses) {
+  ForEachPattern(room, bed, 6, false, [&](const std::vector<Pose<double>>& poses) {
     found = found || std::all_of(poses.begin(), poses.begin() + 6, [&](const Pose<double>& pose) {
               const bool at_side = std::abs(std::abs(pose.x_m - 3.5) - 2.5) < 1e-6;
               return at_side && (pose.y_m < 3.0 + 1e-6 || pose.y_m > 7.0 - 1e-6);
@@ -259,7 +289,7 @@ TEST(ForEachPattern, SharesOppositeWallsEvenly) {
   const Room room = RectangularRoom(7, 10);
   const BoundingBox bed{{-0.75, -1}, {0.75, 1}};
   bool found = false;
-  ForEachPattern(room, bed, 6, [&](const std::vector<Pose<double>>& poses) {
+  ForEachPattern(room, bed, 6, false, [&](const std::vector<Pose<double>>& poses) {
     const auto at = [&](double x_m) {
       std::vector<double> y;
       for (size_t k = 0; k < 6; ++k) {
@@ -279,7 +309,7 @@ TEST(ForEachPattern, PlacesSoManyBoxesThatDoNotOverlap) {
   const BoundingBox box{{-0.5, -0.9}, {0.7, 0.4}};
   const Footprint size{box.width_m(), box.height_m()};
   int patterns = 0;
-  ForEachPattern(room, box, 7, [&](const std::vector<Pose<double>>& poses) {
+  ForEachPattern(room, box, 7, false, [&](const std::vector<Pose<double>>& poses) {
     ++patterns;
     ASSERT_GE(poses.size(), 7u);
     std::vector<Box<double>> boxes;

@@ -29,8 +29,8 @@ struct Bank {
 
 class GridMaker {
  public:
-  GridMaker(const Room& room, const BoundingBox& box, double heading, const VisitSlots& visit)
-      : box_(box), heading_(heading), visit_(visit), frame_(FrameOf(Pose<double>{0, 0, heading})) {
+  GridMaker(const Room& room, const BoundingBox& box, double heading, bool ways, const VisitSlots& visit)
+      : box_(box), heading_(heading), ways_(ways), visit_(visit), frame_(FrameOf(Pose<double>{0, 0, heading})) {
     std::vector<Vec2<double>> corners;
     for (const Vec2<double>& p : room.floor.vertices) corners.push_back(frame_.ToObject(p));
     floor_ = BoundsOf(corners);
@@ -43,7 +43,7 @@ class GridMaker {
       for (int rows = fewest; rows <= fewest + kSpareRows; ++rows) {
         if (rows * box_.height_m() > floor_.height_m()) break;
         for (double gap : kGaps_m) {
-          if (columns > 1 || gap == 0) Across(columns, rows, gap);
+          if (columns > 1 ? gap != 0 || !ways_ : gap == 0) Across(columns, rows, gap);
         }
       }
     }
@@ -102,6 +102,7 @@ class GridMaker {
 
   const BoundingBox& box_;
   double heading_;
+  bool ways_;
   const VisitSlots& visit_;
   Frame<double> frame_;
   BoundingBox floor_;  // in frame_
@@ -183,11 +184,11 @@ class WallRows {
 
 }  // namespace
 
-void ForEachPattern(const Room& room, const BoundingBox& box, int count, const VisitSlots& visit) {
+void ForEachPattern(const Room& room, const BoundingBox& box, int count, bool ways, const VisitSlots& visit) {
   const Wall& longest = *std::max_element(room.walls.begin(), room.walls.end(),
                                           [](const Wall& a, const Wall& b) { return a.length_m < b.length_m; });
   for (int quarter = 0; quarter < 4; ++quarter) {
-    GridMaker(room, box, longest.BackHeading() + quarter * kPi / 2, visit).All(count);
+    GridMaker(room, box, longest.BackHeading() + quarter * kPi / 2, ways, visit).All(count);
   }
   for (size_t wall = 0; wall < room.walls.size(); ++wall) {
     for (size_t step : {size_t{1}, size_t{2}}) {

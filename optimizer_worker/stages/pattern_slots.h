@@ -17,7 +17,8 @@ using VisitSlots = std::function<void(const std::vector<Pose<double>>&)>;
 // is given. Grids of all numbers of columns, at quarter turns from the longest wall: rows that look the same way or, in
 // banks, at each other; without gaps, with ways, or spread over the room; in the middle, at the sides and in the
 // corners. Rows along one wall after the other, from each wall on. Slots of a rectangular room do not overlap; they may
-// be in the way of doors and of what stands, which is why there may be more than `count`.
-void ForEachPattern(const Room& room, const BoundingBox& box, int count, const VisitSlots& visit);
+// be in the way of doors and of what stands, which is why there may be more than `count`. With `ways`, none in the room are
+// side by side without a gap.
+void ForEachPattern(const Room& room, const BoundingBox& box, int count, bool ways, const VisitSlots& visit);
 
 }  // namespace flair::optimizer

@@ -98,6 +98,17 @@ double Disorder(const SolveInput& input, const std::vector<int>& groups, const L
   return kDisorder * static_cast<double>(groups.size() - InOrder(input, groups, layout, kAsSeen).size());
 }
 
+// Whether calls put their first pieces, or of islands and parts of rows any, beside each other.
+bool AreTied(const SolveInput& input, const Group& a, const Group& b) {
+  const auto heads = [](const Group& group) { return group.block ? group.objects.size() : 1; };
+  for (size_t i = 0; i < heads(a); ++i) {
+    for (size_t k = 0; k < heads(b); ++k) {
+      if (input.linked.TieOf(a.objects[i], b.objects[k]) > 0) return true;
+    }
+  }
+  return false;
+}
+
 class PatternPlacer {
  public:
   PatternPlacer(const SolveInput& input, const StageSpec& stage, const std::vector<int>& groups)
@@ -106,7 +117,10 @@ class PatternPlacer {
       const std::vector<int>& objects = input.groups.all[g].objects;
       objects_.insert(objects_.end(), objects.begin(), objects.end());
       for (int other : groups) {
-        tied_ = tied_ || input.linked.TieOf(objects[0], input.groups.all[other].objects[0]) > 0;
+        const bool tied = other != g && AreTied(input, input.groups.all[g], input.groups.all[other]);
+        const int first = input.groups.all[other].objects[0];
+        tied_ = tied_ || tied;
+        close_ = close_ || (tied && input.scene.objects[objects[0]].zone == input.scene.objects[first].zone);
       }
     }
   }
@@ -173,16 +187,19 @@ class PatternPlacer {
     return companions;
   }
 
-  // Among places with room behind the seats; without where there are none.
+  // Among places with room behind the seats, and with ways between those that nothing puts side by side; without where
+  // there are none.
   void Rank(LayoutSearch& search, const HardCost& hard) {
     size_t arrangements = kArrangements;
     for (int g : groups_) arrangements = std::min(arrangements, input_.groups.all[g].arrangements.size());
-    for (double room_m : kBehind_m) {
-      for (size_t a = 0; a < arrangements; ++a) {
-        ForEachPattern(input_.scene.room, Roomy(a, room_m), static_cast<int>(groups_.size()),
-                       [&](const auto& slots) { Try(slots, a, search, hard); });
+    for (bool ways : {true, false}) {
+      for (double room_m : kBehind_m) {
+        for (size_t a = 0; a < arrangements && (!ways || !close_); ++a) {
+          ForEachPattern(input_.scene.room, Roomy(a, room_m), static_cast<int>(groups_.size()), ways,
+                         [&](const auto& slots) { Try(slots, a, search, hard); });
+        }
+        if (!best_.empty()) return;
       }
-      if (!best_.empty()) return;
     }
   }
 
@@ -206,6 +223,7 @@ class PatternPlacer {
       better = false;
       for (size_t i = 0; i < groups_.size(); ++i) {
         for (size_t k = 0; k < i; ++k) {
+          if (all[groups_[k]].objects.size() != all[groups_[i]].objects.size()) continue;
           const double before = cost(groups_[k], groups_[i]);
           swap(groups_[k], groups_[i]);
           if (cost(groups_[k], groups_[i]) < before - kNoOverlap) {
@@ -307,6 +325,8 @@ class PatternPlacer {
   std::vector<Pose<double>> all_, one_, free_;
   // Whether calls put some of the groups beside each other.
   bool tied_ = false;
+  // Whether they do so within a zone: side by side.
+  bool close_ = false;
 };
 
 bool IsIn(const StageSpec& stage, int object) {
@@ -386,7 +406,7 @@ std::vector<int> InPattern(const SolveInput& input, const PartialLayout& state) 
   for (const std::vector<int>& pattern : input.groups.patterns) {
     if (!ArePlaced(input, pattern, state)) continue;
     const std::vector<int> in_order = InOrder(input, pattern, state.layout, kAsPlaced);
-    if (in_order.size() < kFewestAlike) continue;
+    if (in_order.size() < (input.groups.all[pattern[0]].block ? 2 : kFewestAlike)) continue;
     for (int g : in_order) {
       const std::vector<int>& objects = input.groups.all[g].objects;
       held.insert(held.end(), objects.begin(), objects.end());

@@ -39,8 +39,8 @@ std::string RowName(int i) {
 
 class Grouper {
  public:
-  Grouper(double area_m2, const Handbook& handbook, RoomProgram& program)
-      : area_m2_(area_m2), handbook_(handbook), program_(program) {}
+  Grouper(const BriefFacts& facts, double area_m2, const Handbook& handbook, RoomProgram& program)
+      : facts_(facts), area_m2_(area_m2), handbook_(handbook), program_(program) {}
 
   void Group() {
     for (ProgramItem& seat : program_.floor_items) Attach(seat);
@@ -98,16 +98,46 @@ class Grouper {
     host.seats = kAtEach;
   }
 
-  // As many side by side as the shorter side of the room takes, and all rows about as long.
+  // How many people, or desks of people, stand without a way between them: nobody climbs over more than one at a desk or
+  // three in seats. 0 for what nobody sits at.
+  int Abreast(const ProgramItem& item) {
+    constexpr double kDesksM = 2;
+    constexpr int kSeats = 7;
+    if (SeatsOf(item) != nullptr) return std::max(1, static_cast<int>(kDesksM / item.furniture->width_m().typical()));
+    if (item.furniture->category() == "bench") return 1;
+    return item.furniture->category() != "bed" && PlacesOn(*item.furniture) > 0 ? kSeats : 0;
+  }
+
+  // As many side by side as the shorter side of the room takes, with ways between them unless the rows become too many,
+  // and all rows about as long.
   void SplitRows(const hb::Rows& rows) {
     constexpr double kShortSide = 0.8;  // of the side of a square of that area
+    constexpr int kEven = 4;
+    constexpr double kFrontM = 1, kBehindDeskM = 0.9, kBehindSeatM = 0.5, kWayM = 0.75;
     const auto item = std::ranges::find_if(program_.floor_items,
                                            [&](const auto& one) { return one.furniture->name() == rows.furniture(); });
     if (item == program_.floor_items.end() || item->count < std::max(2, rows.min_count())) return;
-    const double across_m = kShortSide * std::sqrt(area_m2_) - rows.aisles_m();
-    const int most = std::max(1, static_cast<int>(across_m / item->furniture->width_m().typical()));
-    const int count = (item->count + most - 1) / most;
-    const int across = (item->count + count - 1) / count;
+    if (item->in_each > 1 && !item->in_rows) return;
+    const double side_m = std::sqrt(area_m2_), width_m = item->furniture->width_m().typical();
+    const double row_m = item->furniture->depth_m().typical() + (SeatsOf(*item) ? kBehindDeskM : kBehindSeatM);
+    int across = item->in_each;
+    for (item->abreast = Abreast(*item); across == 0; ++item->abreast) {
+      const int block = item->abreast > 0 ? item->abreast : item->count;
+      const auto length_m = [&](int n) { return n * width_m + std::max(rows.aisles_m(), (n - 1) / block * kWayM); };
+      int most = 1;
+      while (most < item->count && length_m(most + 1) <= kShortSide * side_m) ++most;
+      // Thirteen seats are two times six rather than seven; of desks some stay out.
+      const bool even = block >= kEven && most > block;
+      int each = even ? most / ((most + block - 1) / block) : block;
+      if (most > each) most -= most % each;
+      const int count = (item->count + most - 1) / most;
+      if (item->abreast > 0 && block < most && count * row_m > side_m - kFrontM) continue;
+      across = (item->count + count - 1) / count;
+      if (even) each = (across * each + most - 1) / most;
+      if (most > each) across = std::min(most, (across + each - 1) / each * each);
+      if (item->abreast > 0) item->abreast = each;
+      break;
+    }
     std::vector<hb::ZoneSpec> zones;
     for (int i = 0; i < (item->count + across - 1) / across; ++i) {
       zones.emplace_back().set_name(RowName(i));
@@ -116,8 +146,24 @@ class Grouper {
     Split(static_cast<std::size_t>(item - program_.floor_items.begin()), across, zones);
   }
 
+  // Many desks stand in islands, face to face and side by side, rather than along walls, unless the brief says where.
+  void MakeIslands(ProgramItem& host) {
+    constexpr int kFewest = 4, kFour = 4, kSix = 6;
+    constexpr double kRoomEachM2 = 4.5;
+    const hb::Furniture& desk = *host.furniture;
+    const bool has_back_free = desk.clear_back_m() == 0 && SeatsOf(host) != nullptr && host.abreast == 0;
+    const bool placed =
+        std::ranges::any_of(facts_.places, [&](const Place& place) { return place.furniture == host.furniture; });
+    if (desk.category() != "desk" || !has_back_free || placed || host.in_each > 0 || host.count < kFewest) return;
+    if (area_m2_ >= kRoomEachM2 * host.count) {
+      host.in_each = host.count % kFour != 0 && host.count % kSix == 0 ? kSix : kFour;
+      host.in_rows = false;
+    }
+  }
+
   // Tables with their seats, and what the brief wants in groups.
   void SplitTables(std::size_t i) {
+    MakeIslands(program_.floor_items[i]);
     const ProgramItem& host = program_.floor_items[i];
     const bool asked = host.in_each > 0 && host.in_each < host.count;
     if (!asked && (host.count < 2 || host.seats < 2 || !IsTable(*host.furniture))) return;
@@ -178,6 +224,7 @@ class Grouper {
     program_.zones.insert(at, zones.begin(), zones.end());
   }
 
+  const BriefFacts& facts_;
   const double area_m2_;
   const Handbook& handbook_;
   RoomProgram& program_;
@@ -200,8 +247,8 @@ double WidthForSeats(const hb::Furniture& table, int seats, double start_m, doub
   return std::round(width_m * 100) / 100;
 }
 
-void SplitIntoGroups(double area_m2, const Handbook& handbook, RoomProgram& program) {
-  Grouper(area_m2, handbook, program).Group();
+void SplitIntoGroups(const BriefFacts& facts, double area_m2, const Handbook& handbook, RoomProgram& program) {
+  Grouper(facts, area_m2, handbook, program).Group();
 }
 
 }  // namespace flair::language

@@ -75,9 +75,37 @@ TEST(Groups, AClassroomHasRowsOfDesksThatLookToTheTeacher) {
   EXPECT_EQ(plan.Count("school chair", "first_row"), across) << "everyone sits in the row of the desk";
   EXPECT_EQ(plan.Sentences("is 1 m in front of the"), rows - 1) << "every row behind the one before";
   EXPECT_EQ(plan.Sentences("faces the teacher desk"), rows + 1) << "every row, and whoever teaches";
-  EXPECT_EQ(plan.Sentences("The left side of the") + plan.Sentences("The right side of the"), 24 - rows)
-      << "every one but the first of a row has a neighbour";
+  EXPECT_EQ(plan.Sentences("The left side of the"), 12) << "two side by side, then a way";
+  EXPECT_EQ(plan.Sentences("faces the same way as the first school desk"), across / 2 - 1 + 1) << "one row, and the teacher";
   EXPECT_EQ(plan.Sentences("The teacher desk is 2 m in front of the first school desk."), 1);
+}
+
+TEST(Groups, ManyDesksStandInIslands) {
+  const Plan plan = PlanFor("An office for twelve: twelve desks, 10 x 7 m.");
+  ASSERT_EQ(plan.Count("desk"), 12);
+  EXPECT_EQ(plan.Count("desk", "workstation"), 4);
+  EXPECT_EQ(plan.Sentences("The back side of the"), 6) << "two and two, back to back";
+  EXPECT_EQ(plan.Sentences("is next to the right side of the"), 3);
+  EXPECT_EQ(plan.Sentences("desk is near a wall"), 0);
+  EXPECT_EQ(PlanFor("A 4 m x 4 m office with four desks.").Sentences("The back side of the"), 0) << "no room";
+  EXPECT_EQ(PlanFor("An office of 8 x 8 m, six desks facing the windows.").Sentences("The back side of the"), 0);
+}
+
+TEST(Groups, WhatIsInRowsIsInNoIslands) {
+  const Plan rows = PlanFor("A classroom with 24 desks in rows, 9 x 7 m.");
+  EXPECT_GT(rows.Count("school desk", "first_row"), 2);
+  EXPECT_EQ(rows.Sentences("The back side of the"), 0);
+  const Plan groups = PlanFor("A classroom with 24 desks in groups of four, 9 x 7 m.");
+  EXPECT_EQ(groups.Count("school desk", "pupils"), 4);
+  EXPECT_EQ(groups.Sentences("The back side of the"), 12);
+}
+
+TEST(Groups, BenchesLeaveAnAisleAndArmchairsComeToTheSofa) {
+  const Plan chapel = PlanFor("A small chapel with eight pews and an altar, 6 x 9 m.");
+  EXPECT_EQ(chapel.Count("pew", "first_row"), 2);
+  EXPECT_EQ(chapel.Sentences("side of the second pew is"), 0);
+  const Plan living = PlanFor("A living room 5 x 4.5 m: sofa, two armchairs, coffee table, television.");
+  EXPECT_EQ(living.Count("armchair", living.First("sofa").zone_id()), 2);
 }
 
 TEST(Groups, EveryTableHasItsOwnChairs) {

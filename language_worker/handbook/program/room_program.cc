@@ -88,8 +88,9 @@ class ProgramMaker {
     ApplyWishes(facts_, handbook_, program_);
     if (!IsOnlyGuessed()) BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
     LeaveOutWhatCameLater();
+    GatherSeats();
     GiveZonesTheirPrimaries();
-    SplitIntoGroups(area_m2_, handbook_, program_);
+    SplitIntoGroups(facts_, area_m2_, handbook_, program_);
     MarkEssentials(program_);
     return std::move(program_);
   }
@@ -255,6 +256,28 @@ class ProgramMaker {
       const hb::Furniture* furniture = handbook_.FindFurniture(essential->furniture(0));
       return furniture != nullptr && came_later(furniture);
     });
+  }
+
+  // Several armchairs, or one that is asked for by itself, stand with the sofa or round the coffee table, not each in a
+  // corner to read in.
+  void GatherSeats() {
+    const auto zone_of = [&](const auto&... categories) {
+      const auto found = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& item) {
+        return ((item.furniture->category() == categories) || ...);
+      });
+      return found == program_.floor_items.end() ? std::string() : found->zone;
+    };
+    std::string middle = zone_of("sofa", "corner_sofa");
+    if (middle.empty()) middle = zone_of("coffee_table");
+    for (ProgramItem& item : program_.floor_items) {
+      if (middle.empty() || item.furniture->category() != "armchair" || item.seat_of != nullptr) continue;
+      const bool placed = std::ranges::any_of(
+          facts_.places, [&](const Place& place) { return place.furniture == item.furniture; });
+      const bool alone = std::ranges::none_of(program_.floor_items, [&](const ProgramItem& other) {
+        return &other != &item && other.zone == item.zone && other.requested;
+      });
+      if (!placed && (item.count > 1 || (item.requested && alone))) item.zone = middle;
+    }
   }
 
   // Zones whose primary is gone go as well; what stood in them moves to the first zone.

@@ -25,6 +25,8 @@ struct ProgramItem {
   bool optional = false;                   // asked for only if there is room
   PieceSize size = {};                     // as asked for
   int in_each = 0;                         // that many are a group of their own; 0 when nobody says so
+  bool in_rows = false;                    // those stand side by side, not back to back
+  int abreast = 0;                         // of a row, so many stand without a way between them; 0 for all
   int essential = 0;                       // so many of them the room cannot do without
 };
 
@@ -98,6 +100,6 @@ double WidthForSeats(const hb::Furniture& table, int seats, double start_m, doub
 
 // Says which seats belong to which pieces, takes as many tables as the people need, and gives every table with its
 // chairs, and every row of what stands in rows, a zone of its own: they are placed together.
-void SplitIntoGroups(double area_m2, const Handbook& handbook, RoomProgram& program);
+void SplitIntoGroups(const BriefFacts& facts, double area_m2, const Handbook& handbook, RoomProgram& program);
 
 }  // namespace flair::language

@@ -49,6 +49,7 @@ class WishMaker {
     program_.floor_items.front().optional = wish.optional;
     program_.floor_items.front().size = wish.size;
     program_.floor_items.front().in_each = wish.in_each;
+    program_.floor_items.front().in_rows = wish.in_rows;
     SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
@@ -152,6 +153,7 @@ class WishMaker {
     }
     item->count = wish.counted ? wish.count : std::max(item->count, wish.count);
     item->in_each = wish.in_each;
+    item->in_rows = wish.in_rows;
     item->requested = true;
     item->optional = wish.optional;
     item->seats = wish.seats;

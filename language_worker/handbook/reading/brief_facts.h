@@ -30,6 +30,7 @@ struct Wish {
   // The word for several classes that it was named by, such as "chair"; null for a class's own name.
   const hb::Noun* noun = nullptr;
   int in_each = 0;  // "in blocks of four": that many stand together; 0 when it is not said
+  bool in_rows = false;  // "in rows of four": side by side
 };
 
 // Where the brief wants a piece.

@@ -235,6 +235,7 @@ class FurnitureReader {
     }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};
     if (groups.end > 0) wish.in_each = InEach(groups, count.number);
+    wish.in_rows = groups.rows;
     wish.noun = nouns_.NounAt(tokens_, i, length);
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
     if (const SeatsSaid seats = SeatsAround(text_, i, length); !furniture.companions().empty() && seats.number > 0) {
@@ -254,7 +255,8 @@ class FurnitureReader {
   static int InEach(const Groups& groups, int number) {
     constexpr int kUsual = 4;
     if (groups.in_each > 0) return groups.in_each;
-    return groups.count > 0 ? (number + groups.count - 1) / groups.count : kUsual;
+    if (groups.count > 0) return (number + groups.count - 1) / groups.count;
+    return groups.rows ? 0 : kUsual;
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".

@@ -132,14 +132,15 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
     while (group < at + kMostWords && !is_group(group) && text.IsWord(group) && !text.Is(group, "thing_articles"))
       ++group;
     if (!is_group(group) || number(at + 1) == 1 || (number(at + 1) == 0 && !text.At(group).ends_with('s'))) continue;
-    Groups groups{number(at + 1), 0, at, group + 1};
+    Groups groups{number(at + 1), 0, at, group + 1, IsFormIn("rows_of_pieces", text.At(group))};
     if (text.At(group + 1) == "of" && number(group + 2) > 0) groups.in_each = number(group + 2), groups.end = group + 3;
     return groups;
   }
   for (std::size_t at = i; at > 0 && at + kMostBack > i && text.PhraseBegin(i) <= at; --at) {
     const std::size_t group = at - 1;
     if (!is_group(group) || text.At(at) != "of") continue;
-    Groups groups{std::max(1, number(group - std::min<std::size_t>(group, 1))), number(at + 1), group, i};
+    Groups groups{std::max(1, number(group - std::min<std::size_t>(group, 1))), number(at + 1), group, i,
+                  IsFormIn("rows_of_pieces", text.At(group))};
     // "Two rows of recliners, four each".
     for (std::size_t k = end; k < end + kMostWords && groups.in_each == 0; ++k) {
       for (std::size_t each = k + 1; each < k + kMostWords && number(k) > 0; ++each) {

@@ -33,6 +33,7 @@ struct Groups {
   int in_each = 0;  // 0 where it is not said
   std::size_t begin = 0;
   std::size_t end = 0;  // begin where there are none
+  bool rows = false;    // side by side, not round about
 };
 Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length);
 

@@ -117,6 +117,10 @@ class ConstraintLister {
       if (furniture->run() == hb::RUN_PART_WORKTOP) topics.insert("access");
     }
     if (WriteEntrySentence(name, group)) topics.insert("place");
+    if (writer_.IsTogether(group)) {
+      WriteRules(true, group, topics);
+      topics.insert({"back", "light", "socket", "way", "before", "front"});
+    }
     Relations special;
     for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
     Collect(program_.archetype->relations(), name, special);
@@ -127,7 +131,15 @@ class ConstraintLister {
       for (const hb::Relation& relation : furniture->relations()) own.push_back(&relation);
     }
     WriteLevel(own, group, topics);
+    WriteRules(false, group, topics);
+    if (writer_.HasWays(group)) WriteRules(true, group, topics);
+  }
+
+  // The general rules: those about neighbours, which say how islands stand, or the others.
+  void WriteRules(bool of_neighbours, const Group& group, std::set<std::string>& topics) {
+    const hb::Furniture* furniture = handbook_.FindFurniture(group.front()->name());
     for (const hb::GeneralRule& rule : handbook_.contents().general_rules()) {
+      if ((rule.relation().pairing() == hb::PAIRING_NEIGHBOUR) != of_neighbours) continue;
       if (Selects(rule.selector(), *group.front(), furniture, TakesCentre(objects_, *group.front()))) {
         WriteLevel({&rule.relation()}, group, topics);
       }

@@ -185,16 +185,48 @@ std::vector<v1::Sentence> SentenceWriter::WriteTogether(const hb::Relation& rela
   return sentences;
 }
 
-// To the right and to the left of the first by turns.
+const ProgramItem* SentenceWriter::LineOf(const v1::Object& object) const {
+  const auto line = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& item) {
+    return item.furniture->name() == object.name() && item.zone == ZoneName(object);
+  });
+  return line == program_.floor_items.end() ? nullptr : &*line;
+}
+
+bool SentenceWriter::HasWays(const Group& group) const {
+  const ProgramItem* line = LineOf(*group.front());
+  return line != nullptr && line->abreast > 0 && group.size() > static_cast<std::size_t>(line->abreast);
+}
+
+bool SentenceWriter::IsTogether(const Group& group) const {
+  const ProgramItem* line = LineOf(*group.front());
+  return line != nullptr && line->in_each > 1 && group.size() > 1;
+}
+
+// To the right and to the left of the first by turns, so many as stand without a way between them; beyond a way, where
+// the relation names no side, the next ones with the first. In an island every second one stands at the back of the one
+// before.
 std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& relation, const Group& group) const {
+  const ProgramItem* line = LineOf(*group.front());
+  const bool island = IsTogether(group) && !line->in_rows;
+  const std::size_t abreast =
+      island || line == nullptr || line->abreast == 0 ? group.size() : static_cast<std::size_t>(line->abreast);
+  const bool sideless = relation.text().find("{side}") == std::string::npos;
+  const bool beyond = sideless && abreast < group.size();
   std::vector<v1::Sentence> sentences;
+  if (island && sideless) return sentences;
   for (std::size_t i = 1; i < group.size(); ++i) {
+    const std::size_t k = i % abreast;
+    if ((k == 0) != beyond) continue;
+    if (beyond) {
+      sentences.push_back(WriteOne(relation, {group[i]}, {group[0]}, i));
+      continue;
+    }
     hb::Relation sided = relation;
-    const bool right = i % 2 == 1;
-    const std::map<std::string, std::string, std::less<>> sides = {{"side", right ? "left" : "right"},
-                                                                   {"other_side", right ? "right" : "left"}};
+    const bool odd = k % 2 == 1, behind = island && odd, right = island || odd;
+    const std::map<std::string, std::string, std::less<>> sides = {
+        {"side", behind ? "back" : right ? "left" : "right"}, {"other_side", behind ? "back" : right ? "right" : "left"}};
     sided.set_text(Fill(relation.text(), sides));
-    sentences.push_back(WriteOne(sided, {group[i]}, {group[i < 2 ? 0 : i - 2]}, i));
+    sentences.push_back(WriteOne(sided, {group[i]}, {group[k < 2 ? i - 1 : i - 2]}, i));
   }
   return sentences;
 }

@@ -48,6 +48,11 @@ class SentenceWriter {
   // Whether it takes the middle of its top, see above.
   bool IsCentral(const v1::Object& object) const { return TakesCentre(objects_, object); }
 
+  // Whether they stand in a row with ways in it.
+  bool HasWays(const Group& group) const;
+  // Whether they stand together by themselves: in an island, back to back and side by side, or in one of several rows.
+  bool IsTogether(const Group& group) const;
+
   // "nightstand", or "second nightstand" when there are several.
   std::string NameOf(const v1::Object& object) const;
   // Objects as what a placeholder stands for.
@@ -63,6 +68,8 @@ class SentenceWriter {
   bool FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const;
   std::vector<v1::Sentence> WriteTogether(const hb::Relation& relation, const Group& group, const Slots& further) const;
   std::vector<v1::Sentence> WriteNeighbours(const hb::Relation& relation, const Group& group) const;
+  // The line of the program that the object comes from; null when it is none of ours.
+  const ProgramItem* LineOf(const v1::Object& object) const;
   Group RowBefore(const v1::Object& object) const;
   std::string NameOf(const Group& group) const;
   bool IsPlural(const std::string& name) const;
