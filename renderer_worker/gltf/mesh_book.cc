@@ -52,32 +52,6 @@ absl::Status Check(const MeshPart& part, const std::string& name) {
   return absl::OkStatus();
 }
 
-// FNV-1a over words.
-class Digest {
- public:
-  template <typename T>
-  void Add(const std::vector<T>& values) {
-    const auto* words = reinterpret_cast<const uint32_t*>(values.data());
-    for (size_t i = 0; i < values.size() * sizeof(T) / 4; ++i) Add(words[i]);
-    Add(static_cast<uint32_t>(values.size()));
-  }
-  void Add(uint32_t word) { value_ = (value_ ^ word) * 0x100000001B3U; }
-  uint64_t value() const { return value_; }
-
- private:
-  uint64_t value_ = 0xCBF29CE484222325U;
-};
-
-uint64_t DigestOf(const Mesh& mesh, MeshFrame frame) {
-  Digest digest;
-  digest.Add(static_cast<uint32_t>(frame));
-  for (const MeshPart& part : mesh.parts) {
-    digest.Add(part.positions);
-    digest.Add(part.indices);
-  }
-  return digest.value();
-}
-
 bool Equal(const Mesh& a, const Mesh& b) {
   return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
                     [](const MeshPart& p, const MeshPart& q) {
@@ -307,13 +281,12 @@ int MaterialBook::SamplerNumber() {
 }
 
 absl::StatusOr<int> MeshBook::NumberOf(const Mesh& mesh, MeshFrame frame, const std::string& name) {
-  auto& namesakes = written_[DigestOf(mesh, frame)];
-  for (const Written& known : namesakes) {
+  for (const Written& known : written_) {
     if (known.frame == frame && (known.mesh == &mesh || Equal(*known.mesh, mesh))) return known.number;
   }
   for (const MeshPart& part : mesh.parts) RETURN_IF_ERROR(Check(part, name));
-  namesakes.push_back({&mesh, frame, Write(mesh, frame, name)});
-  return namesakes.back().number;
+  written_.push_back({&mesh, frame, Write(mesh, frame, name)});
+  return written_.back().number;
 }
 
 int MeshBook::Write(const Mesh& mesh, MeshFrame frame, const std::string& name) {

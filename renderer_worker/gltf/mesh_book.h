@@ -169,7 +169,7 @@ class MeshBook {
   tinygltf::Model& model_;
   GlbBuffer& buffer_;
   MaterialBook& materials_;
-  std::map<uint64_t, std::vector<Written>> written_;  // by digest of the content
+  std::vector<Written> written_;
 };
 
 // The bytes of a model with one buffer. RESOURCE_EXHAUSTED: more than GLB holds; INTERNAL: what JSON cannot hold.

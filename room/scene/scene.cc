@@ -4,8 +4,153 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "room/geometry/pose.h"
+#include "room/scene/room.h"
 
 namespace flair {
+namespace {
+
+// Four walls along the axes, one facing each way.
+bool IsUprightRectangle(const Polygon& floor) {
+  if (floor.vertices.size() != 4) return false;
+  for (size_t i = 0; i < 4; ++i) {
+    const Segment edge = EdgeAt(floor, i);
+    if (edge.start.x != edge.end.x && edge.start.y != edge.end.y) return false;
+  }
+  return true;
+}
+
+std::string CompassName(const Vec2<double>& inward_normal) {
+  if (inward_normal.y > 0.5) return "south";
+  if (inward_normal.y < -0.5) return "north";
+  return inward_normal.x > 0.5 ? "west" : "east";
+}
+
+Vec2<double> Turned(const Vec2<double>& v, double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+bool OpensInward(const Opening& door) {
+  return door.kind == OpeningKind::kDoor && door.leaf.has_value() && door.leaf->swing == DoorSwing::kInward;
+}
+
+// One sector from `first_rad` to `last_rad`, measured from the closed leaf.
+Polygon Sector(const Room& room, const Opening& door, double first_rad, double last_rad, int pieces) {
+  const Wall& wall = room.walls[static_cast<size_t>(door.wall)];
+  const bool from_start = door.leaf->hinge == HingeSide::kStart;
+  const Vec2<double> hinge = HingePoint(room, door);
+  const Vec2<double> closed = from_start ? wall.Along() : -wall.Along();
+  // The room is on the wall's left: a leaf hinged at the start turns counter-clockwise.
+  const double sense = from_start ? 1 : -1;
+  const double step = (last_rad - first_rad) / pieces;
+  // Tangents between the touching points: the polygon contains the arc.
+  const double reach = door.width_m / std::cos(step / 2);
+  Polygon sector;
+  sector.vertices.push_back(hinge);
+  sector.vertices.push_back(hinge + door.width_m * Turned(closed, sense * first_rad));
+  for (int i = 0; i < pieces; ++i) {
+    sector.vertices.push_back(hinge + reach * Turned(closed, sense * (first_rad + (i + 0.5) * step)));
+  }
+  sector.vertices.push_back(hinge + door.width_m * Turned(closed, sense * last_rad));
+  if (sense < 0) std::ranges::reverse(sector.vertices);
+  return sector;
+}
+
+}  // namespace
+
+double Wall::BackHeading() const { return WrapHeading(HeadingOf(inward_normal)); }
+
+int Room::WallIndex(std::string_view name) const {
+  for (size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+Segment Room::SegmentOf(const Opening& opening) const {
+  const Wall& wall = walls[static_cast<size_t>(opening.wall)];
+  return {wall.PointAt(opening.offset_m), wall.PointAt(opening.offset_m + opening.width_m)};
+}
+
+Segment Room::SegmentOf(const Socket& socket) const {
+  const Vec2<double> p = walls[static_cast<size_t>(socket.wall)].PointAt(socket.offset_m);
+  return {p, p};
+}
+
+std::vector<Wall> WallsOf(const Polygon& floor, const std::vector<std::string>& names) {
+  std::vector<Wall> walls;
+  const bool compass = IsUprightRectangle(floor);
+  for (size_t i = 0; i < floor.vertices.size(); ++i) {
+    const Segment edge = EdgeAt(floor, i);
+    Wall wall;
+    wall.start = edge.start;
+    wall.end = edge.end;
+    wall.length_m = edge.length_m();
+    wall.inward_normal = (1 / wall.length_m) * Perpendicular(edge.end - edge.start);
+    if (i < names.size()) {
+      wall.name = names[i];
+    } else {
+      wall.name = compass ? CompassName(wall.inward_normal) : "wall_" + std::to_string(i + 1);
+    }
+    walls.push_back(std::move(wall));
+  }
+  return walls;
+}
+
+Room RectangularRoom(double width_m, double depth_m) {
+  Room room;
+  room.floor.vertices = {{0, 0}, {width_m, 0}, {width_m, depth_m}, {0, depth_m}};
+  room.walls = WallsOf(room.floor);
+  return room;
+}
+
+Vec2<double> HingePoint(const Room& room, const Opening& door) {
+  const Segment opening = room.SegmentOf(door);
+  return door.leaf.has_value() && door.leaf->hinge == HingeSide::kEnd ? opening.end : opening.start;
+}
+
+Polygon SwingArea(const Room& room, const Opening& door, int arc_pieces) {
+  if (!OpensInward(door)) return {};
+  return Sector(room, door, 0, door.leaf->swing_angle_rad, arc_pieces);
+}
+
+std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int arc_pieces) {
+  if (!OpensInward(door)) return {};
+  const double angle = door.leaf->swing_angle_rad;
+  if (angle <= kPi / 2 + 1e-9) return {Sector(room, door, 0, angle, arc_pieces)};
+  return {Sector(room, door, 0, angle / 2, arc_pieces), Sector(room, door, angle / 2, angle, arc_pieces)};
+}
+
+std::string WallName(const Wall& wall) {
+  for (const char* name : {"north", "east", "south", "west"}) {
+    if (wall.name == name) return fmt::format("the {} wall", name);
+  }
+  return wall.name;
+}
+
+std::string NameForPeople(const Room& room, const Opening& opening) {
+  const char* const kind = opening.kind == OpeningKind::kDoor ? "door" : "window";
+  int count = 0, number = 0;
+  for (const Opening& other : room.openings) {
+    if (other.kind != opening.kind || other.wall != opening.wall) continue;
+    ++count;
+    if (other.id == opening.id) number = count;
+  }
+  const std::string wall = WallName(room.walls[static_cast<size_t>(opening.wall)]);
+  return count > 1 ? fmt::format("{} {} in {}", kind, number, wall) : fmt::format("the {} in {}", kind, wall);
+}
+
+Polygon PassageArea(const Room& room, const Opening& door, double depth_m, double margin_m) {
+  const Wall& wall = room.walls[static_cast<size_t>(door.wall)];
+  const Segment opening = room.SegmentOf(door);
+  const Vec2<double> a = opening.start - margin_m * wall.Along();
+  const Vec2<double> b = opening.end + margin_m * wall.Along();
+  const Vec2<double> inward = depth_m * wall.inward_normal;
+  return {{a, b, b + inward, a + inward}};
+}
 
 int Scene::IndexOf(std::string_view object_id) const {
   for (size_t i = 0; i < objects.size(); ++i) {
