@@ -88,10 +88,8 @@ absl::StatusOr<double> NumberOf(const ParameterSpec& spec, const ArgumentValue& 
 }
 
 const ParameterSpec* SpecOf(const v1::ConstraintType& type, const std::string& name) {
-  for (const ParameterSpec& spec : type.parameters()) {
-    if (spec.name() == name) return &spec;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(type.parameters(), name, &ParameterSpec::name);
+  return found == type.parameters().end() ? nullptr : &*found;
 }
 
 // Every argument is known and given once.
@@ -122,10 +120,8 @@ v1::ParameterKind KindByLooks(const std::string& text) {
 }
 
 v1::ParameterKind KindOf(const v1::ConstraintType& type, const std::string& name) {
-  for (const v1::ParameterSpec& spec : type.parameters()) {
-    if (spec.name() == name) return spec.kind();
-  }
-  return v1::PARAMETER_KIND_UNSPECIFIED;
+  const ParameterSpec* const spec = SpecOf(type, name);
+  return spec == nullptr ? v1::PARAMETER_KIND_UNSPECIFIED : spec->kind();
 }
 
 v1::ArgumentValue ValueFromText(v1::ParameterKind kind, const std::string& text) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "fmt/format.h"
 #include "room/geometry/pose.h"
@@ -13,31 +15,28 @@
 namespace flair {
 namespace {
 
-DoorSwing SwingFromProto(v1::DoorSwing swing) {
-  switch (swing) {
-    case v1::DOOR_SWING_OUTWARD:
-      return DoorSwing::kOutward;
-    case v1::DOOR_SWING_SLIDING:
-      return DoorSwing::kSliding;
-    case v1::DOOR_SWING_NONE:
-      return DoorSwing::kNone;
-    default:
-      return DoorSwing::kInward;
-  }
+// What is what in messages; the first stands for what is unknown.
+constexpr std::pair<v1::DoorSwing, DoorSwing> kSwings[] = {{v1::DOOR_SWING_INWARD, DoorSwing::kInward},
+                                                           {v1::DOOR_SWING_OUTWARD, DoorSwing::kOutward},
+                                                           {v1::DOOR_SWING_SLIDING, DoorSwing::kSliding},
+                                                           {v1::DOOR_SWING_NONE, DoorSwing::kNone}};
+constexpr std::pair<v1::ObjectRole, ObjectRole> kRoles[] = {{v1::OBJECT_ROLE_SECONDARY, ObjectRole::kSecondary},
+                                                            {v1::OBJECT_ROLE_PRIMARY, ObjectRole::kPrimary},
+                                                            {v1::OBJECT_ROLE_TERTIARY, ObjectRole::kTertiary}};
+constexpr std::pair<v1::ObjectKind, ObjectKind> kKinds[] = {{v1::OBJECT_KIND_FLOOR, ObjectKind::kFloor},
+                                                            {v1::OBJECT_KIND_WALL, ObjectKind::kWall},
+                                                            {v1::OBJECT_KIND_CEILING, ObjectKind::kCeiling},
+                                                            {v1::OBJECT_KIND_SURFACE, ObjectKind::kSurface}};
+
+template <typename Proto, typename Value, size_t N>
+Value FromProto(const std::pair<Proto, Value> (&pairs)[N], Proto message) {
+  const auto found = std::ranges::find(pairs, message, &std::pair<Proto, Value>::first);
+  return found == std::end(pairs) ? pairs[0].second : found->second;
 }
 
-v1::DoorSwing SwingToProto(DoorSwing swing) {
-  switch (swing) {
-    case DoorSwing::kInward:
-      return v1::DOOR_SWING_INWARD;
-    case DoorSwing::kOutward:
-      return v1::DOOR_SWING_OUTWARD;
-    case DoorSwing::kSliding:
-      return v1::DOOR_SWING_SLIDING;
-    case DoorSwing::kNone:
-      return v1::DOOR_SWING_NONE;
-  }
-  return v1::DOOR_SWING_UNSPECIFIED;
+template <typename Proto, typename Value, size_t N>
+Proto ToProto(const std::pair<Proto, Value> (&pairs)[N], Value value) {
+  return std::ranges::find(pairs, value, &std::pair<Proto, Value>::second)->first;
 }
 
 Opening OpeningFromProto(const v1::Opening& message, const Room& room) {
@@ -52,7 +51,7 @@ Opening OpeningFromProto(const v1::Opening& message, const Room& room) {
   if (message.has_leaf()) {
     const bool at_end = message.leaf().hinge() == v1::HINGE_SIDE_END;
     opening.leaf = DoorLeaf{.hinge = at_end ? HingeSide::kEnd : HingeSide::kStart,
-                            .swing = SwingFromProto(message.leaf().swing()),
+                            .swing = FromProto(kSwings, message.leaf().swing()),
                             .swing_angle_rad = message.leaf().swing_angle_rad()};
   }
   return opening;
@@ -69,39 +68,15 @@ void OpeningToProto(const Opening& opening, const Room& room, v1::Opening& messa
   if (!opening.leaf) return;
   v1::DoorLeaf& leaf = *message.mutable_leaf();
   leaf.set_hinge(opening.leaf->hinge == HingeSide::kEnd ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
-  leaf.set_swing(SwingToProto(opening.leaf->swing));
+  leaf.set_swing(ToProto(kSwings, opening.leaf->swing));
   leaf.set_swing_angle_rad(opening.leaf->swing_angle_rad);
-}
-
-ObjectRole RoleFromProto(v1::ObjectRole role) {
-  switch (role) {
-    case v1::OBJECT_ROLE_PRIMARY:
-      return ObjectRole::kPrimary;
-    case v1::OBJECT_ROLE_TERTIARY:
-      return ObjectRole::kTertiary;
-    default:
-      return ObjectRole::kSecondary;
-  }
-}
-
-ObjectKind KindFromProto(v1::ObjectKind kind) {
-  switch (kind) {
-    case v1::OBJECT_KIND_WALL:
-      return ObjectKind::kWall;
-    case v1::OBJECT_KIND_CEILING:
-      return ObjectKind::kCeiling;
-    case v1::OBJECT_KIND_SURFACE:
-      return ObjectKind::kSurface;
-    default:
-      return ObjectKind::kFloor;
-  }
 }
 
 Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
   return {.id = message.id(),
           .name = message.name(),
-          .role = RoleFromProto(message.role()),
-          .kind = KindFromProto(message.kind()),
+          .role = FromProto(kRoles, message.role()),
+          .kind = FromProto(kKinds, message.kind()),
           .zone = scene.ZoneIndexOf(message.zone_id()),
           .footprint = {.width_m = message.width_m(), .depth_m = message.depth_m()},
           .height_m = message.height_m(),
@@ -113,37 +88,11 @@ Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
           .host = -1};
 }
 
-v1::ObjectRole RoleToProto(ObjectRole role) {
-  switch (role) {
-    case ObjectRole::kPrimary:
-      return v1::OBJECT_ROLE_PRIMARY;
-    case ObjectRole::kSecondary:
-      return v1::OBJECT_ROLE_SECONDARY;
-    case ObjectRole::kTertiary:
-      return v1::OBJECT_ROLE_TERTIARY;
-  }
-  return v1::OBJECT_ROLE_UNSPECIFIED;
-}
-
-v1::ObjectKind KindToProto(ObjectKind kind) {
-  switch (kind) {
-    case ObjectKind::kFloor:
-      return v1::OBJECT_KIND_FLOOR;
-    case ObjectKind::kWall:
-      return v1::OBJECT_KIND_WALL;
-    case ObjectKind::kCeiling:
-      return v1::OBJECT_KIND_CEILING;
-    case ObjectKind::kSurface:
-      return v1::OBJECT_KIND_SURFACE;
-  }
-  return v1::OBJECT_KIND_UNSPECIFIED;
-}
-
 void ObjectToProto(const Object& object, const Scene& scene, v1::Object& message) {
   message.set_id(object.id);
   message.set_name(object.name);
-  message.set_role(RoleToProto(object.role));
-  message.set_kind(KindToProto(object.kind));
+  message.set_role(ToProto(kRoles, object.role));
+  message.set_kind(ToProto(kKinds, object.kind));
   if (object.zone >= 0) message.set_zone_id(scene.zones[static_cast<size_t>(object.zone)].id);
   message.set_width_m(object.footprint.width_m);
   message.set_depth_m(object.footprint.depth_m);

@@ -192,38 +192,18 @@ std::vector<Polygon> Triangulate(const Polygon& polygon) {
 }
 
 std::string_view SideName(Side side) {
-  switch (side) {
-    case Side::kFront:
-      return "front";
-    case Side::kBack:
-      return "back";
-    case Side::kLeft:
-      return "left";
-    case Side::kRight:
-      return "right";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"front", "back", "left", "right"};
+  return kNames[static_cast<size_t>(side)];
 }
 
 std::optional<Side> SideFromName(std::string_view name) {
-  for (Side side : kSides) {
-    if (name == SideName(side)) return side;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(kSides, name, SideName);
+  return found == std::end(kSides) ? std::nullopt : std::optional(*found);
 }
 
 std::string_view CornerName(Corner corner) {
-  switch (corner) {
-    case Corner::kBackLeft:
-      return "back_left";
-    case Corner::kBackRight:
-      return "back_right";
-    case Corner::kFrontRight:
-      return "front_right";
-    case Corner::kFrontLeft:
-      return "front_left";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"back_left", "back_right", "front_right", "front_left"};
+  return kNames[static_cast<size_t>(corner)];
 }
 
 std::optional<Corner> CornerFromName(std::string_view name) {

@@ -146,17 +146,8 @@ inline double ExtentBehind(const Footprint& footprint, Side side) {
 
 // Outward normal of a side in the object's own frame.
 inline Vec2<double> LocalNormal(Side side) {
-  switch (side) {
-    case Side::kFront:
-      return {0, 1};
-    case Side::kBack:
-      return {0, -1};
-    case Side::kLeft:
-      return {-1, 0};
-    case Side::kRight:
-      return {1, 0};
-  }
-  return {0, 1};
+  constexpr Vec2<double> kNormals[] = {{0, 1}, {0, -1}, {-1, 0}, {1, 0}};
+  return kNormals[static_cast<size_t>(side)];
 }
 
 template <typename T>
