@@ -5,7 +5,7 @@
 
 #include "gtest/gtest.h"
 #include "worker_runtime/bootstrap/call_context.h"
-#include "worker_runtime/executor/bounded_executor.h"
+#include "worker_runtime/executor/executor.h"
 #include "worker_runtime/testing/fakes.h"
 #include "worker_runtime/text/counted.h"
 #include "worker_runtime/text/read_number.h"

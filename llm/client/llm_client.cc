@@ -5,7 +5,7 @@
 
 #include "absl/strings/cord.h"
 #include "absl/strings/numbers.h"
-#include "worker_runtime/executor/bounded_executor.h"
+#include "worker_runtime/executor/executor.h"
 
 namespace flair::llm {
 namespace {

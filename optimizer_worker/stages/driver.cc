@@ -8,7 +8,7 @@
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/patterns.h"
 #include "optimizer_worker/stages/stage.h"
-#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/executor/executor.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
@@ -18,7 +18,8 @@ namespace {
 constexpr size_t kBeam = 3;
 // With groups the best so many of those with and of those without; of no more floor objects than this.
 constexpr size_t kBeamOfEach = 2, kMostOneByOne = 60;
-// What one order must lack less than the other to be preferred for that alone, and not by the score: half a missed call.
+// What one order must lack less than the other to be preferred for that alone, and not by the score: half a missed
+// call.
 constexpr double kWorthAnOrder = 0.5;
 constexpr size_t kSpareVariants = 2;
 // Primary layouts nearer than this (sum over objects) are the same when only one layout is wanted.

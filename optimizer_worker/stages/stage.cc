@@ -8,7 +8,7 @@
 #include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
-#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/executor/executor.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
-#include <thread>
+#include <utility>
+#include <vector>
+
+#include "orchestrator/batch/repeater.h"
 
 namespace flair::orchestrator {
 
@@ -19,30 +21,58 @@ class EventHub {
  public:
   using Callback = std::function<void()>;
 
-  EventHub();
-  // Callbacks have ended then.
-  ~EventHub();
-
   // Calls `callback` until Unsubscribe; a call that has begun may still run then, so it keeps alive what it uses.
-  int Subscribe(const std::string& id, Callback callback);
-  void Unsubscribe(int key);
+  int Subscribe(const std::string& id, Callback callback) {
+    std::lock_guard lock(mutex_);
+    subscriptions_[id][next_key_] = std::make_shared<Callback>(std::move(callback));
+    ids_[next_key_] = id;
+    return next_key_++;
+  }
+
+  void Unsubscribe(int key) {
+    std::lock_guard lock(mutex_);
+    const auto found = ids_.find(key);
+    if (found == ids_.end()) return;
+    const auto subscription = subscriptions_.find(found->second);
+    subscription->second.erase(key);
+    if (subscription->second.empty()) subscriptions_.erase(subscription);
+    ids_.erase(found);
+  }
 
   // Empty: whatever the id.
-  void Notify(const std::string& id);
+  void Notify(const std::string& id) {
+    {
+      std::lock_guard lock(mutex_);
+      // Most ids are watched by nobody.
+      if (!id.empty() && !subscriptions_.contains(id)) return;
+      changed_.insert(id);
+    }
+    caller_.Wake();
+  }
 
  private:
-  void Run();
-  void Call(const std::set<std::string>& ids);
+  absl::Duration Call() {
+    std::vector<std::shared_ptr<Callback>> callbacks;
+    {
+      std::lock_guard lock(mutex_);
+      const std::set<std::string> changed = std::exchange(changed_, {});
+      for (const auto& [id, subscriptions] : subscriptions_) {
+        if (!changed.contains("") && !changed.contains(id)) continue;
+        for (const auto& [key, callback] : subscriptions) callbacks.push_back(callback);
+      }
+    }
+    for (const auto& callback : callbacks) (*callback)();
+    return absl::Hours(1);
+  }
 
   std::mutex mutex_;
-  std::condition_variable wake_;
   std::set<std::string> changed_;
-  bool stopping_ = false;
   // By id, then key; shared with a call that is under way.
   std::map<std::string, std::map<int, std::shared_ptr<Callback>>> subscriptions_;
   std::map<int, std::string> ids_;
   int next_key_ = 1;
-  std::thread thread_;
+  // Last: callbacks have ended before the rest goes.
+  Repeater caller_{[this] { return Call(); }};
 };
 
 }  // namespace flair::orchestrator

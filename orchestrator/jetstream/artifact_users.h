@@ -11,7 +11,7 @@
 #include "absl/status/statusor.h"
 #include "flair/store/v1/job_record.pb.h"
 #include "orchestrator/jetstream/queue_parts.h"
-#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/executor/executor.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/jetstream/queue_parts.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
@@ -42,16 +41,7 @@ struct Hold {
 class LeaseKeeper {
  public:
   // `parts` outlives it.
-  explicit LeaseKeeper(QueueParts& parts) : parts_(parts), thread_([this] { Run(); }) {}
-
-  ~LeaseKeeper() {
-    {
-      std::lock_guard lock(mutex_);
-      stopping_ = true;
-      wake_.notify_all();
-    }
-    thread_.join();
-  }
+  explicit LeaseKeeper(QueueParts& parts) : parts_(parts) {}
 
   // Until Remove. The hold is shared with the keeper's thread, which may be looking at it.
   void Add(std::shared_ptr<Hold> hold) {
@@ -67,11 +57,13 @@ class LeaseKeeper {
 
   // Checks the job now; all jobs if the id is empty, after the connection was lost.
   void Look(const std::string& job_id) {
-    std::lock_guard lock(mutex_);
-    for (Kept& kept : kept_) {
-      if (job_id.empty() || kept.hold->job_id == job_id) kept.due = absl::ZeroDuration();
+    {
+      std::lock_guard lock(mutex_);
+      for (Kept& kept : kept_) {
+        if (job_id.empty() || kept.hold->job_id == job_id) kept.due = absl::ZeroDuration();
+      }
     }
-    wake_.notify_all();
+    keeper_.Wake();
   }
 
  private:
@@ -88,45 +80,44 @@ class LeaseKeeper {
     absl::Duration confirmed;
     absl::Duration due;
   };
-  void Run() {
-    std::unique_lock lock(mutex_);
-    while (!stopping_) {
-      LoseExpired(lock);
-      const absl::Duration now = parts_.clock.Elapsed();
+  // Looks after the hold that is due next; says when another one is.
+  absl::Duration Step() {
+    LoseExpired();
+    const absl::Duration now = parts_.clock.Elapsed();
+    std::shared_ptr<Hold> hold;
+    {
+      std::lock_guard lock(mutex_);
       const auto next = std::ranges::min_element(kept_, {}, &Kept::due);
-      if (next == kept_.end() || next->due > now) {
-        // A hold that comes meanwhile is first due after a third of the lease.
-        const absl::Duration wait =
-            next == kept_.end() ? parts_.lease / 6 : std::min(parts_.lease / 6, next->due - now);
-        wake_.wait_for(lock, absl::ToChronoMilliseconds(wait + absl::Milliseconds(1)));
-        continue;
-      }
-      const std::shared_ptr<Hold> hold = next->hold;
+      // A hold that comes meanwhile is first due after a third of the lease.
+      if (next == kept_.end()) return parts_.lease / 6;
+      if (next->due > now) return std::min(parts_.lease / 6, next->due - now) + absl::Milliseconds(1);
+      hold = next->hold;
       next->due = now + std::min(parts_.lease / 3, kAgain);
-      lock.unlock();
-      const bool confirmed = ReportProgress(*hold);
-      LookAtRecord(*hold);
-      lock.lock();
-      const auto kept = std::ranges::find(kept_, hold, &Kept::hold);
-      if (kept == kept_.end() || !confirmed) continue;
-      kept->confirmed = now;
-      // Unless another check was requested meanwhile.
-      if (kept->due != absl::ZeroDuration()) kept->due = now + parts_.lease / 3;
     }
+    const bool confirmed = ReportProgress(*hold);
+    LookAtRecord(*hold);
+    std::lock_guard lock(mutex_);
+    const auto kept = std::ranges::find(kept_, hold, &Kept::hold);
+    if (kept == kept_.end() || !confirmed) return absl::ZeroDuration();
+    kept->confirmed = now;
+    // Unless another check was requested meanwhile.
+    if (kept->due != absl::ZeroDuration()) kept->due = now + parts_.lease / 3;
+    return absl::ZeroDuration();
   }
 
   // Gives up holds that were not confirmed for too long: the servers may deliver their jobs to others.
-  void LoseExpired(std::unique_lock<std::mutex>& lock) {
-    const absl::Duration now = parts_.clock.Elapsed();
+  void LoseExpired() {
     std::vector<std::shared_ptr<Hold>> lost;
-    std::erase_if(kept_, [&](const Kept& kept) {
-      if (!kept.hold->lost && now - kept.confirmed <= parts_.lease) return false;
-      lost.push_back(kept.hold);
-      return true;
-    });
-    lock.unlock();
+    {
+      std::lock_guard lock(mutex_);
+      const absl::Duration now = parts_.clock.Elapsed();
+      std::erase_if(kept_, [&](const Kept& kept) {
+        if (!kept.hold->lost && now - kept.confirmed <= parts_.lease) return false;
+        lost.push_back(kept.hold);
+        return true;
+      });
+    }
     for (const std::shared_ptr<Hold>& hold : lost) hold->Lose();
-    lock.lock();
   }
 
   bool ReportProgress(const Hold& hold) {
@@ -153,10 +144,8 @@ class LeaseKeeper {
   // When records may be read again after one could not be.
   absl::Duration look_from_;
   std::mutex mutex_;
-  std::condition_variable wake_;
   std::vector<Kept> kept_;
-  bool stopping_ = false;
-  std::thread thread_;
+  Repeater keeper_{[this] { return Step(); }};
 };
 
 }  // namespace flair::orchestrator

@@ -9,7 +9,7 @@
 
 #include "absl/strings/escaping.h"
 #include "orchestrator/jetstream/pending_messages.h"
-#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/executor/executor.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {

@@ -19,7 +19,7 @@
 #include "orchestrator/pipeline/stage.h"
 #include "orchestrator/pipeline/stage_clients.h"
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/executor/bounded_executor.h"
+#include "worker_runtime/executor/executor.h"
 
 namespace flair::orchestrator {
 

@@ -10,7 +10,7 @@
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/trace_view.h"
 #include "renderer_worker/tracing/world.h"
-#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/executor/executor.h"
 
 namespace flair::renderer {
 

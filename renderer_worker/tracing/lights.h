@@ -12,7 +12,7 @@
 #include "renderer_worker/scene/scene.h"
 #include "renderer_worker/tracing/sampling.h"
 #include "renderer_worker/tracing/world.h"
-#include "worker_runtime/executor/parallel.h"
+#include "worker_runtime/executor/executor.h"
 
 namespace flair::renderer {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "worker_runtime/clock/clock.h"
-#include "worker_runtime/executor/bounded_executor.h"
+#include "worker_runtime/executor/executor.h"
 #include "worker_runtime/metrics/metrics.h"
 
 namespace flair::config::v1 {

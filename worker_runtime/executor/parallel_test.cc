@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "worker_runtime/executor/parallel.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "worker_runtime/executor/executor.h"
 
 namespace flair::runtime {
 namespace {

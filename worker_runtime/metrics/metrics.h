@@ -14,7 +14,7 @@
 
 #include "absl/status/status.h"
 #include "absl/time/time.h"
-#include "worker_runtime/executor/bounded_executor.h"
+#include "worker_runtime/executor/executor.h"
 
 namespace flair::runtime {
 
