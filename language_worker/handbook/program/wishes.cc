@@ -54,17 +54,26 @@ class WishMaker {
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
       const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
-      if (furniture == nullptr) continue;
+      const bool in_another_form = furniture != nullptr && !IsSeat(*furniture) &&
+                                   std::ranges::any_of(facts_.wishes, [&](const Wish& other) {
+                                     return ShareANoun(*furniture, *other.furniture);
+                                   });
+      if (furniture == nullptr || in_another_form) continue;
       auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
       list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
     }
   }
 
+  // The class that one named by the brief is a kind of; any other itself.
+  const std::string& KinOf(const hb::Furniture& furniture) const {
+    const auto base = facts_.base_of_own.find(furniture.name());
+    return base == facts_.base_of_own.end() || base->second.empty() ? furniture.name() : base->second;
+  }
+
   // A "gaming desk" comes instead of the usual desk, and what is said of desks holds for it.
   void TakePlaceOfKin(const hb::Furniture& furniture) {
-    const auto base = facts_.base_of_own.find(furniture.name());
-    const hb::Furniture* kin = base == facts_.base_of_own.end() ? nullptr : handbook_.FindFurniture(base->second);
-    if (kin == nullptr) return;
+    const hb::Furniture* kin = handbook_.FindFurniture(KinOf(furniture));
+    if (kin == nullptr || kin == &furniture) return;
     program_.substitutes.emplace_back(kin->name(), furniture.name());
     for (hb::ZoneSpec& zone : program_.zones) {
       if (Includes(zone.primaries(), kin->name())) zone.add_primaries(furniture.name());
@@ -217,7 +226,7 @@ class WishMaker {
            std::ranges::any_of(handbook_.contents().nouns(), [&](const hb::Noun& noun) {
              const auto means = [&](const hb::Furniture& furniture) {
                return std::ranges::any_of(noun.options(),
-                                          [&](const auto& option) { return option.furniture() == furniture.name(); });
+                                          [&](const auto& option) { return option.furniture() == KinOf(furniture); });
              };
              return means(one) && means(other);
            });
@@ -235,7 +244,7 @@ class WishMaker {
     for (const hb::Noun& noun : handbook_.contents().nouns()) {
       const auto among = [&](const hb::Furniture& one) {
         return std::ranges::any_of(noun.options(),
-                                   [&](const auto& option) { return option.furniture() == one.name(); });
+                                   [&](const auto& option) { return option.furniture() == KinOf(one); });
       };
       if (!noun.one_of() || !among(furniture)) continue;
       EraseUnasked([&](const ProgramItem& item) {
@@ -328,8 +337,9 @@ class WishMaker {
     const bool without_seats = IsSeat(*usual) && !Lists(program_.floor_items, name);
     const auto kin = std::ranges::find_if(facts_.wishes, [&](const Wish& wish) {
       if (!wish.counted || wish.count < 2 || wish.furniture == usual || !IsFloorPiece(*wish.furniture)) return false;
+      const hb::Furniture* seat = SeatOf(*wish.furniture, handbook_);
       return wish.furniture->category() == usual->category() ||
-             (without_seats && SeatOf(*wish.furniture, handbook_) != nullptr);
+             (seat != nullptr && (without_seats || seat == SeatOf(*usual, handbook_)));
     });
     if (kin == facts_.wishes.end()) return false;
     EraseUnasked([&](const ProgramItem& item) { return item.furniture == usual; });

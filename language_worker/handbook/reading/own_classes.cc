@@ -189,12 +189,13 @@ class OwnFinder {
     return name;
   }
 
-  // Only where a word of the class itself was said: "the table" after a poker table is that one.
+  // Only where a word of the class itself was said: "the table" after a poker table is that one. "A table" says no more
+  // than the class's own name.
   void NameAsSaid(const Mention& mention) {
     const std::string said = text_.Quote(mention.begin, mention.end), one = english::Singular(said);
     const auto& words = mention.furniture->synonyms();
     for (const std::string& name : {said, one}) {
-      if (Includes(words, name)) return AddClass(*mention.furniture, name);
+      if (Includes(words, name) && !mention.furniture->name().ends_with(name)) return AddClass(*mention.furniture, name);
     }
   }
 

@@ -73,7 +73,7 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
     const std::vector<std::string> names = WithSubstitutes(classes, program_);
     if (std::ranges::none_of(names, [&](const std::string& one) { return groups_.contains(one); })) return false;
   }
-  for (const std::string& name : condition.without()) {
+  for (const std::string& name : WithSubstitutes(condition.without(), program_)) {
     if (groups_.count(name) == 0) continue;
     // Elsewhere in the room it is no matter for those whose partner is at hand: the chair at its desk does not mind the
     // meeting table.

@@ -48,7 +48,7 @@ end
 function mesh.bath()
   local spout = min(0.12, 0.2 * h)
   local top = h - spout
-  local oval = says("freestanding", "oval", "clawfoot", "round")
+  local oval = says("freestanding", "standing", "oval", "claw", "clawfoot", "roll", "slipper", "soaking", "round")
   local rim = min(0.055, 0.09 * smaller)
   make_tub({ rim = rim, deep = 0.24 * top, foot = oval and 0.8 or 0.97, flare = 0.78, oval = oval }, top, "hard")
   local along_x = w >= d

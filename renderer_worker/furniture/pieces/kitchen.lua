@@ -132,17 +132,7 @@ function plan.counter()
     local x = left + w * i / fronts
     segment({x, front - lip}, {x, front})
   end
-  if w < 1.2 or d < 0.4 then return end
-  local half = min(0.21, 0.36 * d)
-  local sink_x = left + (w >= 1.9 and 0.28 or 0.5) * w
-  plan_sink_bowl(rect(sink_x - 0.24, -half + 0.05, sink_x + 0.2, half - 0.02), true)
-  for i = 0, 4 do
-    local x = sink_x + 0.26 + 0.05 * i
-    segment({x, -half + 0.08}, {x, half - 0.05}, "faint")
-  end
-  if w < 1.9 then return end
-  local hob_x = left + 0.76 * w
-  plan_rings(rect(hob_x - 0.28, -half, hob_x + 0.28, half - 0.01))
+  segment({left, back + lip}, {right, back + lip}, "faint")
 end
 
 function mesh.kitchen_island()
