@@ -53,7 +53,8 @@ class FinishReader {
     const bool on_the_floor = text_.At(i + 1) == "underfoot" || (text_.At(i + 1) == "on" && text_.Is(i + 3, "floors"));
     if (text_.Is(i, "wall_finishes") && on_the_floor) return Surface::kFloor;
     if (text_.At(i) == "walls" || text_.Is(i, "wall_finishes") || text_.Is(i, "paints")) return Surface::kWalls;
-    const bool part = text_.Says(i + 1, {"lamp", "cushion", "plan", "plant", "mirror", "space", "area", "to", "light"});
+    const bool part = text_.Says(i + 1, {"lamp", "lamps", "cushion", "cushions", "plan", "plant", "plants", "mirror",
+                                         "mirrors", "space", "area", "to", "light", "lights"});
     if ((text_.Is(i, "floors") && !part) || text_.Is(i, "floor_finishes")) return Surface::kFloor;
     if (text_.Says(i, {"ceiling", "ceilings"}) && !part) return Surface::kCeiling;
     return std::nullopt;
