@@ -371,3 +371,23 @@ function plan.aquarium()
     shape({{x + 1.2 * size, y}, {x + 2 * size, y - 0.6 * size}, {x + 2 * size, y + 0.6 * size}}, "fire", "faint")
   end
 end
+
+-- Two benches that face each other along the wall, a table between.
+function mesh.diner_booth()
+  local deep, seat = 0.3 * w, 0.41 * h
+  for side in each{-1, 1} do
+    box("soft", {side * w / 2, -d / 2, 0.05 * h}, {side * (w / 2 - deep), d / 2, seat}, 0.03)
+    box("soft", {side * w / 2, -d / 2, 0.05 * h}, {side * (w / 2 - 0.3 * deep), d / 2, h}, 0.03)
+  end
+  slab("hard", rounded({-0.22 * w, -d / 2}, {0.22 * w, 0.47 * d}, 0.04), 0.64 * h, 0.68 * h, 0.004)
+  box("metal", {-0.03 * w, -0.05 * d, 0}, {0.03 * w, 0.05 * d, 0.65 * h}, 0.004)
+end
+
+function plan.diner_booth()
+  local deep = 0.3 * w
+  area({left, back, left + deep, front}, "soft", "outline", 0.04)
+  area({right - deep, back, right, front}, "soft", "outline", 0.04)
+  area({left, back, left + 0.3 * deep, front}, "deep", "detail", 0.03)
+  area({right - 0.3 * deep, back, right, front}, "deep", "detail", 0.03)
+  area({-0.22 * w, back, 0.22 * w, front - 0.03 * d}, "light", "outline", 0.05)
+end
