@@ -84,7 +84,7 @@ TEST(PlaceReader, WallsAreAlsoSidesAndEndsAndWhatIsAcrossFromAPiece) {
 TEST(PlaceReader, WhatHangsHangsOnTheWallThatIsNamed) {
   ExpectEach({{"A meeting room with a whiteboard on the west wall.", "The whiteboard hangs on {wall}. [west]"},
               {"A meeting room with a screen on the wall opposite the door.", "The projector screen hangs on {wall}. [far]"},
-              {"A ballet studio, mirrors along a long wall.", "The mirror hangs on {wall}. [long]"},
+              {"A ballet studio, mirrors along a long wall.", "The dance mirror hangs on {wall}. [long]"},
               {"A hallway with a mirror halfway along the right wall.", "The mirror is in the middle of {wall}. [right]"},
               {"A hallway with coat hooks beside the door.", "The wall hooks is near the door."}});
 }
