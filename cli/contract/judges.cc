@@ -49,8 +49,13 @@ Names NamesIn(const char* what, const List& list, NameOf name_of) {
 // Without a graph ids are not looked up.
 std::optional<Names> NamesOf(v1::ParameterKind kind, const v1::LayoutGraph* graph) {
   switch (kind) {
-    case v1::PARAMETER_KIND_FEATURE:
-      return Names{"a feature: door, window or socket", {"door", "window", "socket"}};
+    case v1::PARAMETER_KIND_FEATURE: {
+      if (graph == nullptr) return std::nullopt;
+      Names names = NamesIn("a feature: door, window, socket or the id of a door or window", graph->room().openings(),
+                            &v1::Opening::id);
+      names.known.insert(names.known.end(), {"door", "window", "socket"});
+      return names;
+    }
     case v1::PARAMETER_KIND_SIDE:
     case v1::PARAMETER_KIND_SIDES:
       return Names{"a side: front, back, left or right", {"front", "back", "left", "right"}};

@@ -38,9 +38,10 @@ Phrase FindPhrase(const TokenContext& context) {
     const Phrase inner = Lexicon::Get().Find(context.tokens, context.at + k);
     const bool of_feature = (phrase.word_class == v1::WORD_CLASS_PLACE || phrase.lemma == "into_room") &&
                             inner.word_class == v1::WORD_CLASS_FEATURE && inner.length > 1;
-    // "Along a side wall" is not "along" and "a side".
+    // "Along a side wall" is not "along" and "a side"; but "the left side of the room divider" is a side.
     const bool of_wall =
-        phrase.word_class == v1::WORD_CLASS_SIDE && inner.word_class == v1::WORD_CLASS_PLACE && inner.length > 1;
+        phrase.word_class == v1::WORD_CLASS_SIDE && inner.word_class == v1::WORD_CLASS_PLACE && inner.length > 1 &&
+        context.names.Find(context.tokens, context.at + k + inner.length - 1).length <= 1;
     const size_t length = std::max(name.length, of_feature || of_wall ? inner.length : 0);
     if (length > 1 && k + length > phrase.length) return Lexicon::Get().Find(context.tokens, context.at, k);
   }

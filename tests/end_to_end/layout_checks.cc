@@ -123,7 +123,8 @@ std::vector<std::string> FindFaults(const v1::SolvedLayout& message) {
   if (!partial.ok()) return {std::string(partial.status().message())};
   Faults faults;
   for (size_t i = 0; i < scene->objects.size(); ++i) {
-    if (!partial->placed[i]) faults.push_back(scene->objects[i].id + " is not placed");
+    // What nobody asked for may be left out.
+    if (!partial->placed[i] && !message.graph().object_list().objects(static_cast<int>(i)).spare()) faults.push_back(scene->objects[i].id + " is not placed");
   }
   const evaluation::LayoutView view{*scene, partial->layout, partial->placed};
   CheckSizes(*scene, faults);
