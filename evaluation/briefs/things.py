@@ -7,12 +7,12 @@ from plan import Piece, Plan
 
 GROUPS = {
     "@bed": ["*bed"],
-    "@armchair": ["armchair", "recliner", "glider", "wing*chair", "lounge chair"],
+    "@armchair": ["armchair", "recliner", "glider", "wing*chair", "lounge chair", "club chair", "easy chair"],
     "@sofa": ["*sofa", "loveseat"],
     "@chair": ["*chair*", "*stool"],
     "@lamp": ["*lamp*", "sconce", "lantern"],
     "@desk": ["*desk"],
-    "@dining table": ["*dining table"],
+    "@dining table": ["*dining table", "round table", "oval table", "square table", "trestle table", "drop-leaf table"],
     "@bookcase": ["*bookshelf*", "*bookcase*"],
     "@plant": ["*plant*"],
     "@lectern": ["lectern", "*podium"],
