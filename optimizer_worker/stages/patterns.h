@@ -18,6 +18,8 @@ std::vector<PartialLayout> PlacePatterns(const SolveInput& input, const StageSpe
 
 // What `state` is charged for groups of patterns that it has placed in no order: about two missed constraints for each.
 double DisorderOf(const SolveInput& input, const PartialLayout& state);
+// The same for one pattern, all of it placed in `layout`; `groups` are indices in input.groups.all.
+double DisorderOf(const SolveInput& input, const std::vector<int>& groups, const Layout& layout);
 
 // The objects that stand in a pattern: their groups are arranged alike, look along the same axes, and each
 // is in line with another. They are moved together or not at all.

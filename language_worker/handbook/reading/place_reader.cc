@@ -33,6 +33,8 @@ bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool oth
          (!floor || furniture.walk_over());
 }
 
+// Long, and one class: whose place it is, what it is told by and what is left untold all depend on what was read last
+// and on which pieces only tell where others go. To be taken apart when clauses are read by frames.
 class PlaceReader {
  public:
   PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens,
