@@ -112,6 +112,7 @@ bool LandmarkReader::Describes(std::size_t i) const {
 Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   if (IsIn("doors_of_the_room", text_.At(i))) return Landmark::Kind::kDoor;
   if (IsIn("windows_of_the_room", text_.At(i))) return Landmark::Kind::kWindow;
+  if (IsIn("sockets_of_the_room", text_.At(i))) return Landmark::Kind::kSocket;
   if (text_.At(i) == "wall" || text_.At(i) == "walls") return Landmark::Kind::kWall;
   if (text_.At(i) == "corner" || text_.At(i) == "corners") return Landmark::Kind::kCorner;
   // "The east end", "the left hand side", "on the left", "across the back": the wall there.
@@ -144,7 +145,13 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
   std::string sides;
   const auto add = [&](std::string_view side) { sides += (sides.empty() ? "" : " ") + std::string(side); };
   for (const Token& word : TokensOf(landmark.side)) {
-    if (IsIn("told_sides", word.text)) add(word.text);
+    if (word.text == "other") {
+      add("opposite");
+    } else if (IsIn("told_sides", word.text)) {
+      add(word.text);
+    } else if (IsIn("blank_walls", word.text)) {
+      add("blank");
+    }
   }
   if (landmark.kind == Landmark::Kind::kCorner) {
     for (std::size_t i = start; i < landmark.end; ++i) {

@@ -16,7 +16,7 @@ namespace flair::language {
 
 // What a place is told by: "the kitchen door", "the sofa and the fireplace", "them", "the far left corner".
 struct Landmark {
-  enum class Kind { kNone, kPiece, kPronoun, kDoor, kWindow, kWall, kCorner };
+  enum class Kind { kNone, kPiece, kPronoun, kDoor, kWindow, kSocket, kWall, kCorner };
   Kind kind = Kind::kNone;
   const hb::Furniture* piece = nullptr;   // of kPiece
   const hb::Furniture* second = nullptr;  // "... and the fireplace": another piece behind it, up to `second_end`
@@ -39,7 +39,7 @@ class LandmarkReader {
   // The landmark that begins at a token; of kind kNone where none does.
   Landmark Read(std::size_t start) const;
 
-  // Whether a door, window, wall or corner is named at a token.
+  // Whether a door, window, socket, wall or corner is named at a token.
   Landmark::Kind FeatureAt(std::size_t i) const;
 
  private:

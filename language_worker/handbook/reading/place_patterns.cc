@@ -13,7 +13,7 @@ bool Fits(const std::string& slot, const Landmark& landmark) {
   using Kind = Landmark::Kind;
   const Kind kind = landmark.kind;
   for (const auto& [name, feature] : {std::pair("door", Kind::kDoor), std::pair("window", Kind::kWindow),
-                                      std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
+                                      std::pair("socket", Kind::kSocket), std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
     if (slot == name) return kind == feature;
   }
   const bool beside = landmark.beside != Kind::kNone;

@@ -12,6 +12,7 @@
 #include "language_worker/handbook/reading/landmark.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/place_patterns.h"
+#include "language_worker/handbook/reading/subject_finder.h"
 #include "language_worker/handbook/reading/target_finder.h"
 #include "language_worker/handbook/reading/words.h"
 
@@ -49,6 +50,7 @@ class PlaceReader {
         patterns_(handbook, tokens, landmarks_),
         named_(tokens, mentions),
         by_landmark_(mentions.size(), false),
+        subjects_(tokens, mentions, named_, by_landmark_, landmarks_),
         targets_(mentions, named_, by_landmark_, facts.places) {}
 
   void Read() {
@@ -61,113 +63,6 @@ class PlaceReader {
 
  private:
   using Match = PlacePatterns::Match;
-  // Whose place is told.
-  struct Subject {
-    const hb::Furniture* furniture = nullptr;
-    std::size_t mention = 0;
-    int which = -1;        // of several: the first, the second; -1 for all
-    bool further = false;  // "... and one on the right": one more of it
-  };
-  // What was read last: its subject, and where it ends.
-  struct Last {
-    Subject subject;
-    std::size_t end = 0;
-  };
-
-  Subject SubjectOf(std::size_t mention, int which) const { return {mentions_[mention].furniture, mention, which}; }
-
-  // What stands right before the place, over verbs, commas and what was said of its place before.
-  std::optional<Subject> SubjectBefore(std::size_t i) const {
-    constexpr std::size_t kMostFillers = 10;
-    bool joined = false, relative = false;
-    for (std::size_t at = i; at > 0 && at + kMostFillers > i; --at) {
-      if (last_ && last_->end == at) {
-        const std::optional<std::size_t> m = named_.EndingAt(at);
-        if (!m || (joined && !relative)) return last_->subject;
-      }
-      if (const std::optional<std::size_t> m = named_.EndingAt(at)) return SubjectOf(*m, mentions_[*m].which);
-      const Token& before = tokens_[at - 1];
-      const std::optional<std::size_t> earlier = LastMentionBefore(at - 1);
-      const bool other = before.text == "other" || before.text == "another" || before.text == "second";
-      if (earlier && (before.text == "one" || other) && mentions_[*earlier].count > 1) {
-        const bool again = last_ && last_->subject.which == 0 && last_->subject.mention == *earlier;
-        return SubjectOf(*earlier, other || again ? 1 : 0);
-      }
-      if (last_ && before.text == "one" && last_->subject.which < 1 && last_->end < at &&
-          last_->end + 3 >= at) {
-        Subject further = last_->subject;
-        further.which = 1;
-        further.further = true;
-        return further;
-      }
-      if (earlier && (IsIn("singular_pronouns", before.text) || IsIn("plural_pronouns", before.text))) {
-        return SubjectOf(*earlier, mentions_[*earlier].which);
-      }
-      if (before.text == "nothing") return std::nullopt;
-      relative = relative || IsIn("relative_pronouns", before.text);
-      joined = joined || before.text == "," || before.text == "and" || before.text == "but";
-      const bool sign = before.kind == Token::Kind::kSign && !text_.EndsSentence(at - 1) && before.text != "(";
-      const bool filler = IsIn("place_fillers", before.text) || IsIn("group_fillers", before.text) ||
-                          before.text.ends_with("ed") || before.text.ends_with("ing") || before.text.ends_with("ly") ||
-                          before.text == "and" || before.text == "but" || before.text == "the" || before.text == "of" ||
-                          before.text == "in" || IsFormIn("groups_of_pieces", before.text);
-      if (!sign && !filler && before.kind != Token::Kind::kNumber) return std::nullopt;
-    }
-    return std::nullopt;
-  }
-
-  // "Under the window a desk", "next to the bed there is a nightstand".
-  std::optional<Subject> SubjectAfter(std::size_t begin, std::size_t end) const {
-    constexpr std::size_t kMostBetween = 6;
-    const bool first = begin == 0 || text_.EndsSentence(begin - 1) || tokens_[begin - 1].text == ":";
-    const bool aside = begin > 1 && text_.At(begin - 1) == "," && IsIn("place_openers", text_.At(begin - 2));
-    const bool opens = first || tokens_[begin - 1].text == "," || IsIn("place_openers", tokens_[begin - 1].text);
-    if (!opens || end >= tokens_.size()) return std::nullopt;
-    int others = 0;
-    bool noun_phrase = false;
-    for (std::size_t i = end; i < tokens_.size() && i < end + kMostBetween; ++i) {
-      if (const std::optional<std::size_t> m = named_.At(i)) {
-        if (!first && !noun_phrase) return std::nullopt;
-        return SubjectOf(*m, mentions_[*m].which);
-      }
-      const Token& token = tokens_[i];
-      if (token.kind == Token::Kind::kSign && !((first || aside) && token.text == ",")) return std::nullopt;
-      if (token.text == "and" || token.text == "with" || token.text == "or") return std::nullopt;
-      const bool known = IsIn("before_subjects", token.text) || IsIn("place_fillers", token.text) ||
-                         token.kind == Token::Kind::kSign || NumberWord(token.text);
-      noun_phrase = noun_phrase || NumberWord(token.text) || token.text == "the" || token.kind == Token::Kind::kNumber;
-      // Words for its looks.
-      if (!known && (!noun_phrase || ++others > 2)) return std::nullopt;
-    }
-    return std::nullopt;
-  }
-
-  // "a desk for writing letters by the window": the last piece of the sentence when nothing else can stand there.
-  std::optional<Subject> LooseSubjectBefore(std::size_t i) const {
-    constexpr std::size_t kMostWords = 12;
-    for (std::size_t at = i; at > 0 && at + kMostWords > i; --at) {
-      if (text_.EndsSentence(at - 1)) return std::nullopt;
-      if (const std::optional<std::size_t> m = named_.EndingAt(at)) {
-        if (by_landmark_[*m]) return std::nullopt;
-        return SubjectOf(*m, mentions_[*m].which);
-      }
-      // A window or some other thing of its own: the place is that thing's.
-      const std::string& word = tokens_[at - 1].text;
-      if (landmarks_.FeatureAt(at - 1) != Landmark::Kind::kNone || word == "," || word == "and" || word == "a" ||
-          word == "with" || word == "room" || word == "but") {
-        return std::nullopt;
-      }
-    }
-    return std::nullopt;
-  }
-
-  std::optional<std::size_t> LastMentionBefore(std::size_t i) const {
-    for (std::size_t m = mentions_.size(); m-- > 0;) {
-      if (mentions_[m].end <= i && !by_landmark_[m]) return m;
-    }
-    return std::nullopt;
-  }
-
   bool TakePlace(std::size_t i) {
     if (patterns_.IsDenied(i) || IsByDoing(i)) return false;
     for (const bool otherwise : {false, true}) {
@@ -192,36 +87,56 @@ class PlaceReader {
       for (std::size_t k = i; k < match.end; ++k) {
         if (const std::optional<std::size_t> m = named_.At(k)) by_landmark_[*m] = true;
       }
-      last_ = Last{subjects.front(), match.end};
+      subjects_.Remember(subjects.front(), match.end);
       read_to_ = match.end;
       return true;
     }
     return false;
   }
 
-  // Whose place it is: one piece, or several small things that are named together.
+  // Whose place it is: one piece, or several that are named together.
   std::vector<Subject> SubjectsOf(const Match& match, std::size_t i, bool otherwise) const {
-    if (match.asked->target_first()) {
+    const hb::AskedPlace& asked = *match.asked;
+    if (asked.target_first()) {
       const std::optional<std::size_t> first = named_.From(match.end);
-      return first ? Together(*first, +1, *match.asked) : std::vector<Subject>();
+      return first ? Together(*first, +1, asked) : std::vector<Subject>();
     }
-    std::optional<Subject> after = SubjectAfter(i, match.end), before;
-    if (!after) before = SubjectBefore(i);
-    if (!after && !before) before = LooseSubjectBefore(i);
-    std::optional<Subject>& subject = after ? after : before;
-    if (subject && !after && !IsFor(*match.asked, *subject->furniture, otherwise)) subject = HolderOf(*subject);
-    if (!subject || !IsFor(*match.asked, *subject->furniture, otherwise)) return {};
-    const bool along = match.asked->carried() == hb::CARRIED_ALONG;
-    if (along || !IsOnATop(*subject->furniture)) return {*subject};
-    std::vector<Subject> all = Together(subject->mention, after ? +1 : -1, *match.asked);
+    std::optional<Subject> subject = subjects_.After(i, match.end);
+    const bool after = subject.has_value();
+    if (!after) subject = subjects_.Before(i, match.landmark.kind == Landmark::Kind::kPronoun);
+    if (!subject) return {};
+    const std::optional<Subject> holder = after ? std::nullopt : subjects_.HolderOf(*subject);
+    if (holder && IsFor(asked, *holder->furniture, otherwise) &&
+        (!IsFor(asked, *subject->furniture, otherwise) || IsOfTheHolder(match, *subject))) {
+      subject = holder;
+    }
+    if (!IsFor(asked, *subject->furniture, otherwise)) return {};
+    if (asked.carried() == hb::CARRIED_ALONG) return {*subject};
+    if (!IsOnATop(*subject->furniture)) {
+      const bool shares = !after && !AskedNames(asked, "{first}") && asked.relation().pairing() != hb::PAIRING_TOGETHER;
+      const std::optional<Subject> other = shares ? subjects_.SharerOf(*subject) : std::nullopt;
+      if (!other || !IsFor(asked, *other->furniture, otherwise)) return {*subject};
+      return {*subject, *other};
+    }
+    std::vector<Subject> all = Together(subject->mention, after ? +1 : -1, asked);
     all.front() = *subject;
     return all;
   }
 
-  // "A table with a lamp on it by the window": what stands by the window is the table.
-  std::optional<Subject> HolderOf(const Subject& held) const {
-    const std::optional<std::size_t> holder = named_.HolderOf(held.mention);
-    return holder ? std::optional(SubjectOf(*holder, mentions_[*holder].which)) : std::nullopt;
+  // "A table with a lamp on it by the window", "a bath with a ramp along the back wall": where a thing that comes with
+  // another one is told to be in the room, that one is; but "a bed with a bench at the foot of it".
+  static bool IsOfTheHolder(const Match& match, const Subject& held) {
+    switch (match.landmark.kind) {
+      case Landmark::Kind::kPronoun:
+        return false;
+      case Landmark::Kind::kPiece:
+        return IsOnATop(*held.furniture);
+      case Landmark::Kind::kNone:
+        return !AskedNames(*match.asked, "{target}") && !AskedNames(*match.asked, "{first}") &&
+               match.asked->relation().pairing() != hb::PAIRING_TOGETHER;
+      default:
+        return true;
+    }
   }
 
   // Whether the place of what is listed before or behind it is its place, too: small things that have none of their
@@ -247,7 +162,7 @@ class PlaceReader {
       const std::size_t first = step > 0 ? m - 1 : m, second = first + 1;
       if (m != mention && (by_landmark_[m] || !named_.AreListed(first, second) || !GoesWithOthers(m, step, asked)))
         break;
-      all.push_back(SubjectOf(m, mentions_[m].which));
+      all.push_back(subjects_.Of(m));
       if (step < 0 && m == 0) break;
     }
     return all;
@@ -387,8 +302,8 @@ class PlaceReader {
 
   // What stands before "holds": right before it, else the last in the sentence that is no thing on a top itself.
   bool TakeCarrier(std::size_t i, Place& place) const {
-    std::optional<Subject> before = SubjectBefore(i);
-    if (last_ && last_->end == i && before && by_landmark_[before->mention]) before = last_->subject;
+    std::optional<Subject> before = subjects_.Before(i);
+    if (subjects_.EndedAt(i) && before && by_landmark_[before->mention]) before = subjects_.last();
     if (before) {
       place.target = before->furniture;
       if (AskedNames(*place.asked, "{first}")) place.other = place.target;
@@ -434,9 +349,8 @@ class PlaceReader {
     while (begin > 0 &&
            (IsIn("place_fillers", text_.At(begin - 1)) || text_.At(begin - 1) == "in" || text_.At(begin - 1) == "the"))
       --begin;
-    std::optional<Subject> subject = SubjectBefore(i);
-    if (!subject) subject = LooseSubjectBefore(i);
-    if (!subject && !SubjectAfter(i, i + 1) && !SpeaksOfAPiece(i)) return;
+    const std::optional<Subject> subject = subjects_.Before(i);
+    if (!subject && !subjects_.After(i, i + 1) && !SpeaksOfAPiece(i)) return;
     std::size_t end = i + 1;
     constexpr std::size_t kMostWords = 8;
     while (end < tokens_.size() && end < i + kMostWords && tokens_[end].text != "," && tokens_[end].text != "and" &&
@@ -472,8 +386,8 @@ class PlaceReader {
   const PlacePatterns patterns_;
   const MentionList named_;
   std::vector<bool> by_landmark_;  // of a mention: it only tells where another one goes
+  SubjectFinder subjects_;
   const TargetFinder targets_;
-  std::optional<Last> last_;
   std::size_t read_to_ = 0;
 };
 

@@ -52,7 +52,7 @@ class RunPlanner {
   }
 
   Units Best() {
-    for (const bool mirrored : {false, true}) {
+    for ([[maybe_unused]] const bool mirrored : {false, true}) {
       for (int i = 0; i < room_.walls_size(); ++i) {
         const int wall = (first_ + i) % room_.walls_size();
         Straight(units_, wall, [&](const Units& run) { Offer(run, 0); });

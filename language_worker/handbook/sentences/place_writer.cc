@@ -125,7 +125,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteHung(const hb::Relation& relation, c
 
 std::optional<Slot> PlaceWriter::WallFor(const std::string& side) const {
   const std::optional<int> wall = WallOf(room_, side);
-  if (!wall && !side.empty()) return std::nullopt;
+  // Where no wall is without openings, any will do.
+  if (!wall && !side.empty() && !side.starts_with("blank")) return std::nullopt;
   return wall ? TheWall(room_, *wall) : Slot{"a wall", {}};
 }
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/place_patterns.h"
+#include "language_worker/handbook/reading/place_reader.h"
+#include "language_worker/handbook/reading/target_finder.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+// Whose place is told.
+struct Subject {
+  const hb::Furniture* furniture = nullptr;
+  std::size_t mention = 0;
+  int which = -1;        // of several: the first, the second; -1 for all
+  bool further = false;  // "... and one on the right": one more of it
+};
+
+// Finds whose place the words of a place tell: the piece that its clause speaks of. The arguments must outlive it.
+class SubjectFinder {
+ public:
+  // `by_landmark`: of a mention, whether it only tells where another one goes.
+  SubjectFinder(const std::vector<Token>& tokens, const std::vector<Mention>& mentions, const MentionList& named,
+                const std::vector<bool>& by_landmark, const LandmarkReader& landmarks)
+      : text_(tokens), mentions_(mentions), named_(named), by_landmark_(by_landmark), landmarks_(landmarks) {}
+
+  Subject Of(std::size_t mention) const { return {mentions_[mention].furniture, mention, mentions_[mention].which}; }
+
+  // "A desk under the window", "a narrow bed that he never makes in the corner, by the stove": the piece before words
+  // that begin at a token, over what else is said of it. `of_it`: the place is told by a pronoun, so that what comes with
+  // a piece is not that piece's own: "a fire with two dogs in front of it".
+  std::optional<Subject> Before(std::size_t i, bool of_it = false) const;
+
+  // "Under the window a desk", "next to the bed there is a nightstand": the piece behind words for a place.
+  std::optional<Subject> After(std::size_t begin, std::size_t end) const;
+
+  // "A table with six chairs in the middle": the table, of the chairs.
+  std::optional<Subject> HolderOf(const Subject& held) const;
+
+  // "Sink and dishwasher on the window wall": the sink, of the dishwasher; not of "a sink and a dishwasher".
+  std::optional<Subject> SharerOf(const Subject& subject) const;
+
+  // The place that was read last: its subject, and where its words end.
+  void Remember(const Subject& subject, std::size_t end) { last_ = Last{subject, end}; }
+  bool EndedAt(std::size_t i) const { return last_ && last_->end == i; }
+  const Subject& last() const { return last_->subject; }
+
+ private:
+  struct Last {
+    Subject subject;
+    std::size_t end = 0;
+  };
+
+  std::optional<Subject> Counted(std::size_t at) const;
+  std::optional<std::size_t> LastMentionBefore(std::size_t i) const;
+  bool IsFiller(std::size_t i) const;
+
+  const BriefText text_;
+  const std::vector<Mention>& mentions_;
+  const MentionList& named_;
+  const std::vector<bool>& by_landmark_;
+  const LandmarkReader& landmarks_;
+  std::optional<Last> last_;
+};
+
+}  // namespace flair::language
