@@ -4,14 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -19,14 +16,12 @@
 #include "flair/v1/job.pb.h"
 #include "flair/v1/report.pb.h"
 #include "nlohmann/json_fwd.hpp"
-
-struct sqlite3;
-struct sqlite3_stmt;
+#include "orchestrator/store/database.h"
 
 namespace flair::cli {
 
-// One value of a row: nothing, a whole number, a number or text.
-using ResultValue = std::variant<std::monostate, int64_t, double, std::string>;
+// One value of a row.
+using ResultValue = orchestrator::SqlValue;
 
 // A column of results.db and of the CSV file.
 struct ResultColumn {
@@ -76,7 +71,6 @@ class ResultsFile {
   static absl::StatusOr<std::unique_ptr<ResultsFile>> OpenTemporary() { return Open(""); }
   // One that exists, to read it. NOT_FOUND when there is none.
   static absl::StatusOr<std::unique_ptr<ResultsFile>> OpenToRead(const std::filesystem::path& path);
-  ~ResultsFile();
 
   // All that `change` does happens, or nothing; survives a kill when this returns.
   absl::Status Change(const std::function<absl::Status()>& change);
@@ -100,20 +94,19 @@ class ResultsFile {
   absl::StatusOr<std::vector<double>> Numbers(const std::string& query);
 
  private:
-  explicit ResultsFile(sqlite3* connection, std::string path) : connection_(connection), path_(std::move(path)) {}
+  ResultsFile(std::unique_ptr<orchestrator::Database> database, std::string path)
+      : database_(std::move(database)), path_(std::move(path)) {}
   absl::Status Configure();
-  absl::Status Execute(const std::string& sql);
-  absl::Status Error() const;
-  using RowTaker = std::function<absl::Status(sqlite3_stmt*)>;
+  // A status of the database in the words, and with the exit code, of a file.
+  absl::Status OfFile(const absl::Status& status) const;
+  using RowTaker = std::function<absl::Status(const orchestrator::Statement&)>;
   // Gives every row of what the sql selects to `see`, until that fails.
   absl::Status Run(const std::string& sql, std::span<const ResultValue> values, const RowTaker& see);
   // The first column of the last row; nothing when there is no row.
   absl::StatusOr<ResultValue> First(const std::string& sql, std::span<const ResultValue> values = {});
 
-  sqlite3* const connection_;
+  const std::unique_ptr<orchestrator::Database> database_;
   const std::string path_;
-  std::recursive_mutex mutex_;
-  std::map<std::string, sqlite3_stmt*> statements_;
 };
 
 // What became of a batch, made of results.db alone: batch_id, label, counts of jobs, lines, constraints, model calls

@@ -70,6 +70,16 @@ Statement& Statement::Bind(Blob blob) {
   return *this;
 }
 
+Statement& Statement::BindValue(const SqlValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return Bind(*text);
+  if (const auto* number = std::get_if<int64_t>(&value)) return Bind(*number);
+  const auto* real = std::get_if<double>(&value);
+  if (code_ != SQLITE_OK) return *this;
+  const int place = next_parameter_++;
+  code_ = real != nullptr ? sqlite3_bind_double(statement_, place, *real) : sqlite3_bind_null(statement_, place);
+  return *this;
+}
+
 absl::StatusOr<bool> Statement::Step() {
   if (statement_ == nullptr) return Error();
   if (code_ != SQLITE_OK && code_ != SQLITE_ROW) return Error();
@@ -103,6 +113,19 @@ std::string Statement::Text(int column) const {
   return data == nullptr ? "" : std::string(static_cast<const char*>(data), static_cast<size_t>(size));
 }
 
+SqlValue Statement::Value(int column) const {
+  switch (sqlite3_column_type(statement_, column)) {
+    case SQLITE_INTEGER:
+      return Int(column);
+    case SQLITE_FLOAT:
+      return sqlite3_column_double(statement_, column);
+    case SQLITE_TEXT:
+      return Text(column);
+    default:
+      return {};
+  }
+}
+
 absl::Status Statement::Error() const {
   return ToStatus(connection_, code_ == SQLITE_OK ? sqlite3_errcode(connection_) : code_);
 }
@@ -115,7 +138,7 @@ absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path
   const int code = sqlite3_open_v2(path.c_str(), &connection, flags, nullptr);
   std::unique_ptr<Database> database(new Database(path, connection));
   absl::Status status = code == SQLITE_OK ? database->Configure() : ToStatus(connection, code);
-  if (status.ok()) status = database->Migrate(schema);
+  if (status.ok() && !schema.empty()) status = database->Migrate(schema);
   if (status.ok()) return database;
   const char* advice = absl::IsDataLoss(status) ? "; restore a good copy, or move it away to start afresh" : "";
   return absl::Status(status.code(), fmt::format("{}: {}{}", path, std::string(status.message()), advice));

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "absl/status/status.h"
@@ -25,6 +26,9 @@ struct Blob {
   std::string_view bytes;
 };
 
+// What a column holds of itself: nothing, a whole number, a number or text.
+using SqlValue = std::variant<std::monostate, int64_t, double, std::string>;
+
 // One prepared statement in use: bind in order, step, read columns. Errors are kept and come out of Step. When
 // destroyed, it goes back to its database for the next use.
 class Statement {
@@ -37,6 +41,7 @@ class Statement {
   Statement& Bind(int64_t value);
   Statement& Bind(std::string_view text);
   Statement& Bind(Blob blob);
+  Statement& BindValue(const SqlValue& value);
 
   // True when there is a row to read, false after the last.
   absl::StatusOr<bool> Step();
@@ -50,6 +55,7 @@ class Statement {
   int64_t Int(int column) const;
   // Of text and blobs alike.
   std::string Text(int column) const;
+  SqlValue Value(int column) const;
 
  private:
   absl::Status Error() const;
@@ -69,7 +75,7 @@ class Database {
   // The schema of jobs.db.
   static Schema JobSchema();
 
-  // Opens or makes the file and brings its schema up to date. UNAVAILABLE when it cannot be opened or written,
+  // Opens or makes the file and brings its schema up to date; of no steps, whatever it has stays. UNAVAILABLE when it cannot be opened or written,
   // FAILED_PRECONDITION when a newer version of Flair made it, DATA_LOSS when it is no database.
   static absl::StatusOr<std::unique_ptr<Database>> Open(const std::string& path, Schema schema = JobSchema());
   ~Database();
