@@ -276,7 +276,7 @@ TEST(ForEachPattern, KeepsRowsAlongWallsOffWindows) {
   }
   const BoundingBox bed{{-0.5, -1}, {0.5, 1}};
   bool found = false;
-  ForEachPattern(room, bed, 6, false, [&](const std::vector<Pose<double>>& poses) {
+  ForEachPattern(room, bed, 6, Ways::kNone, [&](const std::vector<Pose<double>>& poses) {
     found = found || std::all_of(poses.begin(), poses.begin() + 6, [&](const Pose<double>& pose) {
               const bool at_side = std::abs(std::abs(pose.x_m - 3.5) - 2.5) < 1e-6;
               return at_side && (pose.y_m < 3.0 + 1e-6 || pose.y_m > 7.0 - 1e-6);
@@ -289,7 +289,7 @@ TEST(ForEachPattern, SharesOppositeWallsEvenly) {
   const Room room = RectangularRoom(7, 10);
   const BoundingBox bed{{-0.75, -1}, {0.75, 1}};
   bool found = false;
-  ForEachPattern(room, bed, 6, false, [&](const std::vector<Pose<double>>& poses) {
+  ForEachPattern(room, bed, 6, Ways::kNone, [&](const std::vector<Pose<double>>& poses) {
     const auto at = [&](double x_m) {
       std::vector<double> y;
       for (size_t k = 0; k < 6; ++k) {
@@ -309,7 +309,7 @@ TEST(ForEachPattern, PlacesSoManyBoxesThatDoNotOverlap) {
   const BoundingBox box{{-0.5, -0.9}, {0.7, 0.4}};
   const Footprint size{box.width_m(), box.height_m()};
   int patterns = 0;
-  ForEachPattern(room, box, 7, false, [&](const std::vector<Pose<double>>& poses) {
+  ForEachPattern(room, box, 7, Ways::kNone, [&](const std::vector<Pose<double>>& poses) {
     ++patterns;
     ASSERT_GE(poses.size(), 7u);
     std::vector<Box<double>> boxes;

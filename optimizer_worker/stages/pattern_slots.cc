@@ -29,7 +29,7 @@ struct Bank {
 
 class GridMaker {
  public:
-  GridMaker(const Room& room, const BoundingBox& box, double heading, bool ways, const VisitSlots& visit)
+  GridMaker(const Room& room, const BoundingBox& box, double heading, Ways ways, const VisitSlots& visit)
       : box_(box), heading_(heading), ways_(ways), visit_(visit), frame_(FrameOf(Pose<double>{0, 0, heading})) {
     std::vector<Vec2<double>> corners;
     for (const Vec2<double>& p : room.floor.vertices) corners.push_back(frame_.ToObject(p));
@@ -43,7 +43,7 @@ class GridMaker {
       for (int rows = fewest; rows <= fewest + kSpareRows; ++rows) {
         if (rows * box_.height_m() > floor_.height_m()) break;
         for (double gap : kGaps_m) {
-          if (columns > 1 ? gap != 0 || !ways_ : gap == 0) Across(columns, rows, gap);
+          if (columns > 1 ? gap != 0 || ways_ == Ways::kNone : gap == 0) Across(columns, rows, gap);
         }
       }
     }
@@ -68,8 +68,9 @@ class GridMaker {
       middles_.clear();
       for (int c = 0; c < columns; ++c) middles_.push_back(floor_.min.x + start + c * (w + step) + w / 2);
       for (double front : kGaps_m) {
+        if (rows > 1 && front == 0 && ways_ == Ways::kAllRound) continue;
         if (rows > 1 || front == 0) Down(rows, {false, false, front, front});
-        if (rows == 1 || front == kGaps_m[2]) continue;
+        if (rows == 1 || front == kGaps_m[2] || ways_ == Ways::kAllRound) continue;
         for (double back : {kGaps_m[0], kGaps_m[1]}) {
           for (bool facing : {false, true}) Down(rows, {true, facing, front, back});
         }
@@ -102,7 +103,7 @@ class GridMaker {
 
   const BoundingBox& box_;
   double heading_;
-  bool ways_;
+  Ways ways_;
   const VisitSlots& visit_;
   Frame<double> frame_;
   BoundingBox floor_;  // in frame_
@@ -184,7 +185,7 @@ class WallRows {
 
 }  // namespace
 
-void ForEachPattern(const Room& room, const BoundingBox& box, int count, bool ways, const VisitSlots& visit) {
+void ForEachPattern(const Room& room, const BoundingBox& box, int count, Ways ways, const VisitSlots& visit) {
   const Wall& longest = *std::max_element(room.walls.begin(), room.walls.end(),
                                           [](const Wall& a, const Wall& b) { return a.length_m < b.length_m; });
   for (int quarter = 0; quarter < 4; ++quarter) {

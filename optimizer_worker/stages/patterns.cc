@@ -127,9 +127,10 @@ class PatternPlacer {
   void Rank(LayoutSearch& search, const HardCost& hard) {
     size_t arrangements = kArrangements;
     for (int g : groups_) arrangements = std::min(arrangements, input_.groups.all[g].arrangements.size());
-    for (bool ways : {true, false}) {
+    for (const Ways ways : {Ways::kAllRound, Ways::kSideways, Ways::kNone}) {
       for (double room_m : kBehind_m) {
-        for (size_t a = 0; a < arrangements && (!ways || !close_); ++a) {
+        for (size_t a = 0; a < arrangements && (ways == Ways::kNone || !close_); ++a) {
+          if (ways == Ways::kAllRound && (tied_ || !SitsAcross(a))) continue;
           ForEachPattern(input_.scene.room, Roomy(a, room_m), static_cast<int>(groups_.size()), ways,
                          [&](const auto& slots) { Try(slots, a, search, hard); });
         }
@@ -169,6 +170,16 @@ class PatternPlacer {
         }
       }
     }
+  }
+
+  // Whether members stand at opposite sides of the first piece, as chairs do at a table: it has no back that another
+  // one could stand against.
+  bool SitsAcross(size_t arrangement) const {
+    const Group& group = input_.groups.all[groups_[0]];
+    const BoundingBox own = BoxOf(input_.scene, group, group.arrangements[arrangement]);
+    const Footprint& first = input_.scene.objects[group.objects[0]].footprint;
+    const double u = first.width_m / 2 + kOverlap_m, v = first.depth_m / 2 + kOverlap_m;
+    return (own.min.x < -u && own.max.x > u) || (own.min.y < -v && own.max.y > v);
   }
 
   // The box round every one of the groups, so much larger where members stand before the first piece.
