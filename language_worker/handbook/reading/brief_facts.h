@@ -41,6 +41,7 @@ struct Place {
   const hb::Furniture* other = nullptr;   // of two that it stands between
   std::string side;                       // of a wall or corner, which: "north", "far left"; empty for any
   int which = -1;                         // of several pieces the first, the second; -1 for all
+  double length_m = 0;                    // "at least 1.5 m apart"; for sentences that tell a length
   std::string said;                       // the words of the brief
   std::string called;                     // its words for the piece
 };

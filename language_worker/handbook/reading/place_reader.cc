@@ -192,6 +192,7 @@ class PlaceReader {
     TakeWhatHangs(patterns_, place);
     if (AskedNames(asked, "in a corner")) TakeCorner(match.landmark.kind, place);
     TakeFront(place);
+    if (asked.length_m() > 0) place.length_m = LengthBeside(i, match.end).value_or(asked.length_m());
     if (subject.further) {
       for (Place& before : facts_.places) {
         if (before.furniture == place.furniture && before.which < 0) before.which = 0;
@@ -230,6 +231,19 @@ class PlaceReader {
     facts_.places_loosely_kept.push_back(
         fmt::format("\"{} {}\": it is near both", subject.furniture->name(), facts_.places.back().said));
     return true;
+  }
+
+  // "At least 1.5 m apart", "space behind it of 90 cm": the length told right before or behind the words.
+  std::optional<double> LengthBeside(std::size_t begin, std::size_t end) {
+    constexpr std::size_t kMostBefore = 5, kMostBehind = 4;
+    for (std::size_t at = begin - std::min(begin, kMostBefore); at < end + kMostBehind; ++at) {
+      std::size_t behind = at;
+      const std::optional<double> length_m = at >= begin && at < end ? std::nullopt : text_.LengthAt(at, behind);
+      if (!length_m) continue;
+      for (std::size_t k = at; k < behind; ++k) used_[k] = true;
+      return length_m;
+    }
+    return std::nullopt;
   }
 
   // "In each corner" is of all of them; "in the opposite corner" of the corner of the piece before.

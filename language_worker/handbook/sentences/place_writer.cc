@@ -66,11 +66,13 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
   if (subjects.empty()) return {};
   if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
   if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorners(place, subjects);
-  if (PlaceNames(place, "{wall}") && place.said.ends_with("walls") && subjects.size() == 2) {
-    return WriteOpposite(place, subjects);
-  }
+  const bool both = place.said.find("both") != std::string::npos ||
+                    (place.said.ends_with("walls") && (subjects.size() == 2 || !place.side.empty()));
+  if (PlaceNames(place, "{wall}") && both && subjects.size() > 1) return WriteOpposite(place, subjects);
+  if (PlaceNames(place, "central in the room") && subjects.size() > 2) return WriteAlongTheMiddle(place, subjects);
   hb::Relation relation = place.asked->relation();
   Slots further;
+  if (place.length_m > 0) further["length"] = {fmt::format("{:.3g} m", place.length_m), {}};
   if (PlaceNames(place, "{wall}")) {
     const std::optional<Slot> wall = WallFor(place.side);
     if (!wall) return {};
@@ -181,12 +183,30 @@ std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, hb::Rela
 
 std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const Group& group) const {
   std::vector<v1::Sentence> sentences;
+  const bool told = !place.side.empty() && place.side != "opposite";
   for (std::size_t i = 0; i < group.size(); ++i) {
-    const bool told = !place.side.empty() && place.side != "opposite";
-    const std::optional<int> wall = WallOf(room_, i == 0 ? (told ? place.side : "left") : told ? "across " + place.side : "right");
+    const bool first = i < (group.size() + 1) / 2;
+    const std::optional<int> wall =
+        WallOf(room_, first ? (told ? place.side : "left") : told ? "across " + place.side : "right");
     if (!wall) return {};
     sentences.push_back(
         writer_.WriteOne(place.asked->relation(), {group[i]}, {}, i, {{"wall", TheWall(room_, *wall)}}));
+  }
+  return sentences;
+}
+
+// All of them cannot have the middle: they stand off the long walls, one behind the other.
+std::vector<v1::Sentence> PlaceWriter::WriteAlongTheMiddle(const Place& place, const Group& group) const {
+  constexpr double kShare = 0.3;  // of what is free beside a piece
+  const std::optional<int> wall = WallOf(room_, "long"), other = WallOf(room_, "across long"), end = WallOf(room_, "short");
+  if (!wall || !other || !end) return writer_.Write(place.asked->relation(), group);
+  std::vector<v1::Sentence> sentences;
+  for (const v1::Object* object : group) {
+    const double free_m = WallLength(room_, *end) - std::min(object->width_m(), object->depth_m());
+    hb::Relation relation = place.asked->relation();
+    relation.set_text(fmt::format("The {{object}} is at least {:.1f} m away from {{wall}}.", kShare * free_m));
+    for (const int side : {*wall, *other})
+      sentences.push_back(writer_.WriteOne(relation, {object}, {}, 0, {{"wall", TheWall(room_, side)}}));
   }
   return sentences;
 }
