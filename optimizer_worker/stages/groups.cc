@@ -10,7 +10,7 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
-#include "optimizer_worker/stages/arrange_group.h"
+#include "optimizer_worker/stages/place_groups.h"
 #include "optimizer_worker/stages/solve_input.h"
 
 namespace flair::optimizer {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/solve_settings.h"
+#include "optimizer_worker/stages/solve_input.h"
 
 #include <gtest/gtest.h>
 
