@@ -160,7 +160,9 @@ class WishMaker {
       SeatAt(*wish.furniture, wish.count, wish.seats, zone);
       return true;
     }
+    const int usual = item->count;
     item->count = wish.counted ? wish.count : std::max(item->count, wish.count);
+    TakeAlong(*item, usual);
     item->in_each = wish.in_each;
     item->in_rows = wish.in_rows;
     item->requested = true;
@@ -174,6 +176,21 @@ class WishMaker {
       std::rotate(items.begin(), item, item + 1);
     }
     return true;
+  }
+
+  // Four barber's chairs instead of the usual three have four mirrors to look into: what the kind of room puts before
+  // each other in equal numbers.
+  void TakeAlong(const ProgramItem& asked, int usual) {
+    if (usual < 2 || asked.count == usual) return;
+    for (ProgramItem& other : program_.floor_items) {
+      const auto ties = [&](const hb::Relation& relation) {
+        const std::string &one = asked.furniture->name(), &two = other.furniture->name();
+        return (relation.object() == one && Includes(relation.targets(), two)) ||
+               (relation.object() == two && Includes(relation.targets(), one));
+      };
+      if (other.requested || other.zone != asked.zone || other.count != usual) continue;
+      if (std::ranges::any_of(program_.archetype->relations(), ties)) other.count = asked.count;
+    }
   }
 
   // Every one of several desks has its chair, every table of a zone of its own the seats that belong to it, or as many

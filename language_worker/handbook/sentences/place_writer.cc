@@ -62,8 +62,9 @@ bool HasOpenings(const v1::Room& room, int wall) {
 }  // namespace
 
 std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& group) const {
-  const Group subjects = SubjectsOf(place, group);
+  Group subjects = SubjectsOf(place, group);
   if (subjects.empty()) return {};
+  if (PlaceNames(place, "{wall}")) subjects = WhatGoesThere(subjects);
   if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
   if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorners(place, subjects);
   const bool both = place.said.find("both") != std::string::npos ||
@@ -76,6 +77,10 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
   if (PlaceNames(place, "{wall}")) {
     const std::optional<Slot> wall = WallFor(place.side);
     if (!wall) return {};
+    const bool hangs = place.furniture->kind() == hb::FURNITURE_KIND_WALL;
+    if (hangs && subjects.front()->kind() == v1::OBJECT_KIND_FLOOR) {
+      relation.set_text("The {object}'s back is against {wall}.");
+    }
     // It hangs on a wall anyway.
     if (wall->means.empty() && subjects.front()->kind() == v1::OBJECT_KIND_WALL) {
       relation.set_text("The {object} hangs on the wall in the {zone} zone.");
@@ -123,6 +128,27 @@ std::vector<v1::Sentence> PlaceWriter::WriteHung(const hb::Relation& relation, c
     if (target != nullptr) sentences.push_back(writer_.WriteOne(relation, {object}, {target}, sentences.size(), further));
   }
   return sentences;
+}
+
+Group PlaceWriter::WhatGoesThere(const Group& group) const {
+  const auto as_many = [&](const std::string& name) {
+    const auto found = writer_.groups().find(name);
+    return found != writer_.groups().end() && found->second.size() == group.size() ? found->second : Group();
+  };
+  for (const ProgramItem& item : program_.tertiary_items) {
+    if (item.furniture->name() != group.front()->name() || item.entry == nullptr || !item.entry->per_host()) continue;
+    for (const std::string& host : item.entry->hosts()) {
+      if (const Group hosts = as_many(host); !hosts.empty()) return hosts;
+    }
+  }
+  for (const hb::Relation& relation : program_.archetype->relations()) {
+    if (relation.object() != group.front()->name() || relation.text().find("in front of the {target}") == std::string::npos)
+      continue;
+    for (const std::string& name : relation.targets()) {
+      if (const Group faced = as_many(name); !faced.empty()) return faced;
+    }
+  }
+  return group;
 }
 
 std::optional<Slot> PlaceWriter::WallFor(const std::string& side) const {

@@ -33,6 +33,8 @@ class PlaceWriter {
  private:
   // "One desk by the door": the group may be a part of all that have the name.
   Group SubjectsOf(const Place& place, const Group& group) const;
+  // Barber's chairs, or their mirrors, on a wall: what the kind of room has them stand before, or hang above, is there.
+  Group WhatGoesThere(const Group& group) const;
   // Whoever sits at a desk looks over its back.
   std::vector<v1::Sentence> WriteOfDesks(const Place& place, hb::Relation relation, const Group& group,
                                          const Slots& further) const;
