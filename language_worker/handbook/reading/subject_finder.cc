@@ -30,7 +30,7 @@ std::optional<Subject> SubjectFinder::Before(std::size_t i, bool of_it) const {
     if (text_.Says(at - 1, {",", "and", "but"})) {
       if (unknown && !relative) return std::nullopt;
       joined = true;
-    } else if (text_.Says(at - 1, {"with", "without"}) && unknown && !of_it) {
+    } else if (text_.Says(at - 1, {"with", "without"}) && (unknown || text_.Is(at, "unit_words")) && !of_it) {
       unknown = false;  // "a bed with pots of herbs by the window": the bed's
     } else if (text_.IsSign(at - 1) ? before == ":" : !IsFiller(at - 1)) {
       // A thing of its own: "a quilt on the", "the window on the".
@@ -63,7 +63,8 @@ std::optional<Subject> SubjectFinder::Counted(std::size_t at) const {
 
 bool SubjectFinder::IsFiller(std::size_t i) const {
   const std::string_view word = text_.At(i);
-  return text_.IsNumber(i) || text_.Is(i, "place_fillers") || text_.Is(i, "group_fillers") || word.ends_with("ed") ||
+  const bool size = text_.IsNumber(i) || word == "x" || text_.Is(i, "unit_words") || (word[0] >= '0' && word[0] <= '9');
+  return size || text_.Is(i, "place_fillers") || text_.Is(i, "group_fillers") || word.ends_with("ed") ||
          word.ends_with("ing") || word.ends_with("ly") || text_.Says(i, {"the", "of", "in"}) ||
          IsFormIn("groups_of_pieces", word);
 }
