@@ -118,8 +118,9 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   // "The east end", "the left hand side", "on the left", "across the back": the wall there.
   std::size_t told = i - (i > 0 ? 1 : 0);
   if (told > 1 && text_.At(told) == "hand") told -= text_.IsHyphen(told - 1) ? 2 : 1;
-  const bool side = i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && text_.Is(told, "told_sides");
-  const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(i - 1, {"the", "your"});
+  const bool side = i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && (text_.Is(told, "told_sides") || text_.At(told) == "one");
+  const std::size_t the = i - (i > 1 && text_.At(i - 1) == "very" ? 2 : std::min<std::size_t>(i, 1));
+  const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(the, {"the", "your"});
   const bool sign = text_.IsSign(i + 1) && !text_.IsHyphen(i + 1);  // "the north-east corner"
   const bool ends = i + 1 >= tokens_.size() || sign || text_.Is(i + 1, "place_ends") ||
                     text_.Is(i + 1, "thing_articles") || text_.BehindPhrase(i + 1, "of_the_room") ||
@@ -152,6 +153,10 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
     } else if (IsIn("blank_walls", word.text)) {
       add("blank");
     }
+  }
+  // "At one end", "on one side".
+  if (landmark.end > 1 && text_.At(landmark.end - 2) == "one" && text_.Is(landmark.end - 1, "ends_of_rooms_or_walls")) {
+    add(text_.At(landmark.end - 1) == "end" ? "short" : "long");
   }
   if (landmark.kind == Landmark::Kind::kCorner) {
     for (std::size_t i = start; i < landmark.end; ++i) {

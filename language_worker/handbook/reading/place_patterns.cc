@@ -16,6 +16,7 @@ bool Fits(const std::string& slot, const Landmark& landmark) {
                                       std::pair("socket", Kind::kSocket), std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
     if (slot == name) return kind == feature;
   }
+  if (slot == "windows") return kind == Kind::kWindow && landmark.plural;
   const bool beside = landmark.beside != Kind::kNone;
   const bool piece = kind == Kind::kPiece || kind == Kind::kPronoun || (beside && slot == "targets");
   const bool two = landmark.second != nullptr || landmark.plural || beside;
