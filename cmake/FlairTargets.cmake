@@ -35,14 +35,14 @@ function(flair_rounds name result)
   endforeach()
 endfunction()
 
-# flair_test(NAME [ALONE] [LABEL unit] SOURCES a_test.cc ... [APART a_test.cc ...] DEPENDS lib ...): one GoogleTest program, one
-# CTest case per test.
+# flair_test(NAME [ALONE] [WHOLE] [LABEL unit] SOURCES a_test.cc ... [APART a_test.cc ...] DEPENDS lib ...): one GoogleTest program,
+# one CTest case per test. WHOLE: one case of the program's name for all of them, where starting it takes longer than a test.
 # Labels: unit (default), contract, golden, end_to_end, fuzz, bench. ALONE: no other test runs meanwhile.
 # APART: sources that are compiled alone, because they have a name at file level in common with another source of the test.
 # Give new tests names of their own instead.
 # Tests are compiled with less optimization than what they test, from one precompiled header.
 function(flair_test name)
-  cmake_parse_arguments(arg "ALONE" "LABEL" "SOURCES;APART;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "ALONE;WHOLE" "LABEL" "SOURCES;APART;DEPENDS" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
@@ -56,8 +56,13 @@ function(flair_test name)
   endif()
   target_compile_definitions(${name} PRIVATE FLAIR_SOURCE_DIR="${CMAKE_SOURCE_DIR}" FLAIR_BINARY_DIR="${CMAKE_BINARY_DIR}")
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test_bin)
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 
-                       PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600 RUN_SERIAL ${arg_ALONE})
+  set(properties LABELS ${arg_LABEL} TIMEOUT 600 RUN_SERIAL ${arg_ALONE})
+  if(arg_WHOLE)
+    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(${name} PROPERTIES ${properties})
+  else()
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  endif()
 endfunction()
 
 # flair_program(NAME [TEST] [CLONE] SOURCES main.cc ... DEPENDS lib ...): an executable in bin/ that knows its build.
