@@ -117,7 +117,7 @@ class HandbookSentences : public testing::Test {
     Replace(text, "{objects}", count > 1 ? Plural(object) : object);
     Replace(text, "{targets}", target);
     Replace(text, "{target}", target);
-    for (const char* measure : {"{front_m}", "{sides_m}", "{back_m}"}) Replace(text, measure, "0.9 m");
+    for (const char* measure : {"{front_m}", "{sides_m}", "{back_m}", "{length}"}) Replace(text, measure, "0.9 m");
     Replace(text, "{side}", "left");
     Replace(text, "{other_side}", "right");
     Replace(text, "{room_side}", "left");
