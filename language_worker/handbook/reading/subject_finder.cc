@@ -21,7 +21,8 @@ std::optional<Subject> SubjectFinder::Before(std::size_t i, bool of_it) const {
     const std::string_view before = text_.At(at - 1);
     if (before == "nothing" || text_.EndsSentence(at - 1)) return std::nullopt;
     const std::optional<std::size_t> earlier = LastMentionBefore(at - 1);
-    if (earlier && (text_.Is(at - 1, "singular_pronouns") || text_.Is(at - 1, "plural_pronouns"))) return Of(*earlier);
+    const bool pronoun = text_.Is(at - 1, "singular_pronouns") || text_.Is(at - 1, "plural_pronouns");
+    if (earlier && (pronoun || (at == i && before == "them"))) return Of(*earlier);
     if (before == ")") {
       while (at > 1 && text_.At(at - 1) != "(") --at;
       continue;

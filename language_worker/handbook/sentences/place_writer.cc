@@ -81,6 +81,12 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     if (hangs && subjects.front()->kind() == v1::OBJECT_KIND_FLOOR) {
       relation.set_text("The {object}'s back is against {wall}.");
     }
+    // "A bed along the left wall" stands lengthwise.
+    constexpr double kLong = 1.3;
+    const bool lengthwise = place.said.starts_with("along ") || place.said.starts_with("lengthwise");
+    if (lengthwise && subjects.front()->depth_m() > kLong * subjects.front()->width_m()) {
+      relation.set_text("One long side of the {object} is against {wall}.");
+    }
     // It hangs on a wall anyway.
     if (wall->means.empty() && subjects.front()->kind() == v1::OBJECT_KIND_WALL) {
       relation.set_text("The {object} hangs on the wall in the {zone} zone.");
