@@ -135,91 +135,88 @@ TEST(MakePiece, EveryClassHasAMesh) {
   EXPECT_FALSE(HasMesh("whatchamacallit"));
 }
 
-TEST(MakePiece, EveryPieceFillsItsBoxExactly) {
-  ForAll([](const std::string& label, const MadePiece& made, const v1::Object& object) {
-    Vec3 low{99, 99, 99}, high{-99, -99, -99};
-    for (const MeshPart& part : made.mesh.parts) {
-      for (const Vec3& p : part.positions) {
-        ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << label;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-      }
+void FillsItsBoxExactly(const std::string& label, const MadePiece& made, const v1::Object& object) {
+  Vec3 low{99, 99, 99}, high{-99, -99, -99};
+  for (const MeshPart& part : made.mesh.parts) {
+    for (const Vec3& p : part.positions) {
+      ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << label;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    EXPECT_NEAR(low.x, -object.width_m() / 2, 1e-4) << label;
-    EXPECT_NEAR(high.x, object.width_m() / 2, 1e-4) << label;
-    EXPECT_NEAR(low.y, -object.depth_m() / 2, 1e-4) << label;
-    EXPECT_NEAR(high.y, object.depth_m() / 2, 1e-4) << label;
-    EXPECT_NEAR(low.z, 0, 1e-4) << label;
-    EXPECT_NEAR(high.z, object.height_m(), 1e-4) << label;
-  });
+  }
+  EXPECT_NEAR(low.x, -object.width_m() / 2, 1e-4) << label;
+  EXPECT_NEAR(high.x, object.width_m() / 2, 1e-4) << label;
+  EXPECT_NEAR(low.y, -object.depth_m() / 2, 1e-4) << label;
+  EXPECT_NEAR(high.y, object.depth_m() / 2, 1e-4) << label;
+  EXPECT_NEAR(low.z, 0, 1e-4) << label;
+  EXPECT_NEAR(high.z, object.height_m(), 1e-4) << label;
 }
 
-TEST(MakePiece, EveryTriangleHasAnAreaAndNormalsOnItsOuterSide) {
-  ForAll([](const std::string& label, const MadePiece& made, const v1::Object& object) {
-    float volume = 0;
-    size_t turned = 0;
-    for (const MeshPart& part : made.mesh.parts) {
-      ASSERT_EQ(part.normals.size(), part.positions.size()) << label;
-      ASSERT_EQ(part.uvs.size(), part.positions.size()) << label;
-      ASSERT_EQ(part.indices.size() % 3, 0U) << label;
-      for (const Vec3& n : part.normals) ASSERT_NEAR(Length(n), 1, 1e-3F) << label;
-      for (const Vec2& uv : part.uvs) ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y)) << label;
-      for (size_t i = 0; i < part.indices.size(); i += 3) {
-        ASSERT_LT(std::max({part.indices[i], part.indices[i + 1], part.indices[i + 2]}), part.positions.size())
-            << label;
-        const Vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]],
-                   c = part.positions[part.indices[i + 2]];
-        const Vec3 face = Cross(b - a, c - a);
-        ASSERT_GT(Length(face), 0) << label;
-        const Vec3 normal =
-            part.normals[part.indices[i]] + part.normals[part.indices[i + 1]] + part.normals[part.indices[i + 2]];
-        if (Dot(face, normal) <= 0) ++turned;
-        volume += Dot(a, Cross(b, c)) / 6;
-      }
+void TrianglesHaveAnAreaAndNormalsOnTheirOuterSide(const std::string& label, const MadePiece& made, const v1::Object& object) {
+  float volume = 0;
+  size_t turned = 0;
+  for (const MeshPart& part : made.mesh.parts) {
+    ASSERT_EQ(part.normals.size(), part.positions.size()) << label;
+    ASSERT_EQ(part.uvs.size(), part.positions.size()) << label;
+    ASSERT_EQ(part.indices.size() % 3, 0U) << label;
+    for (const Vec3& n : part.normals) ASSERT_NEAR(Length(n), 1, 1e-3F) << label;
+    for (const Vec2& uv : part.uvs) ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y)) << label;
+    for (size_t i = 0; i < part.indices.size(); i += 3) {
+      ASSERT_LT(std::max({part.indices[i], part.indices[i + 1], part.indices[i + 2]}), part.positions.size())
+          << label;
+      const Vec3 a = part.positions[part.indices[i]], b = part.positions[part.indices[i + 1]],
+                 c = part.positions[part.indices[i + 2]];
+      const Vec3 face = Cross(b - a, c - a);
+      ASSERT_GT(Length(face), 0) << label;
+      const Vec3 normal =
+          part.normals[part.indices[i]] + part.normals[part.indices[i + 1]] + part.normals[part.indices[i + 2]];
+      if (Dot(face, normal) <= 0) ++turned;
+      volume += Dot(a, Cross(b, c)) / 6;
     }
-    EXPECT_GT(volume, 0) << label;
-    // Bars and cloth that bend more tightly than they are thick overlap: a little in pieces of usual proportions, more
-    // where a piece is squeezed flat.
-    const double shortest = std::min({object.width_m(), object.depth_m(), object.height_m()});
-    const double longest = std::max({object.width_m(), object.depth_m(), object.height_m()});
-    const size_t allowed = longest > 8 * shortest || longest > 5 || longest < 0.1 ? 4 : 50;
-    EXPECT_LE(turned, TriangleCount(made.mesh) / allowed) << label;
-  });
+  }
+  EXPECT_GT(volume, 0) << label;
+  // Bars and cloth that bend more tightly than they are thick overlap: a little in pieces of usual proportions, more
+  // where a piece is squeezed flat.
+  const double shortest = std::min({object.width_m(), object.depth_m(), object.height_m()});
+  const double longest = std::max({object.width_m(), object.depth_m(), object.height_m()});
+  const size_t allowed = longest > 8 * shortest || longest > 5 || longest < 0.1 ? 4 : 50;
+  EXPECT_LE(turned, TriangleCount(made.mesh) / allowed) << label;
 }
 
-TEST(MakePiece, MeshesStaySmall) {
+void MaterialsHaveTheirOwnNames(const std::string& label, const MadePiece& made, const v1::Object&) {
+  std::set<std::string> names;
+  for (const MeshPart& part : made.mesh.parts) {
+    EXPECT_TRUE(names.insert(part.material.name).second) << label << ": " << part.material.name;
+    EXPECT_GT(part.material.roughness, 0) << label;
+    EXPECT_GT(part.material.opacity, 0) << label;
+  }
+}
+
+void LightsShineFromWithinTheirBox(const std::string& label, const MadePiece& made, const v1::Object& object) {
+  for (const LampLight& light : made.lights) {
+    EXPECT_LE(std::abs(light.position.x), object.width_m() / 2 + 1e-4) << label;
+    EXPECT_LE(std::abs(light.position.y), object.depth_m() / 2 + 1e-4) << label;
+    EXPECT_GE(light.position.z, -1e-4) << label;
+    EXPECT_LE(light.position.z, object.height_m() + 1e-4) << label;
+    EXPECT_GT(light.intensity_cd, 0) << label;
+    EXPECT_GT(light.radius_m, 0) << label;
+  }
+}
+
+// In one pass over all pieces: making them takes longer than looking at them.
+TEST(MakePiece, EveryPieceIsSoundAndSmall) {
   size_t total = 0, count = 0;
-  ForAll([&](const std::string& label, const MadePiece& made, const v1::Object&) {
+  ForAll([&](const std::string& label, const MadePiece& made, const v1::Object& object) {
+    FillsItsBoxExactly(label, made, object);
+    TrianglesHaveAnAreaAndNormalsOnTheirOuterSide(label, made, object);
+    MaterialsHaveTheirOwnNames(label, made, object);
+    LightsShineFromWithinTheirBox(label, made, object);
     EXPECT_GE(TriangleCount(made.mesh), 12U) << label;
     EXPECT_LE(TriangleCount(made.mesh), 8000U) << label;
     EXPECT_LE(made.mesh.parts.size(), 24U) << label;
     total += TriangleCount(made.mesh), ++count;
   });
   EXPECT_LE(total / count, 1500U);
-}
-
-TEST(MakePiece, MaterialsOfAMeshHaveTheirOwnNames) {
-  ForAll([](const std::string& label, const MadePiece& made, const v1::Object&) {
-    std::set<std::string> names;
-    for (const MeshPart& part : made.mesh.parts) {
-      EXPECT_TRUE(names.insert(part.material.name).second) << label << ": " << part.material.name;
-      EXPECT_GT(part.material.roughness, 0) << label;
-      EXPECT_GT(part.material.opacity, 0) << label;
-    }
-  });
-}
-
-TEST(MakePiece, LightsShineFromWithinTheirBox) {
-  ForAll([](const std::string& label, const MadePiece& made, const v1::Object& object) {
-    for (const LampLight& light : made.lights) {
-      EXPECT_LE(std::abs(light.position.x), object.width_m() / 2 + 1e-4) << label;
-      EXPECT_LE(std::abs(light.position.y), object.depth_m() / 2 + 1e-4) << label;
-      EXPECT_GE(light.position.z, -1e-4) << label;
-      EXPECT_LE(light.position.z, object.height_m() + 1e-4) << label;
-      EXPECT_GT(light.intensity_cd, 0) << label;
-      EXPECT_GT(light.radius_m, 0) << label;
-    }
-  });
 }
 
 TEST(MakePiece, LampsAndFiresShineAndOtherThingsDoNot) {
