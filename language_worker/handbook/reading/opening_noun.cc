@@ -29,6 +29,7 @@ constexpr std::array kTraits = std::to_array<Trait>({
     {"clerestory_windows", false, &OpeningWish::sill_m, 1.9},
     {"low_windows", false, &OpeningWish::sill_m, 0.4},
     {"tall_windows", false, &OpeningWish::height_m, 2.0},
+    {"shop_windows", false, &OpeningWish::width_m, 2.0},
     {"very_wide_doors", true, &OpeningWish::width_m, 2.4},
     {"patio_doors", true, &OpeningWish::width_m, 1.8},
     {"wide_doors", true, &OpeningWish::width_m, 1.5},
@@ -42,8 +43,9 @@ void Describe(std::string_view word, OpeningWish& wish) {
   }
   if (IsIn("large", word)) wish.width_factor = kLarge;
   if (IsIn("small", word)) wish.width_factor = kSmall;
+  if (IsIn("end_walls", word)) wish.side = "short";
+  if (wish.side.empty() && IsIn(wish.door ? "compass" : "sides_of_windows", word)) wish.side = word;
   if (!wish.door) {
-    if (IsIn("compass", word) && wish.side.empty()) wish.side = word;
     if (word == "corner") wish.along.at = AlongWall::At::kEnd;
     if (!IsIn("windows_built_out", word)) return;
     wish.kind = std::string(word) + " window";
@@ -53,8 +55,11 @@ void Describe(std::string_view word, OpeningWish& wish) {
   if (IsIn("sliding", word)) wish.swing = v1::DOOR_SWING_SLIDING;
   if (word == "open") wish.swing = v1::DOOR_SWING_NONE;
   wish.outside = wish.outside || IsIn("open_air", word) || word == "french";
+  if (IsIn("ways_in", word)) wish.name = word;
   if (IsIn("open_air", word)) wish.leads_to = word;
-  if (IsIn("inner_rooms", word)) wish.leads_to = std::string(word) + (wish.leads_to.empty() ? "" : " ") + wish.leads_to;
+  const bool inner = IsIn("inner_rooms", word) || (IsIn("room_endings", word) && wish.leads_to.empty()) ||
+                     word.ends_with("room") || wish.leads_to == "room";
+  if (inner) wish.leads_to = std::string(word) + (wish.leads_to.empty() ? "" : " ") + wish.leads_to;
 }
 
 class NounReader {
@@ -67,21 +72,29 @@ class NounReader {
 
   OpeningNoun Read() {
     const std::string_view head = words_.At(noun_);
-    const bool window = IsIn("windows", head);
+    const bool window = IsIn("windows", head), glass = IsIn("glazing", head);
     const bool overhead = IsIn("skylights", head) || (window && words_.At(noun_ - 1) == "roof");
-    if (things_[noun_] || !(overhead || window || IsIn("doors", head))) return {};
+    if (things_[noun_] || !(overhead || window || glass || IsIn("doors", head))) return {};
     if (noun_ + 1 < words_.size() && (things_[noun_ + 1] || words_.Is(noun_ + 1, "not_openings"))) return {};
     if (noun_ > 0 && words_.Is(noun_ - 1, "doors_of_other_kinds")) return {};
     found_.kind = overhead ? OpeningNoun::Kind::kOverhead : OpeningNoun::Kind::kOpening;
-    found_.plural = head.ends_with('s');
+    found_.plural = head.ends_with('s') && !glass;
+    found_.glass = glass;
+    OpeningWish& wish = found_.wish;
     // French windows are doors.
-    found_.wish.door = !window || words_.At(noun_ - 1) == "french";
+    wish.door = !(window || glass) || words_.At(noun_ - 1) == "french";
+    if (glass) wish.width_m = kWholeWallM;
     found_.bare = !ReadBack();
     ReadDenial();
-    if (IsOfACupboard()) return {};
+    if (IsOfAPiece()) {
+      found_.kind = OpeningNoun::Kind::kOfAPiece;
+      return found_;
+    }
     const std::size_t before = words_.At(found_.begin - 1) == "all" ? found_.begin - 1 : found_.begin;
     found_.related = before > 0 && words_.Is(before - 1, "relating");
-    if (head == "archway") found_.wish.swing = v1::DOOR_SWING_NONE;
+    // A hatch to the kitchen is no door, nor an arch.
+    if (IsIn("open_passages", head) || (IsIn("hatches", head) && !wish.leads_to.empty()))
+      wish.swing = v1::DOOR_SWING_NONE;
     if (head.starts_with("porthole")) MakePorthole();
     SetCount();
     return found_;
@@ -96,8 +109,10 @@ class NounReader {
       const std::string_view word = words_.At(at - 1);
       if (TakeMeasure() || TakeFloorToCeiling()) continue;
       if (word == "of" && TakeQuantity()) return true;
-      const bool name = things_[at - 1] && !IsIn("inner_rooms", word);
-      if (words_.IsSign(at - 1) || name) return false;
+      const bool told = IsIn("inner_rooms", word) || IsIn("shop_windows", word) || IsIn("ways_in", word);
+      // "The slaves' entrance".
+      const bool owner = words_.Says(at - 1, {"'", "'s"}) && at < noun_ + 1 && at > 1 && words_.IsWord(at - 2);
+      if ((words_.IsSign(at - 1) && !owner) || (things_[at - 1] && !told)) return false;
       found_.part = found_.part || word == "one" || IsIn("one_of_several", word);
       if (TakeDeterminer()) return true;
       const bool aspect = word == "facing" && at > 1 && words_.Is(at - 2, "compass");
@@ -119,7 +134,7 @@ class NounReader {
     std::size_t& at = found_.begin;
     OpeningWish& wish = found_.wish;
     const std::string_view word = words_.At(at - 1);
-    const std::optional<int> number = NumberAt(at - 1);
+    const std::optional<int> number = NumberAt(words_, at - 1);
     found_.none = word == "no" || word == "without" || word == "zero";
     found_.any = IsIn("any_of_them", word);
     wish.definite = IsIn("definite", word);
@@ -139,16 +154,18 @@ class NounReader {
     return true;
   }
 
-  std::optional<int> NumberAt(std::size_t i) const {
-    if (!words_.IsNumber(i)) {
-      const std::optional<int> named = NumberWord(words_.At(i));
+ public:
+  static std::optional<int> NumberAt(const BriefText& words, std::size_t i) {
+    if (!words.IsNumber(i)) {
+      const std::optional<int> named = NumberWord(words.At(i));
       return named ? std::optional<int>(std::min(*named, kMostOpenings)) : std::nullopt;
     }
-    const double number = words_.NumberAt(i);
+    const double number = words.NumberAt(i);
     if (number != static_cast<int>(std::min(number, 100.0)) || number < 1) return std::nullopt;
     return std::min(static_cast<int>(number), kMostOpenings);
   }
 
+ private:
   // "a pair of windows", "a set of patio doors", "a wall of windows", "lots of windows".
   bool TakeQuantity() {
     std::size_t& at = found_.begin;
@@ -222,10 +239,14 @@ class NounReader {
     found_.begin = before - 1;
   }
 
-  // "a wardrobe with two sliding doors".
-  bool IsOfACupboard() const {
+  // "a wardrobe with two sliding doors", "a wardrobe without doors".
+  bool IsOfAPiece() {
     const std::size_t at = found_.begin;
-    return found_.wish.door && at > 1 && words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
+    if (!found_.wish.door || at == 0) return false;
+    if (found_.none) return things_[at - 1];
+    const bool had = at > 1 && words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
+    if (had) --found_.begin;
+    return had;
   }
 
   void MakePorthole() {
@@ -260,28 +281,74 @@ class NounReader {
   int full_height_ = 0;  // words for "floor to ceiling"
 };
 
-// "to the kitchen", "leading out to the garden", "onto the balcony".
-bool TakeLeads(const BriefText& words, std::size_t& i, OpeningWish& wish) {
-  std::size_t at = i;
+// A place that a door can lead to; `end` is 0 where none is named.
+struct Lead {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// "kitchen", "the small waiting room". `any`: also a word that names none of those that are known, "to the bakehouse".
+Lead LeadAt(const BriefText& words, std::size_t i, bool any) {
+  std::size_t at = words.BehindArticle(i);
+  const bool article = at > i;
+  const auto known = [&](std::size_t k) {
+    return words.Is(k, "open_air") || words.Is(k, "inner_rooms") || words.Is(k, "ways_in") ||
+           words.At(k).ends_with("room");
+  };
+  if (words.Is(at, "before_other_rooms") && known(at + 1)) ++at;
+  // "a door to the side wall" is none that leads to a side.
+  if (words.Is(at, "sides_of_a_house") || words.Is(at, "wall_sides")) return {};
+  const bool roomy = words.IsWord(at) && words.Is(at + 1, "room_endings");
+  const bool unknown = any && article && words.IsWord(at) && !words.Is(at, "wall_nouns") && !words.Is(at, "wall_ends") &&
+                       !words.Is(at, "corners") && !words.Is(at, "openings") &&
+                       (words.IsSign(at + 1) || at + 1 >= words.size() || words.Is(at + 1, "after_a_wall"));
+  if (!known(at) && !(any && roomy) && !unknown) return {};
+  return {at, at + (words.Is(at + 1, "room_endings") ? 2 : 1)};
+}
+
+void TakeLead(const BriefText& words, const Lead& lead, OpeningWish& wish) {
+  if (words.Is(lead.begin, "open_air") || words.Is(lead.end - 1, "open_air")) {
+    wish.outside = true;
+    if (words.At(lead.begin) != "balcony") wish.width_m = wish.width_m.value_or(wish.count == 1 ? 0.9 : kPairM);
+  }
+  (words.Is(lead.begin, "ways_in") ? wish.name : wish.leads_to) = words.Quote(lead.begin, lead.end);
+}
+
+// "to the kitchen", "leading out to the garden", "onto the balcony", ", to the prep room".
+bool TakeLeads(const BriefText& words, std::size_t& i, OpeningNoun& noun) {
+  std::size_t at = words.At(i) == "," ? i + 1 : i;
+  const bool pause = at > i;
   if (words.Says(at, {"that", "which"})) ++at;
   if (words.Is(at, "leading")) ++at;
   if (words.Says(at, {"out", "on", "through"}) && words.Says(at + 1, {"to", "onto", "into"})) ++at;
-  if (!words.Is(at, "leads_to")) return false;
-  at = words.BehindArticle(at + 1);
-  const auto leads = [&](std::size_t k) {
-    return words.Is(k, "open_air") || words.Is(k, "inner_rooms") || words.Is(k, "ways_in") || words.At(k) == "room";
-  };
-  if (words.Is(at, "before_other_rooms") && leads(at + 1)) ++at;
-  // "a door to the side wall" is none that leads to a side.
-  if (!leads(at) || words.Is(at, "sides_of_a_house")) return false;
-  std::size_t end = at + 1;
-  if (words.Is(end, "room_endings")) ++end;
-  if (words.Is(at, "open_air")) {
-    wish.outside = true;
-    if (words.At(at) != "balcony") wish.width_m = wish.width_m.value_or(wish.count == 1 ? 0.9 : kPairM);
+  const bool to = words.Says(at, {"to", "onto", "into"});
+  if (!words.Is(at, "leads_to") || (pause && !to)) return false;
+  const Lead lead = LeadAt(words, at + 1, to);
+  if (lead.end == 0) return false;
+  TakeLead(words, lead, noun.wish);
+  i = lead.end;
+  const Lead other = noun.plural && words.At(i) == "and" ? LeadAt(words, i + 1, false) : Lead{};
+  if (other.end == 0) return true;
+  noun.leads = {words.Quote(lead.begin, lead.end), words.Quote(other.begin, other.end)};
+  i = other.end;
+  return true;
+}
+
+// Of several doors: ", bedroom and bathroom,", "(hall, kitchen and garden)".
+bool TakeRoomList(const BriefText& words, std::size_t& i, OpeningNoun& noun) {
+  if (!noun.plural || !words.Says(i, {",", ":", "(", "-"})) return false;
+  std::vector<std::string> all;
+  std::size_t at = i + 1;
+  for (Lead lead = LeadAt(words, at, false); lead.end > 0; lead = LeadAt(words, at, false)) {
+    all.push_back(words.Quote(lead.begin, lead.end));
+    at = lead.end;
+    if (!words.Is(at, "and_signs") || LeadAt(words, at + 1, false).end == 0) break;
+    ++at;
   }
-  if (!words.Is(at, "ways_in")) wish.leads_to = words.Quote(at, end);
-  i = end;
+  if (all.size() < 2) return false;
+  noun.leads = all;
+  noun.wish.count = std::max(noun.wish.count, static_cast<int>(all.size()));
+  i = words.Says(at, {",", ")"}) ? at + 1 : at;
   return true;
 }
 
@@ -314,6 +381,19 @@ bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
   return true;
 }
 
+// "(there are three)", "(3)".
+bool TakeNumber(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  std::size_t at = i + 1;
+  if (words.At(i) != "(") return false;
+  while (words.Is(at, "there_is") || words.At(at) == "'s") ++at;
+  const std::optional<int> number = NounReader::NumberAt(words, at);
+  if (!number || words.At(at + 1) != ")") return false;
+  wish.count = *number;
+  wish.counted = true;
+  i = at + 2;
+  return true;
+}
+
 // "opening outwards", "that swings into the room", "reaching the floor".
 bool TakeSwing(const BriefText& words, std::size_t& i, OpeningWish& wish) {
   std::size_t at = i;
@@ -342,10 +422,12 @@ OpeningNoun OpeningNounAt(const BriefText& words, const std::vector<bool>& thing
   return NounReader(words, things, i).Read();
 }
 
-std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningWish& wish) {
+std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningNoun& noun) {
   constexpr int kMostParts = 4;
+  OpeningWish& wish = noun.wish;
   for (int part = 0; part < kMostParts; ++part) {
-    if (!(wish.door && TakeLeads(words, i, wish)) && !TakeLengths(words, i, wish) && !TakeSwing(words, i, wish)) break;
+    const bool leads = wish.door && (TakeRoomList(words, i, noun) || TakeLeads(words, i, noun));
+    if (!leads && !TakeNumber(words, i, wish) && !TakeLengths(words, i, wish) && !TakeSwing(words, i, wish)) break;
   }
   return i;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts that opening_reader.cc puts together: nouns, places and the list of what was found. All of them look at a
-// bounded number of tokens, and at words without the hyphens within them (see WithoutHyphens).
+// The parts that opening_reader.cc puts together: the words for an opening and for its place. All of them look at a
+// bounded number of tokens, and at words without the hyphens within them.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace flair::language {
 
 // The words that name an opening: "two large sliding doors to the garden, 1.8 m wide".
 struct OpeningNoun {
-  enum class Kind { kNone, kOpening, kOverhead };
+  enum class Kind { kNone, kOpening, kOverhead, kOfAPiece };
   Kind kind = Kind::kNone;
   OpeningWish wish;
   bool none = false;     // "no windows"
@@ -23,17 +23,19 @@ struct OpeningNoun {
   bool part = false;     // "one window", "the other": perhaps of several that were named before
   bool bare = false;     // neither article nor number
   bool plural = false;
+  bool glass = false;              // "glass on three sides": an opening only where its wall is told
+  std::vector<std::string> leads;  // of several doors each: "two doors, bedroom and bathroom"
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
 // Reads the opening whose head is at a token; of kind kNone where there is none, or where the word belongs to a name in
-// `things` ("window seat", "a wardrobe with sliding doors").
+// `things` ("window seat"), kOfAPiece in "a wardrobe with sliding doors".
 OpeningNoun OpeningNounAt(const BriefText& words, const std::vector<bool>& things, std::size_t i);
 
-// What stands behind a head and tells of the opening itself: where it leads, its measures, how it opens. The index
-// behind that, or `i`.
-std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningWish& wish);
+// What stands behind a head and tells of the opening itself: where it leads, its measures, its number, how it opens.
+// The index behind that, or `i`.
+std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningNoun& noun);
 
 // Where a brief says that an opening is.
 struct OpeningSite {
@@ -41,38 +43,25 @@ struct OpeningSite {
   AlongWall along;
   std::string by_side;   // of "opposite the window on the east wall" the wall of the window
   bool pair = false;     // "either side of the door": there are two
+  bool fills = false;    // "all along", "full width"
   std::size_t end = 0;   // behind its last token
   std::string not_read;  // words that stand where a place is told and tell none: "above the sink"
 };
 
-// Reads what follows an opening: "in the middle of the west wall", "opposite the door", "is on the left as you enter".
-// `verbs`: whether "is" and the like may come first. Adds to what `site` holds already; true when there is something.
+// Reads what follows an opening: "in the middle of the west wall", "opposite the door", ", which is on the left as you
+// enter". `verbs`: whether "is" and the like may come first. Adds to what `site` holds already; true when there is
+// something.
 bool ReadSiteAfter(const BriefText& words, std::size_t i, bool door, bool verbs, OpeningSite& site);
 
 // Reads what comes before it: "On the south wall there is", "the south wall has", "south wall:". Its `end` is where it
 // begins.
 OpeningSite ReadSiteBefore(const BriefText& words, std::size_t begin);
 
-// The openings that a brief has asked for so far: joins what it says twice of the same one, and finds the walls that go
-// by other openings. The argument must outlive it.
-class OpeningList {
- public:
-  explicit OpeningList(OpeningWishes& openings) : openings_(openings) {}
+// The wall named before an opening that it goes by: of "the long wall opposite the windows", whose noun phrase begins
+// at `begin`, that across from the long one. Empty when there is none.
+std::string WallBefore(const BriefText& words, std::size_t begin);
 
-  // One wish for each wall that was named.
-  void Add(const OpeningNoun& noun, const OpeningSite& site);
-
-  // To be called when all is read: doors go by windows that have a wall of their own then, and of two wishes that
-  // exclude each other one holds.
-  void Settle();
-
- private:
-  std::string Resolved(const std::string& side, bool door) const;
-  void Join(const OpeningNoun& noun, const OpeningSite& site, OpeningWish& wish);
-  void Add(const OpeningWish& wish);
-  void SettleRelations();
-
-  OpeningWishes& openings_;
-};
+// The walls named from `at` on ("the long wall"), `end` behind them.
+std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, std::size_t& end);
 
 }  // namespace flair::language

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "fmt/format.h"
 #include "language_worker/handbook/reading/opening_parts.h"
@@ -11,6 +12,8 @@
 namespace flair::language {
 
 namespace {
+
+constexpr std::size_t kMostWishes = 12;
 
 // "south-west" as two words; `places` are where its tokens were.
 std::vector<Token> WithoutHyphens(const BriefText& text, std::vector<std::size_t>& places) {
@@ -23,42 +26,85 @@ std::vector<Token> WithoutHyphens(const BriefText& text, std::vector<std::size_t
   return tokens;
 }
 
+void Inherit(const OpeningWish& from, OpeningWish& to) {
+  if (!to.width_m) to.width_m = from.width_m;
+  if (!to.height_m) to.height_m = from.height_m;
+  if (!to.sill_m) to.sill_m = from.sill_m;
+  if (to.width_factor == 1) to.width_factor = from.width_factor;
+  if (to.along.at == AlongWall::At::kAny) to.along = from.along;
+  if (to.leads_to.empty()) to.leads_to = from.leads_to;
+  if (to.name.empty()) to.name = from.name;
+  if (to.kind.empty()) to.kind = from.kind;
+  if (to.swing == v1::DOOR_SWING_UNSPECIFIED) to.swing = from.swing;
+  to.to_ceiling = to.to_ceiling || from.to_ceiling;
+  to.outside = to.outside || from.outside;
+  to.fills = to.fills || from.fills;
+}
+
 class OpeningReader {
  public:
   OpeningReader(const std::vector<Token>& tokens, const std::vector<bool>& room, std::vector<bool>& used,
                 OpeningWishes& openings)
-      : text_(tokens),
-        tokens_(WithoutHyphens(text_, places_)),
-        words_(tokens_),
-        list_(openings),
-        used_(used),
-        openings_(openings) {
+      : text_(tokens), tokens_(WithoutHyphens(text_, places_)), words_(tokens_), used_(used), openings_(openings) {
     for (const std::size_t place : places_) {
       room_.push_back(room[place]);
       things_.push_back(used[place] && !room[place]);
+      if (words_.Is(room_.size() - 1, "onlookers")) onlookers_ = true;
     }
   }
 
   void Read() {
     for (std::size_t i = 0; i < words_.size(); i = std::max(i + 1, read_to_)) {
-      if (const auto dark = words_.BehindPhrase(i, "no_daylight")) {
-        openings_.no_windows = true;
-        Use(i, *dark);
-      } else if (!ReadAspect(i) && !ReadOneOfThem(i) && !room_[i]) {
-        ReadNamed(i);
-      }
+      if (!ReadDark(i) && !ReadWindowWall(i) && !ReadAspect(i) && !ReadOneOfThem(i) && !room_[i]) ReadNamed(i);
     }
-    list_.Settle();
+    Settle();
   }
 
  private:
+  using Sides = std::vector<std::string>;
+
   // What was read last, as far as the next one may go by it.
   struct Last {
     std::size_t end = 0;
     bool door = false;
-    bool open = false;               // it has no wall yet
-    std::vector<std::string> sides;  // said before it: "On the south wall a door and a window"
+    bool open = false;  // it has no wall yet
+    Sides sides;        // said before it: "On the south wall a door and a window"
   };
+
+  // "a windowless room", "no daylight"; "the windowless long wall".
+  bool ReadDark(std::size_t i) {
+    const auto dark = words_.BehindPhrase(i, "no_daylight");
+    if (!dark) {
+      openings_.other_way_in = openings_.other_way_in || IsOtherWayIn(i);
+      return false;
+    }
+    std::size_t end = *dark;
+    const Sides walls = WallsAt(words_, *dark, end);
+    if (walls.empty()) openings_.no_windows = true;
+    openings_.bare_sides.insert(openings_.bare_sides.end(), walls.begin(), walls.end());
+    Use(i, walls.empty() ? *dark : end);
+    return true;
+  }
+
+  // "A trapdoor as the only entrance": its sentence names no door.
+  bool IsOtherWayIn(std::size_t i) const {
+    const auto end = words_.BehindPhrase(i, "only_ways_in");
+    if (!end) return false;
+    for (std::size_t k = *end; !words_.EndsSentence(k); ++k) {
+      if (words_.Is(k, "doors")) return false;
+    }
+    for (std::size_t k = i; k > 0 && !words_.EndsSentence(k - 1); --k) {
+      if (words_.Is(k - 1, "ways_through_the_floor")) return true;
+    }
+    return false;
+  }
+
+  // "the window wall": windows are in no other.
+  bool ReadWindowWall(std::size_t i) {
+    if (!words_.Is(i, "windows") || !words_.Is(i + 1, "wall_nouns")) return false;
+    openings_.windows_meant = openings_.one_window_wall = true;
+    return true;
+  }
 
   // "a south-facing room", "a bedroom facing south": windows look that way, whatever others there are.
   bool ReadAspect(std::size_t i) {
@@ -68,12 +114,11 @@ class OpeningReader {
     const bool before = words_.Is(i, "compass") && words_.At(i + 1) == "facing" && (room_at(i + 2) || room_at(i + 3));
     const bool behind = i > 0 && room_at(i - 1) && words_.Is(i, "looking") && words_.Is(i + 1, "compass");
     if (!before && !behind) return false;
-    OpeningNoun noun;
-    noun.wish.of_many = true;
-    noun.wish.said = Quote(i, i + 2);
-    OpeningSite site;
-    site.sides = {std::string(words_.At(before ? i : i + 1))};
-    list_.Add(noun, site);
+    OpeningWish wish;
+    wish.of_many = true;
+    wish.said = Quote(i, i + 2);
+    wish.side = words_.At(before ? i : i + 1);
+    Add(wish);
     Use(i, i + 2);
     return true;
   }
@@ -89,16 +134,32 @@ class OpeningReader {
   void ReadNamed(std::size_t i) {
     if (IsPartOfAName(i)) return;
     OpeningNoun noun = OpeningNounAt(words_, things_, i);
-    if (noun.kind == OpeningNoun::Kind::kNone || noun.any) return;
+    if (noun.kind == OpeningNoun::Kind::kOfAPiece) return Use(noun.begin, noun.end);
+    if (noun.kind == OpeningNoun::Kind::kNone) return;
     if (noun.kind == OpeningNoun::Kind::kOverhead) return NoteOverhead(noun);
+    if (!noun.wish.door && !noun.none && !noun.glass) (noun.plural || noun.any ? openings_.windows_meant : openings_.window_meant) = true;
+    if (noun.any) return;
     OpeningSite site;
-    std::size_t end = ReadBehind(noun, noun.end, site);
-    if (noun.related && (site.sides.empty() || !site.not_read.empty())) return NoteRelated(noun);
+    const std::size_t end = ReadBehind(noun, noun.end, site);
+    Name(i, noun.wish);
+    const bool told = !site.sides.empty() || !noun.wish.side.empty() || site.fills;
+    if (noun.glass && !told) return;
+    if (noun.related && (!told || !site.not_read.empty())) return NoteRelated(noun);
     if (noun.none) return NoteNone(noun, site, end);
     Place(noun, site, end);
   }
 
-  // "one on the north wall and one on the east wall", "the other is on the west wall", right behind openings.
+  // "Kitchen hatch", "street door".
+  void Name(std::size_t head, OpeningWish& wish) const {
+    if (!wish.door) return;
+    if (wish.leads_to == "room") wish.leads_to.clear();
+    const bool named = words_.Is(head, "named_openings");
+    const std::string of = wish.leads_to.empty() ? wish.name : wish.leads_to;
+    if (!named && of.empty()) return;
+    wish.name = of + (of.empty() ? "" : " ") + (named ? std::string(words_.At(head)) : "door");
+  }
+
+  // "one on the north wall and one to the larder", "the other is on the west wall", right behind openings.
   bool ReadOneOfThem(std::size_t i) {
     constexpr std::size_t kMostLinks = 3;
     if (!last_ || i < last_->end || i > last_->end + kMostLinks) return false;
@@ -117,10 +178,12 @@ class OpeningReader {
     noun.begin = i;
     OpeningSite site;
     const std::size_t end = ReadBehind(noun, at, site);
-    if (site.sides.empty() || !site.not_read.empty()) return false;
+    Name(i, noun.wish);
+    const bool leads = noun.wish.outside || !noun.wish.leads_to.empty() || !noun.wish.name.empty();
+    if ((site.sides.empty() && !leads) || !site.not_read.empty()) return false;
     noun.wish.along = site.along;
     noun.wish.said = Quote(i, end);
-    list_.Add(noun, site);
+    Add(noun, site);
     Use(i, end);
     last_->end = end;
     return true;
@@ -128,9 +191,9 @@ class OpeningReader {
 
   // What stands behind a noun: measures, then places, then measures again.
   std::size_t ReadBehind(OpeningNoun& noun, std::size_t at, OpeningSite& site) const {
-    const std::size_t end = ReadMeasures(words_, at, noun.wish);
+    const std::size_t end = ReadMeasures(words_, at, noun);
     if (!ReadSiteAfter(words_, end, noun.wish.door, /*verbs=*/!noun.related, site)) return end;
-    return noun.related && !site.not_read.empty() ? end : ReadMeasures(words_, site.end, noun.wish);
+    return noun.related && !site.not_read.empty() ? end : ReadMeasures(words_, site.end, noun);
   }
 
   // Settles where an opening is by what stands before it and by what was named last, and lists it.
@@ -138,7 +201,7 @@ class OpeningReader {
     OpeningWish& wish = noun.wish;
     const bool behind = !site.sides.empty(), own = behind || !wish.side.empty();
     std::size_t begin = noun.begin;
-    std::vector<std::string> listed;
+    Sides listed;
     if (!own && !noun.related) {
       const OpeningSite before = ReadSiteBefore(words_, begin);
       site.sides = listed = before.sides;
@@ -149,32 +212,38 @@ class OpeningReader {
     if (site.sides.empty() && !wish.side.empty()) site.sides = {wish.side};
     wish.side.clear();
     if (site.along.at != AlongWall::At::kAny) wish.along = site.along;
+    wish.fills = site.fills;
     wish.said = Quote(begin, end);
     if (!Says(noun, site)) return;
-    const bool anded = last_ && begin == last_->end + 1 && words_.At(last_->end) == "and";
+    const bool anded = last_ && begin <= last_->end + 2 && begin > last_->end && words_.At(last_->end) == "and";
     // "a door and a window on the same wall"
-    if (site.sides == std::vector<std::string>{"same"})
-      site.sides = {anded && last_->door && !wish.door ? "near" : "far"};
-    // "a door and a window on the north wall": both.
-    if (anded && behind && last_->open && site.sides.size() == 1 && site.sides[0] != "near") {
-      OpeningWish& other = openings_.wishes.back();
-      if (other.side.empty() && other.count == 1) other.side = site.sides[0];
-    }
-    if (!site.not_read.empty()) {
-      openings_.not_read.push_back(
-          fmt::format("\"{}\": openings can be placed by walls, corners, doors and windows, not by furniture or "
-                      "lengths; it is placed where it fits.",
-                      wish.said));
-    }
+    if (site.sides == Sides{"same"}) site.sides = {anded && last_->door && !wish.door ? "near" : "far"};
+    if (anded && behind && last_->open && site.sides.size() == 1 && site.sides[0] != "near") Share(wish, site);
+    NoteUnread(noun, site, end);
     if (!site.by_side.empty()) AddTheOther(site, !wish.door);
     if (site.pair) {
       wish.count = std::max(wish.count, 2);
       wish.counted = true;
     }
     const std::size_t before = openings_.wishes.size();
-    list_.Add(noun, site);
+    Add(noun, site);
     Use(begin, end);
     last_ = Last{end, wish.door, site.sides.empty() && openings_.wishes.size() > before, listed};
+  }
+
+  // "a door and a window on the north wall": both; of "the short wall" the same one.
+  void Share(const OpeningWish& wish, OpeningSite& site) {
+    OpeningWish& other = openings_.wishes.back();
+    if (!other.side.empty() || other.count != 1) return;
+    other.side = site.sides[0];
+    if (!IsIn("long_or_short", site.sides[0]) || wish.door == other.door) return;
+    const bool in = other.door ? !other.outside && other.leads_to.empty() : !wish.outside && wish.leads_to.empty();
+    if (!in) return;
+    if (other.door) {
+      site.sides = {"near"};
+    } else {
+      other.side = "near";
+    }
   }
 
   // Whether nothing but commas and "and" is between the last one and this.
@@ -185,16 +254,35 @@ class OpeningReader {
   }
 
   // Whether the words ask for something, or tell something of an opening.
-  bool Says(const OpeningNoun& noun, const OpeningSite& site) {
+  static bool Says(const OpeningNoun& noun, const OpeningSite& site) {
     const OpeningWish& wish = noun.wish;
     const bool told = wish.width_m || wish.height_m || wish.sill_m || wish.swing != v1::DOOR_SWING_UNSPECIFIED ||
                       wish.along.at != AlongWall::At::kAny || wish.outside || !wish.leads_to.empty() ||
-                      !wish.kind.empty();
+                      !wish.name.empty() || !wish.kind.empty();
     if (!site.sides.empty() || !site.not_read.empty()) return true;
     if (!wish.definite && (!noun.bare || told)) return true;
-    openings_.window_meant = openings_.window_meant || !wish.door;
     // "with large windows"; a door there is anyway.
     return wish.definite ? told : !wish.door && noun.plural;
+  }
+
+  // A place that goes by furniture, or words for a wall of which nothing was made.
+  void NoteUnread(const OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
+    constexpr std::size_t kMostWords = 6;
+    if (!site.not_read.empty()) {
+      openings_.not_read.push_back(
+          fmt::format("\"{}\": openings can be placed by walls, corners, doors and windows, not by furniture or "
+                      "lengths; it is placed where it fits.",
+                      noun.wish.said));
+      return;
+    }
+    if (noun.related || !site.sides.empty()) return;
+    for (std::size_t i = end; i < end + kMostWords && i < words_.size(); ++i) {
+      if (words_.IsSign(i) || things_[i] || words_.Is(i, "clause_starts") || words_.Is(i, "articles_of_others")) return;
+      if (!words_.Is(i, "wall_sides") && !words_.Is(i, "corners")) continue;
+      openings_.not_read.push_back(fmt::format("\"{}\": where it is to be was not understood; it is placed where it fits.",
+                                               Quote(noun.begin, i + 1)));
+      return;
+    }
   }
 
   void NoteOverhead(const OpeningNoun& noun) {
@@ -205,13 +293,19 @@ class OpeningReader {
     Use(noun.begin, noun.end);
   }
 
-  // "a desk under the window", "near the kitchen door".
+  // "a desk under the window", "near the kitchen door", "on the long wall opposite the windows".
   void NoteRelated(OpeningNoun& noun) {
-    openings_.window_meant = openings_.window_meant || !noun.wish.door;
-    if (!noun.wish.door || (!noun.wish.outside && noun.wish.leads_to.empty())) return;
-    noun.wish.definite = true;
-    noun.wish.said = Quote(noun.begin, noun.end);
-    list_.Add(noun, {});
+    OpeningWish& wish = noun.wish;
+    wish.definite = true;
+    wish.said = Quote(noun.begin, noun.end);
+    const std::string side = WallBefore(words_, noun.begin);
+    const bool named = wish.door && (wish.outside || !wish.leads_to.empty() || !wish.name.empty());
+    const bool told = !wish.door && (wish.sill_m || wish.height_m || !wish.kind.empty() || wish.width_m);
+    if (!side.empty()) {
+      hints_.push_back({noun, side});
+    } else if (named || told) {
+      Add(noun, {});
+    }
   }
 
   void NoteNone(OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
@@ -222,7 +316,7 @@ class OpeningReader {
       swing = swing == v1::DOOR_SWING_INWARD ? v1::DOOR_SWING_OUTWARD : v1::DOOR_SWING_INWARD;
       noun.wish.said = Quote(noun.begin, end);
       noun.wish.definite = true;
-      list_.Add(noun, site);
+      Add(noun, site);
       return;
     }
     if (site.sides.empty()) {
@@ -240,7 +334,134 @@ class OpeningReader {
     other.wish.said = site.by_side;
     OpeningSite there;
     there.sides = {site.by_side};
-    list_.Add(other, there);
+    Add(other, there);
+  }
+
+  // Lists them: one wish for each wall, or room behind, that was named.
+  void Add(const OpeningNoun& noun, const OpeningSite& site) {
+    OpeningWish wish = noun.wish;
+    Join(noun, site, wish);
+    const std::size_t walls = site.sides.size(), rooms = noun.leads.size(), parts = std::max(walls, rooms);
+    if (parts == 0) return Add(wish);
+    const int all = wish.count, n = static_cast<int>(parts);
+    for (int w = 0; w < n; ++w) {
+      const auto at = static_cast<std::size_t>(w);
+      if (walls > 0) wish.side = Resolved(site.sides[std::min(at, walls - 1)], wish.door);
+      if (at < rooms) {
+        wish.leads_to = IsIn("ways_in", noun.leads[at]) ? "" : noun.leads[at];
+        wish.name = noun.leads[at] + " door";
+        wish.outside = IsIn("open_air", noun.leads[at]);
+      }
+      const bool each = !wish.counted || all < n;
+      wish.count = parts == 1 ? all : each ? 1 : all / n + (w < all % n ? 1 : 0);
+      Add(wish);
+    }
+  }
+
+  void Add(const OpeningWish& wish) {
+    if (wish.count > 0 && openings_.wishes.size() < kMostWishes) openings_.wishes.push_back(wish);
+  }
+
+  // A wall that goes by the opening of the same kind that was named before, or as those see it who look on.
+  std::string Resolved(const std::string& side, bool door) const {
+    const bool any_kind = side == "opposite" || side == "beside";
+    if (side != "same" && side != "across same" && !any_kind) {
+      if (!onlookers_) return side;
+      // They sit in the south, and look north.
+      if (side == "left" || side == "right") return side == "left" ? "west" : "east";
+      return IsIn("far_sides", side) ? "north" : side;
+    }
+    const bool across = side != "same" && side != "beside";
+    for (std::size_t i = openings_.wishes.size(); i-- > 0;) {
+      const OpeningWish& there = openings_.wishes[i];
+      if ((!any_kind && there.door != door) || there.side.empty() || there.side.starts_with("across")) continue;
+      return across ? "across " + there.side : there.side;
+    }
+    return across ? "far" : "near";
+  }
+
+  // Takes over what was said before of the same openings: "two windows. The windows are on the east wall."
+  void Join(const OpeningNoun& noun, const OpeningSite& site, OpeningWish& wish) {
+    if (!wish.definite && !noun.part) return;
+    for (std::size_t i = 0; i < openings_.wishes.size(); ++i) {
+      OpeningWish& there = openings_.wishes[i];
+      const bool same_place = there.leads_to == wish.leads_to || (wish.outside && there.outside) ||
+                              (wish.leads_to.empty() && !wish.door) || (noun.part && there.leads_to.empty());
+      const bool same_side = there.outside == wish.outside || (noun.part && !there.outside);
+      if (there.door != wish.door || !same_place || !same_side || there.of_many) continue;
+      if (there.side.empty() && there.count > wish.count && !noun.plural) {
+        // One of several.
+        there.count -= wish.count;
+        wish.counted = there.counted;
+        return Inherit(there, wish);
+      }
+      // "One to the passage and one to the larder".
+      if (noun.part && there.count == wish.count && (there.side.empty() == site.sides.empty()) && !there.name.empty())
+        continue;
+      if (!there.side.empty() && !site.sides.empty() && there.side != site.sides[0]) {
+        if (!(wish.door && there.definite && wish.definite)) continue;
+        openings_.not_read.push_back(
+            fmt::format("The brief says both \"{}\" and \"{}\"; the first counts.", there.said, wish.said));
+        wish.count = 0;
+        return;
+      }
+      if (noun.part && !there.side.empty()) continue;
+      Inherit(there, wish);
+      if (noun.plural || !wish.counted) {
+        wish.count = std::max(wish.counted ? wish.count : 1, there.count);
+        wish.counted = wish.counted || there.counted;
+      }
+      if (wish.side.empty() && site.sides.empty()) wish.side = there.side;
+      openings_.wishes.erase(openings_.wishes.begin() + static_cast<std::ptrdiff_t>(i));
+      return;
+    }
+  }
+
+  // To be called when all is read: doors go by windows that have a wall of their own then, walls that were only hinted
+  // at hold where no other was told, and of two wishes that exclude each other one holds.
+  void Settle() {
+    for (const auto& [noun, side] : hints_) {
+      const bool placed = std::ranges::any_of(openings_.wishes, [&, door = noun.wish.door](const OpeningWish& one) {
+        return one.door == door && !one.side.empty();
+      });
+      OpeningSite site;
+      if (!placed) site.sides = {side};
+      if (!placed || (noun.wish.door && !noun.wish.leads_to.empty())) Add(noun, site);
+    }
+    SettleRelations();
+    const auto is_window = [](const OpeningWish& one) { return !one.door; };
+    const auto window = std::ranges::find_if(openings_.wishes, is_window);
+    const bool meant = openings_.window_meant || openings_.windows_meant;
+    if (!openings_.no_windows || (window == openings_.wishes.end() && !meant)) return;
+    if (window == openings_.wishes.end()) {
+      openings_.not_read.push_back("The brief asks for no windows and speaks of one; there are none.");
+      return;
+    }
+    openings_.not_read.push_back(
+        fmt::format("The brief asks for no windows and for \"{}\"; the latter counts.", window->said));
+    openings_.no_windows = false;
+  }
+
+  // A door that goes by the window: where that has no wall either it is across from the door, or beside it.
+  void SettleRelations() {
+    std::vector<OpeningWish>& all = openings_.wishes;
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      const bool across = all[d].side == "across window";
+      if (!all[d].door || (!across && all[d].side != "window")) continue;
+      const auto is_window = [](const OpeningWish& one) { return !one.door && !one.of_many; };
+      const auto window = std::ranges::find_if(all, is_window);
+      if (window != all.end() && !window->side.empty() && !IsIn("sides_from_the_door", window->side)) {
+        all[d].side = across ? "across " + window->side : window->side;
+        continue;
+      }
+      all[d].side.clear();
+      OpeningWish usual;
+      usual.said = all[d].said;
+      usual.of_many = true;
+      OpeningWish& beside = window != all.end() ? *window : usual;
+      beside.side = across ? "far" : "near";
+      if (window == all.end()) Add(usual);
+    }
   }
 
   // The brief's own words, with their hyphens.
@@ -257,12 +478,13 @@ class OpeningReader {
   std::vector<std::size_t> places_;
   const std::vector<Token> tokens_;
   const BriefText words_;
-  OpeningList list_;
   std::vector<bool> room_, things_;
   std::vector<bool>& used_;
   OpeningWishes& openings_;
   std::optional<Last> last_;
+  std::vector<std::pair<OpeningNoun, std::string>> hints_;  // walls that words for pieces tell of openings
   std::size_t read_to_ = 0;
+  bool onlookers_ = false;  // an audience
 };
 
 }  // namespace

@@ -33,7 +33,9 @@ struct OpeningWish {
   double width_factor = 1;  // on what is usual: "large", "small"
   bool to_ceiling = false;
   bool outside = false;  // to a garden or balcony: not the door by which one comes in
-  std::string leads_to;  // "kitchen"; empty where the brief does not say
+  std::string leads_to;  // "kitchen"; empty where the brief does not say, or where one comes in by it
+  std::string name;      // "kitchen hatch", "street door", "secret door"; empty where nothing tells it from others
+  bool fills = false;    // its wall: "windows all along the south"
   v1::DoorSwing swing = v1::DOOR_SWING_UNSPECIFIED;
   std::string kind;      // "bay window", where it cannot be drawn as what it is
   bool of_many = false;  // the room has the usual other ones too: "a south-facing room"
@@ -46,6 +48,9 @@ struct OpeningWishes {
   bool no_windows = false;
   bool no_doors = false;
   bool window_meant = false;            // "a desk under the window": there is one
+  bool windows_meant = false;           // "by the windows": there are several
+  bool one_window_wall = false;         // "the window wall": the others have none
+  bool other_way_in = false;            // "a trapdoor as the only entrance": no further door is needed
   std::vector<std::string> bare_sides;  // "no windows on the north wall"
   std::vector<std::string> not_read;    // sentences on what cannot be made or was not understood
 };

@@ -14,6 +14,119 @@ namespace {
 using At = AlongWall::At;
 using Sides = std::vector<std::string>;
 
+bool Closes(const BriefText& words, std::size_t i) {
+  return words.IsSign(i) || i >= words.size() || words.Is(i, "after_a_wall");
+}
+
+bool IsLength(std::string_view side) { return IsIn("long_or_short", side); }
+
+// What is named behind a preposition: a wall, or an end or corner of one, with the words that say which.
+struct Target {
+  Sides sides;
+  bool wall = false, end_of_wall = false, corner = false;  // the noun, if there is one
+  bool several = false;                                    // "the short walls"
+  std::size_t end = 0;
+};
+
+Target TargetAt(const BriefText& words, std::size_t at) {
+  Target target;
+  at = words.BehindArticle(at);
+  std::string street;
+  for (int most = 4; most > 0; --most) {
+    const std::string side(words.At(at));
+    // "The long glass side", "the street side", "the gable end".
+    std::size_t noun = at;
+    while (words.Is(noun, "wall_looks")) ++noun;
+    const bool look = noun > at && (words.Is(noun, "wall_nouns") || words.Is(noun, "wall_ends") ||
+                                    (words.Is(noun, "wall_sides") && words.Is(noun + 1, "wall_nouns")));
+    if (look) {
+      if (words.Is(at, "end_walls") || (words.Is(at, "street_walls") && words.Is(noun, "wall_ends"))) street = "short";
+      if (words.Is(at, "street_walls") && street.empty()) street = "near";
+      at = noun;
+    } else if (target.sides.size() < 2 && words.Is(at, "compass_corners")) {
+      constexpr std::size_t kNorth = 5;  // letters of "north" and "south"
+      target.sides = {side.substr(0, kNorth), side.substr(kNorth)};
+      ++at;
+    } else if (target.sides.size() < 2 && words.Is(at, "wall_sides")) {
+      target.sides.push_back(side == "narrow" ? "short" : side);
+      at += words.At(at + 1) == "hand" ? 2 : 1;
+    } else {
+      break;
+    }
+  }
+  target.corner = words.Is(at, "corners");
+  target.end_of_wall = words.Is(at, "wall_ends");
+  target.wall = words.Is(at, "wall_nouns");
+  if (target.sides.empty() && !street.empty()) target.sides = {street};
+  // "The street end" is a wall.
+  target.wall = target.wall || (target.end_of_wall && !street.empty());
+  target.several = words.At(at).ends_with('s');
+  if (target.corner || target.end_of_wall || target.wall) ++at;
+  target.end = words.BehindPhrase(at, "of_the_room").value_or(at);
+  return target;
+}
+
+// "both long walls", "two sides", "all four walls"; "the wall opposite" and "the same wall" go by others.
+Sides SeveralWallsAt(const BriefText& words, std::size_t i, std::size_t& end) {
+  const auto other = words.BehindPhrase(i, "the_other_wall"), same = words.BehindPhrase(i, "the_same_wall");
+  const auto rest = words.BehindPhrase(i, "the_other");
+  if (other || same || (rest && Closes(words, *rest))) {
+    end = other ? *other : same ? *same : *rest;
+    return {same && !other ? "same" : "opposite"};
+  }
+  if (!words.Is(i, "several_walls")) return {};
+  std::size_t at = i;
+  std::string length;
+  for (; words.Is(at, "numbers_of_walls") || words.Is(at, "several_walls") || IsLength(words.At(at)); ++at) {
+    if (IsLength(words.At(at))) length = words.At(at).starts_with("long") ? "long" : "short";
+  }
+  const bool ends = words.Says(at, {"end", "ends"});
+  if (!ends && !words.Is(at, "wall_or_side")) return {};
+  end = at + 1;
+  const auto says = [&](std::string_view list) {
+    for (std::size_t k = i; k < at; ++k) {
+      if (words.Is(k, list)) return true;
+    }
+    return false;
+  };
+  if (ends && length.empty()) length = "short";
+  if (!length.empty()) return {length, "across " + length};
+  if (says("all_walls") || (words.At(i) == "each" && words.At(at) == "wall")) return {"far", "left", "right", "near"};
+  if (says("three_walls")) return {"far", "left", "right"};
+  return says("facing_walls") ? Sides{"left", "right"} : Sides{"far", "left"};
+}
+
+// The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
+// wall follows, so that one without its noun must end its phrase ("left sofa").
+Sides WallsFrom(const BriefText& words, std::size_t at, bool alone, std::size_t& end) {
+  constexpr std::size_t kMostSides = 4;
+  if (Sides several = SeveralWallsAt(words, at, end); !several.empty()) return several;
+  Sides sides;
+  bool any_noun = false;
+  while (sides.size() < kMostSides) {
+    std::size_t next = at;
+    while (!sides.empty() && next < at + 2 && words.Is(next, "and_signs")) ++next;
+    if (!sides.empty() && next == at) break;
+    if (!sides.empty() && words.Is(next, "into")) ++next;
+    const Target target = TargetAt(words, next);
+    const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
+    if (target.sides.empty() || target.sides.size() > 2 || target.corner) break;
+    // "The short north wall": the compass tells.
+    const std::string side = IsLength(target.sides[0]) ? target.sides.back() : target.sides[0];
+    if (target.sides.size() == 2 && !IsLength(target.sides[0])) break;
+    const bool compass = IsIn("compass", side), closes = Closes(words, target.end);
+    // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
+    if (!sides.empty() && !(noun && closes) && !(closes && !any_noun && compass)) break;
+    if (!noun && (words.At(target.end) == "of" || IsIn("sides_with_a_noun", side))) break;
+    if (!noun && !closes && (alone || !compass)) break;
+    sides.push_back(side);
+    if (noun && target.several && IsLength(side) && sides.size() == 1) sides.push_back("across " + side);
+    any_noun = any_noun || noun;
+    at = end = target.end;
+  }
+  return sides;
+}
+
 // Reads one place after the other from `i` on; each Take moves it behind what it has read.
 class SiteReader {
  public:
@@ -21,19 +134,25 @@ class SiteReader {
 
   std::size_t end() const { return i_; }
 
-  // "door on the south wall, near the corner", "door: south wall", "window (north)".
+  // "door on the south wall, near the corner", "door: south wall", "window (north)", "window, which is on the left".
   bool TakeAll(bool door, bool verbs) {
     constexpr int kMostParts = 6, kMostVerbs = 4;
     bool any = false;
     for (int part = 0; part < kMostParts; ++part) {
       const std::size_t start = i_;
-      const bool pause = words_.At(i_) == ",";
+      const bool pause = words_.At(i_) == ",", clause = pause && words_.Says(i_ + 1, {"which", "that"});
       const bool list = !any && words_.Says(i_, {":", "(", "-"});
       if (pause || list) ++i_;
-      for (int over = 0; over < kMostVerbs && verbs && !pause && SaysNoPlace(); ++over) ++i_;
-      // Behind a comma a wall may be that of something else.
-      if (!TakeEntering() && !TakeFromEnd() && !TakeMiddle() && !(!pause && TakeOpening(door)) &&
-          !TakeWall({.bare = list, .part = pause}) && !(!any && !pause && TakeThing())) {
+      for (int over = 0; over < kMostVerbs && (clause || (verbs && !pause)) && SaysNoPlace(); ++over) ++i_;
+      const bool part_only = pause && !clause;
+      if (words_.BehindPhrase(i_, "all_along")) {
+        site_.fills = true;
+        ++i_;
+      }
+      // Behind a comma a wall may be that of something else; not where a piece told none.
+      const bool thing = !site_.not_read.empty();
+      if (!TakeFilling() && !TakeEntering() && !TakeFromEnd() && !TakeMiddle() && !(!part_only && TakeOpening(door)) &&
+          !TakeWall({.bare = list || thing, .part = part_only}) && !(!any && !pause && TakeThing())) {
         i_ = start;
         break;
       }
@@ -41,6 +160,7 @@ class SiteReader {
       any = true;
       site_.end = i_;
     }
+    if (!site_.sides.empty()) site_.not_read.clear();
     return any;
   }
 
@@ -58,15 +178,25 @@ class SiteReader {
     const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length");
     if (into && whole) at = *whole;
     if ((into || near) && TakePart(at)) return true;
-    if (form.part && !words_.Is(i_, "into_a_wall")) return false;
+    if (form.part && !form.bare && !words_.Is(i_, "into_a_wall")) return false;
     if (into && TakeWallOfLength(at)) return true;
+    // "Stage left" is the right of those who look on.
+    const std::size_t stage = words_.BehindArticle(at);
+    if (words_.Is(stage, "stages") && words_.Says(stage + 1, {"left", "right"})) {
+      AddSide(words_.At(stage + 1) == "left" ? "right" : "left");
+      i_ = stage + 2;
+      return true;
+    }
     // "A window north and a door south" has no "on" either.
     if (!into && !form.bare && !words_.Is(at, "compass")) return false;
-    const Sides sides = WallsAt(at, /*alone=*/!into, at);
-    if (sides.empty() || (form.part && !(words_.Is(at - 1, "wall_nouns") && Closes(at)))) return false;
-    for (const std::string& side : sides) {
-      if (!Includes(site_.sides, side)) site_.sides.push_back(side);
-    }
+    const Sides sides = WallsFrom(words_, at, /*alone=*/!into, at);
+    const bool noun = words_.Is(at - 1, "wall_nouns") || words_.Is(at - 1, "wall_ends");
+    if (sides.empty() || (form.part && !(noun && Closes(words_, at)))) return false;
+    site_.fills = site_.fills || (into && whole);
+    // "Facing each other in the short walls".
+    if (each_other_) site_.sides = sides.size() > 1 ? sides : Sides{sides[0], "across " + sides[0]};
+    each_other_ = false;
+    for (const std::string& side : sides) AddSide(side);
     i_ = at;
     return true;
   }
@@ -78,7 +208,7 @@ class SiteReader {
     std::size_t at = centred ? *centred : *middle;
     if (centred ? words_.Is(at, "centred_on") : words_.At(at) == "of") {
       const auto that = words_.BehindPhrase(++at, "that_wall");
-      const Sides sides = WallsAt(at, /*alone=*/true, at);
+      const Sides sides = WallsFrom(words_, at, /*alone=*/true, at);
       if (sides.empty() && !that) return false;
       if (sides.empty()) at = *that;
       if (!sides.empty()) site_.sides = sides;
@@ -89,94 +219,17 @@ class SiteReader {
   }
 
  private:
-  // What is named behind a preposition: a wall, or an end or corner of one, with the words that say which.
-  struct Target {
-    Sides sides;
-    bool wall = false, end_of_wall = false, corner = false;  // the noun, if there is one
-    std::size_t end = 0;
-  };
-
-  Target TargetAt(std::size_t at) const {
-    Target target;
-    at = words_.BehindArticle(at);
-    while (target.sides.size() < 2 && (words_.Is(at, "wall_sides") || words_.Is(at, "compass_corners"))) {
-      const std::string side(words_.At(at));
-      constexpr std::size_t kNorth = 5;  // letters of "north" and "south"
-      if (words_.Is(at, "compass_corners")) {
-        target.sides = {side.substr(0, kNorth), side.substr(kNorth)};
-      } else {
-        target.sides.push_back(side == "narrow" ? "short" : side);
-      }
-      at += words_.At(at + 1) == "hand" ? 2 : 1;
-    }
-    target.corner = words_.Says(at, {"corner", "corners"});
-    target.end_of_wall = words_.Is(at, "wall_ends");
-    target.wall = words_.Is(at, "wall_nouns");
-    if (target.corner || target.end_of_wall || target.wall) ++at;
-    target.end = words_.BehindPhrase(at, "of_the_room").value_or(at);
-    return target;
+  void AddSide(const std::string& side) {
+    if (!Includes(site_.sides, side)) site_.sides.push_back(side);
   }
 
-  bool Closes(std::size_t i) const { return words_.IsSign(i) || i >= words_.size() || words_.Is(i, "after_a_wall"); }
-
-  // The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
-  // wall follows, so that one without its noun must end its phrase ("left sofa").
-  Sides WallsAt(std::size_t at, bool alone, std::size_t& end) const {
-    constexpr std::size_t kMostSides = 4;
-    if (Sides several = SeveralWallsAt(at, end); !several.empty()) return several;
-    Sides sides;
-    bool any_noun = false;
-    while (sides.size() < kMostSides) {
-      std::size_t next = at;
-      while (!sides.empty() && next < at + 2 && words_.Is(next, "and_signs")) ++next;
-      if (!sides.empty() && next == at) break;
-      if (!sides.empty() && words_.Is(next, "into")) ++next;
-      const Target target = TargetAt(next);
-      const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
-      if (target.sides.size() != 1 || target.corner) break;
-      const std::string& side = target.sides[0];
-      const bool compass = IsIn("compass", side);
-      const bool closes = Closes(target.end);
-      // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
-      if (!sides.empty() && !(noun && closes) && !(closes && !any_noun && compass)) break;
-      if (!noun && (words_.At(target.end) == "of" || IsIn("sides_with_a_noun", side))) break;
-      if (!noun && !closes && (alone || !compass)) break;
-      sides.push_back(side);
-      any_noun = any_noun || noun;
-      at = end = target.end;
-    }
-    return sides;
-  }
-
-  // "both long walls", "two sides", "all four walls"; "the wall opposite" and "the same wall" go by others.
-  Sides SeveralWallsAt(std::size_t i, std::size_t& end) const {
-    const auto other = words_.BehindPhrase(i, "the_other_wall"), same = words_.BehindPhrase(i, "the_same_wall");
-    if (other || same) {
-      end = other ? *other : *same;
-      return {other ? "opposite" : "same"};
-    }
-    if (!words_.Is(i, "several_walls")) return {};
-    std::size_t at = i;
-    std::string length;
-    for (; words_.Is(at, "numbers_of_walls") || words_.Is(at, "several_walls") || words_.Is(at, "long_or_short");
-         ++at) {
-      if (words_.Is(at, "long_or_short")) length = words_.At(at).starts_with("long") ? "long" : "short";
-    }
-    const bool ends = words_.Says(at, {"end", "ends"});
-    if (!ends && !words_.Is(at, "wall_or_side")) return {};
-    end = at + 1;
-    const auto says = [&](std::string_view list) {
-      for (std::size_t k = i; k < at; ++k) {
-        if (words_.Is(k, list)) return true;
-      }
-      return false;
-    };
-    if (ends && length.empty()) length = "short";
-    if (!length.empty()) return {length, "across " + length};
-    if (says("all_walls") || (words_.At(i) == "each" && words_.At(at) == "wall"))
-      return {"far", "left", "right", "near"};
-    if (says("three_walls")) return {"far", "left", "right"};
-    return says("facing_walls") ? Sides{"left", "right"} : Sides{"far", "left"};
+  // "full width", "wall to wall".
+  bool TakeFilling() {
+    const auto filling = words_.BehindPhrase(i_, "filling_a_wall");
+    if (!filling) return false;
+    site_.fills = true;
+    i_ = *filling;
+    return true;
   }
 
   // "in the 4 m wall": no wall is known by its length.
@@ -190,13 +243,13 @@ class SiteReader {
 
   // "the west end of the north wall", "the north-east corner", "a corner", "the left of the south wall".
   bool TakePart(std::size_t at) {
-    Target target = TargetAt(at);
+    Target target = TargetAt(words_, at);
     std::size_t end = target.end;
     bool of_wall = false;
     if (words_.At(end) == "of") {
       const auto that = words_.BehindPhrase(end + 1, "that_wall");
       std::size_t behind = 0;
-      const Sides walls = WallsAt(end + 1, /*alone=*/true, behind);
+      const Sides walls = WallsFrom(words_, end + 1, /*alone=*/true, behind);
       of_wall = !walls.empty() || (that && !site_.sides.empty());
       if (!walls.empty()) site_.sides = walls;
       if (of_wall) end = walls.empty() ? *that : behind;
@@ -204,9 +257,8 @@ class SiteReader {
     const bool named = target.corner || target.end_of_wall || !target.sides.empty();
     if (of_wall && !named) return false;
     if (!of_wall) {
-      const bool known = target.corner || (target.end_of_wall && !site_.sides.empty());
       // The wall itself, or "a window at the north end" of a room.
-      if (!known) return false;
+      if (!target.corner && !(target.end_of_wall && !target.wall && !site_.sides.empty())) return false;
       if (target.corner && target.sides.size() == 2 && site_.sides.empty()) {
         site_.sides = {target.sides[0]};
         target.sides.erase(target.sides.begin());
@@ -229,13 +281,13 @@ class SiteReader {
     const std::optional<double> length_m = words_.LengthAt(i_, at);
     const std::optional<std::size_t> from = length_m ? words_.BehindPhrase(at, "measured_from") : std::nullopt;
     if (!from) return false;
-    const Target target = TargetAt(*from);
+    const Target target = TargetAt(words_, *from);
     if (!target.wall && !target.corner && !target.end_of_wall && target.sides.empty()) return false;
     site_.along = {At::kEnd, target.sides.empty() ? "" : target.sides[0], length_m};
     i_ = target.end;
     if (words_.At(i_) != "of") return true;
     std::size_t end = 0;
-    const Sides walls = WallsAt(i_ + 1, /*alone=*/true, end);
+    const Sides walls = WallsFrom(words_, i_ + 1, /*alone=*/true, end);
     if (walls.empty()) return true;
     site_.sides = walls;
     i_ = end;
@@ -249,10 +301,10 @@ class SiteReader {
     const auto beside = words_.BehindPhrase(i_, "beside_openings");
     if (!across && !beside) return false;
     std::size_t at = words_.BehindArticle(across ? *across : *beside);
-    Sides sides;
-    std::string of_it;
     if (across && words_.Behind(at, "each other")) {
-      site_.sides = {"left", "right"};
+      if (site_.sides.size() == 1) AddSide("across " + site_.sides[0]);
+      each_other_ = site_.sides.empty();
+      if (each_other_) site_.sides = {"left", "right"};
       i_ = at + 2;
       return true;
     }
@@ -271,6 +323,7 @@ class SiteReader {
     i_ = at + 1;
     OpeningSite its;
     SiteReader wall(words_, i_, its);
+    std::string of_it;
     if (window == door && words_.Is(i_, "into") && wall.TakeWall({}) && its.sides.size() == 1) {
       i_ = wall.end();
       of_it = its.sides[0];
@@ -332,12 +385,13 @@ class SiteReader {
   bool SaysNoPlace() const {
     if (words_.At(i_) == "to") return words_.At(i_ + 1) == "be";
     if (words_.At(i_) == "right") return words_.Is(i_ + 1, "right_before_places");
-    return words_.Is(i_, "site_verbs");
+    return words_.Is(i_, "site_verbs") && !words_.BehindPhrase(i_, "all_along");
   }
 
   const BriefText& words_;
   std::size_t i_;
   OpeningSite& site_;
+  bool each_other_ = false;
 };
 
 }  // namespace
@@ -366,6 +420,27 @@ OpeningSite ReadSiteBefore(const BriefText& words, std::size_t begin) {
     return site;
   }
   return {};
+}
+
+std::string WallBefore(const BriefText& words, std::size_t begin) {
+  constexpr std::size_t kMostWords = 7;
+  for (std::size_t start = begin - std::min(begin, kMostWords); start < begin; ++start) {
+    if (!words.Is(start, "articles")) continue;
+    const Target target = TargetAt(words, start);
+    if (!target.wall || target.sides.size() != 1 || target.end >= begin) continue;
+    const std::string& side = target.sides[0];
+    if (!IsIn("compass", side) && !IsLength(side)) continue;
+    // An article of the opening stands between.
+    const auto across = words.BehindPhrase(target.end, "opposite_openings");
+    const auto beside = words.BehindPhrase(target.end, "walls_of_openings");
+    if (across && words.BehindArticle(*across) >= begin && *across <= begin) return "across " + side;
+    if (beside && words.BehindArticle(*beside) >= begin && *beside <= begin) return side;
+  }
+  return "";
+}
+
+std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, std::size_t& end) {
+  return WallsFrom(words, at, /*alone=*/true, end);
 }
 
 }  // namespace flair::language

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "language_worker/handbook/reading/words.h"
 #include "language_worker/handbook/rooms/openings.h"
 #include "language_worker/handbook/rooms/walls.h"
 
@@ -16,6 +17,8 @@ constexpr double kWideDoor = 1.3;    // a wide one by the usual
 constexpr double kLeastPaneM = 0.3;  // from sill to head
 constexpr double kLongWallM = 4.5;
 constexpr double kPerWindowM = 2.4;  // of a wall
+constexpr double kWholeWallM = 50;   // wider than any: "a wall of windows"
+constexpr double kPaneM = 2.2;       // of windows that fill a wall
 
 double Usual(double value, double fallback) { return value > 0 ? value : fallback; }
 
@@ -27,6 +30,12 @@ bool GoesByTheDoor(const std::string& side) {
   return side.find("near") != side.npos || side.find("far") != side.npos || side.find("left") != side.npos ||
          side.find("right") != side.npos || side.find("back") != side.npos || side.find("rear") != side.npos ||
          side.find("front") != side.npos || side.find("opposite") != side.npos || side.find("entrance") != side.npos;
+}
+
+// To a larder or a bathroom, by which nobody comes in.
+bool LeadsNowhere(const OpeningWish& door) {
+  const std::vector<Token> words = TokensOf(door.leads_to);
+  return std::ranges::any_of(words, [](const Token& word) { return IsIn("dead_ends", word.text); });
 }
 
 std::string NameOf(const v1::Room& room, int wall) {
@@ -57,11 +66,25 @@ void SetWindow(const OpeningPlan& plan, const OpeningWish& wish, const v1::Room&
 }
 
 const OpeningWish* AskedOpenings::MainDoor() const {
+  const OpeningWish *main = nullptr, *through_a_room = nullptr, *any = nullptr;
+  int doors = 0;
   for (const OpeningWish& one : plan_.asked.wishes) {
-    const bool own = one.leads_to.empty() || plan_.room_type.find(one.leads_to) != std::string::npos;
-    if (one.door && !one.outside && own) return &one;
+    if (!one.door) continue;
+    doors += one.count;
+    if (any == nullptr) any = &one;
+    // "Three doors on the right" are seen from another one.
+    const bool seen = GoesByTheDoor(one.side);
+    if (one.outside || (seen && one.count > 1)) continue;
+    if (one.leads_to.empty() || plan_.room_type.find(one.leads_to) != std::string::npos) {
+      if (main == nullptr || (GoesByTheDoor(main->side) && !seen)) main = &one;
+    } else if (through_a_room == nullptr && one.swing != v1::DOOR_SWING_NONE && !LeadsNowhere(one)) {
+      through_a_room = &one;
+    }
   }
-  return nullptr;
+  if (main != nullptr) return main;
+  // Where the brief lists the doors, one comes in by one of them.
+  if (doors > 1 && through_a_room != nullptr) return through_a_room;
+  return plan_.asked.other_way_in ? any : nullptr;
 }
 
 std::optional<int> AskedOpenings::MainDoorWall() const {
@@ -155,6 +178,11 @@ std::vector<int> AskedOpenings::SharesOf(const std::vector<int>& walls, const Op
   return shares;
 }
 
+bool AskedOpenings::HasPiece(int wall) const {
+  return std::ranges::any_of(plan_.sides_of_pieces,
+                             [&](const std::string& side) { return WallOf(room_, side) == std::optional<int>(wall); });
+}
+
 bool AskedOpenings::IsBare(int wall) const {
   return std::ranges::any_of(plan_.asked.bare_sides,
                              [&](const std::string& side) { return WallOf(room_, side) == std::optional<int>(wall); });
@@ -214,14 +242,18 @@ int AskedOpenings::AddOn(int wall, const OpeningWish& wish, int count) {
   const OpeningSize size = SizeOf(wish, wall);
   bool moved = false;
   std::vector<WallSpan> spans;
-  if (count == 1) {
+  const bool whole = wish.width_m && *wish.width_m > kWholeWallM;
+  const bool fills = !wish.door && (whole || wish.fills);
+  if (fills) {
+    spans = space_.Fill(wall, whole ? *wish.width_m : wish.counted ? WallLength(room_, wall) / count : kPaneM, size);
+  } else if (count == 1) {
     if (const auto span = space_.Place(wall, size, AlongOf(wall, wish), moved)) spans.push_back(*span);
   } else {
     spans = space_.Spread(wall, count, size);
   }
   for (const WallSpan& span : spans) Make(wall, wish, span);
   if (!spans.empty()) NoteNarrower(wish, wall, spans.front().width_m, moved);
-  return static_cast<int>(spans.size());
+  return fills && !spans.empty() ? count : static_cast<int>(spans.size());
 }
 
 void AskedOpenings::Make(int wall, const OpeningWish& wish, const WallSpan& span) {
@@ -235,7 +267,7 @@ void AskedOpenings::Make(int wall, const OpeningWish& wish, const WallSpan& span
   } else {
     SetWindow(plan_, wish, room_, opening);
   }
-  if (wish.door && !wish.leads_to.empty()) opening.set_description(wish.leads_to + " door");
+  opening.set_description(wish.name);
   opening.set_wall(room_.walls(wall).name());
   opening.set_offset_m(span.offset_m);
   opening.set_width_m(span.width_m);
@@ -259,7 +291,6 @@ bool AskedOpenings::HasOpening(int wall) const {
 }
 
 void AskedOpenings::NoteNarrower(const OpeningWish& wish, int wall, double width_m, bool moved) {
-  constexpr double kWholeWallM = 50;  // wider than any: "a wall of windows"
   if (wish.width_m && *wish.width_m < kWholeWallM && width_m < *wish.width_m - 1e-9) {
     remarks_.push_back(fmt::format("\"{}\": {:g} m wide instead of {:g} m; the {}, {:g} m long, has room for no more.",
                                    wish.said, width_m, *wish.width_m, NameOf(room_, wall), WallLength(room_, wall)));

@@ -39,6 +39,14 @@ OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype
   plan.rules.set_door_height_m(std::max(plan.rules.door_height_m(), std::min(2.05 * plan.door_width_m / 0.9, 3.0)));
   plan.asked = facts.openings;
   plan.room_type = archetype.name();
+  for (const Place& place : facts.places) {
+    const std::string& text = place.asked->relation().text();
+    if (text.find("door") == text.npos && text.find("window") == text.npos && IsIn("compass", place.side))
+      plan.sides_of_pieces.push_back(place.side);
+  }
+  // "By the window": there is one, unless the brief speaks of several.
+  if (plan.asked.window_meant && !plan.asked.windows_meant) plan.window_count = 1;
+  if (plan.asked.windows_meant) plan.window_count = std::max(plan.window_count, 1);
   for (const OpeningWish& wish : plan.asked.wishes) {
     if (wish.door || !wish.side.empty()) continue;
     // "with large windows": as many as usual.

@@ -47,7 +47,10 @@ class OpeningMaker {
   std::size_t DoorWall() const {
     if (const std::optional<int> wall = asked_.MainDoorWall()) return static_cast<std::size_t>(*wall);
     const std::size_t usual = UsualDoorWall();
-    const std::set<int> taken = asked_.WallsAskedFor();
+    std::set<int> taken = asked_.WallsAskedFor();
+    for (int wall = 0; wall < static_cast<int>(lengths_.size()); ++wall) {
+      if (asked_.HasPiece(wall)) taken.insert(wall);
+    }
     for (const std::size_t turn : {0u, 2u, 1u, 3u}) {
       const std::size_t wall = (usual + turn) % lengths_.size();
       const bool long_enough = turn == 0 || lengths_[wall] >= plan_.door_width_m + 0.4;
@@ -128,6 +131,7 @@ class OpeningMaker {
     door.set_wall(room_.walls(static_cast<int>(door_wall_)).name());
     door.set_offset_m(offset_m);
     door.set_width_m(width_m);
+    if (wish != nullptr) door.set_description(wish->name);
     // The leaf rests on the side wall that is nearer.
     door.mutable_leaf()->set_hinge(at_end ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
     const bool asked = wish != nullptr && wish->swing != v1::DOOR_SWING_UNSPECIFIED;
@@ -146,12 +150,17 @@ class OpeningMaker {
     const bool side_first = choice_.Happens("window.side_first", 0.3);
     std::vector<std::size_t> turns = {2, beside, 4 - beside};
     if (side_first) std::swap(turns[0], turns[1]);
-    const std::vector<std::size_t> order = WallsInOrder(turns);
+    std::vector<std::size_t> order = WallsInOrder(turns);
     int left = plan_.window_count;
+    // Nobody asked for one behind a piece.
+    const auto has_piece = [&](std::size_t wall) { return asked_.HasPiece(static_cast<int>(wall)); };
+    if (!WindowWish().counted && !std::ranges::all_of(order, has_piece)) std::erase_if(order, has_piece);
+    if (plan_.asked.one_window_wall && order.size() > 1) order.resize(1);
     for (const std::size_t wall : order) {
       // The first wall takes what the two others, with one window each, do not.
       const int room_for = std::max(1, static_cast<int>((lengths_[wall] - kCornerGapM) / 2.4));
-      const int count = wall == order[0] ? std::clamp(left - 2, std::min(left, 1), room_for) : std::min(left, 1);
+      const int others = plan_.asked.one_window_wall ? 0 : 2;
+      const int count = wall == order[0] ? std::clamp(left - others, std::min(left, 1), room_for) : std::min(left, 1);
       if (count > 0) AddWindowsOn(wall, count);
       left -= count;
     }

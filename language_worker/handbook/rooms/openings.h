@@ -20,6 +20,8 @@ struct OpeningPlan {
   int window_count = 1;
   double door_width_m = 0.9;
   OpeningWishes asked;    // what the brief says of them; where it says nothing the rules decide
+  // Walls that pieces are asked for at: others are better for what nobody asked for.
+  std::vector<std::string> sides_of_pieces;
   std::string room_type;  // "kitchen", of which "the kitchen door" is the door by which one comes in
 };
 
@@ -53,6 +55,9 @@ class AskedOpenings {
   bool UsualWindows() const;
   // Whether a wall is to have no window.
   bool IsBare(int wall) const;
+
+  // Whether a piece is asked for at a wall.
+  bool HasPiece(int wall) const;
 
   // Puts so many into a wall beside what it has; returns how many there was room for.
   int AddOn(int wall, const OpeningWish& wish, int count);

@@ -327,6 +327,17 @@ std::vector<WallSpan> WallSpace::Spread(int wall, int count, const OpeningSize& 
   return spread;
 }
 
+std::vector<WallSpan> WallSpace::Fill(int wall, double pane_m, const OpeningSize& size) const {
+  std::vector<WallSpan> all;
+  for (const WallSpan& span : Free(wall, size.corner_m)) {
+    const int panes = std::max(1, static_cast<int>(std::lround(span.width_m / pane_m)));
+    const double share_m = (span.width_m + kBetweenM) / panes, width_m = RoundDownTo5Cm(share_m - kBetweenM);
+    for (int i = 0; i < panes && width_m >= std::min(size.least_m, span.width_m); ++i)
+      all.push_back({span.offset_m + share_m * i + (share_m - kBetweenM - width_m) / 2, width_m});
+  }
+  return all;
+}
+
 std::optional<bool> WallSpace::IsEnd(int wall, const std::string& words) const {
   const int next = (wall + 1) % room_.floor().vertices_size();
   const v1::Point2 &from = room_.floor().vertices(wall), &to = room_.floor().vertices(next);

@@ -64,6 +64,9 @@ class WallSpace {
   // Places for several, evenly over the widest free part; fewer when there is no room for all.
   std::vector<WallSpan> Spread(int wall, int count, const OpeningSize& size) const;
 
+  // Places side by side, each about `pane_m` wide, over all that is free.
+  std::vector<WallSpan> Fill(int wall, double pane_m, const OpeningSize& size) const;
+
   // Whether those words mean the wall's end vertex; nothing when they do not tell its ends apart.
   std::optional<bool> IsEnd(int wall, const std::string& words) const;
 
