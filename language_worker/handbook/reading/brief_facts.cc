@@ -36,6 +36,7 @@ class BriefReader {
     ReadArchetype();
     TakeRoomOfNeeds();
     facts_.shape = ReadShape(tokens_, handbook_);
+    ReadParts();
     const std::vector<bool> room_words = used_;
     facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
@@ -102,6 +103,18 @@ class BriefReader {
       if (becomes == nullptr || need.min_people() > 0 || !Applies(need, people)) continue;
       facts_.archetype = becomes;
       return;
+    }
+  }
+
+  // Parts of a room that no outline has: "behind a half wall".
+  void ReadParts() {
+    const BriefText text(tokens_);
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const auto end = text.BehindPhrase(i, "parts_not_drawn");
+      if (!end || LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true).second > 0) continue;
+      facts_.shape.parts.push_back(text.Quote(i, *end));
+      for (std::size_t k = i; k < *end; ++k) facts_.told.push_back(k);
+      i = *end - 1;
     }
   }
 

@@ -31,6 +31,9 @@ constexpr std::array kTraits = std::to_array<Trait>({
     {"tall_windows", false, &OpeningWish::height_m, 2.0},
     {"shop_windows", false, &OpeningWish::width_m, 2.0},
     {"very_wide_doors", true, &OpeningWish::width_m, 2.4},
+    {"portholes", false, &OpeningWish::width_m, 0.4},
+    {"portholes", false, &OpeningWish::height_m, 0.4},
+    {"portholes", false, &OpeningWish::sill_m, 1.3},
     {"patio_doors", true, &OpeningWish::width_m, 1.8},
     {"wide_doors", true, &OpeningWish::width_m, 1.5},
 });
@@ -75,7 +78,8 @@ class NounReader {
     const bool window = IsIn("windows", head), glass = IsIn("glazing", head);
     const bool overhead = IsIn("skylights", head) || (window && words_.At(noun_ - 1) == "roof");
     if (things_[noun_] || !(overhead || window || glass || IsIn("doors", head))) return {};
-    if (noun_ + 1 < words_.size() && (things_[noun_ + 1] || words_.Is(noun_ + 1, "not_openings"))) return {};
+    const bool stage = words_.Is(noun_ + 1, "stages") && words_.Is(noun_ + 2, "sides_from_the_door");
+    if (noun_ + 1 < words_.size() && !stage && (things_[noun_ + 1] || words_.Is(noun_ + 1, "not_openings"))) return {};
     if (noun_ > 0 && words_.Is(noun_ - 1, "doors_of_other_kinds")) return {};
     found_.kind = overhead ? OpeningNoun::Kind::kOverhead : OpeningNoun::Kind::kOpening;
     found_.plural = head.ends_with('s') && !glass;
@@ -95,7 +99,10 @@ class NounReader {
     // A hatch to the kitchen is no door, nor an arch.
     if (IsIn("open_passages", head) || (IsIn("hatches", head) && !wish.leads_to.empty()))
       wish.swing = v1::DOOR_SWING_NONE;
-    if (head.starts_with("porthole")) MakePorthole();
+    if (IsIn("portholes", head)) {
+      Describe(head, wish);
+      wish.kind = "porthole";
+    }
     SetCount();
     return found_;
   }
@@ -109,14 +116,16 @@ class NounReader {
       const std::string_view word = words_.At(at - 1);
       if (TakeMeasure() || TakeFloorToCeiling()) continue;
       if (word == "of" && TakeQuantity()) return true;
-      const bool told = IsIn("inner_rooms", word) || IsIn("shop_windows", word) || IsIn("ways_in", word);
+      const bool told = IsIn("inner_rooms", word) || IsIn("shop_windows", word) || IsIn("ways_in", word) ||
+                        IsIn("swinging", word);
       // "The slaves' entrance".
       const bool owner = words_.Says(at - 1, {"'", "'s"}) && at < noun_ + 1 && at > 1 && words_.IsWord(at - 2);
       if ((words_.IsSign(at - 1) && !owner) || (things_[at - 1] && !told)) return false;
       found_.part = found_.part || word == "one" || IsIn("one_of_several", word);
       if (TakeDeterminer()) return true;
       const bool aspect = word == "facing" && at > 1 && words_.Is(at - 2, "compass");
-      if (!aspect && (IsIn("relating", word) || IsIn("opening_stops", word))) return false;
+      const bool side = at == noun_ && !found_.wish.door && IsIn("sides_of_windows", word);
+      if (!aspect && !side && (IsIn("relating", word) || IsIn("opening_stops", word))) return false;
       if (IsIn("one_of_several", word)) {
         found_.wish.count = 1;
         found_.wish.counted = true;
@@ -249,14 +258,6 @@ class NounReader {
     return had;
   }
 
-  void MakePorthole() {
-    OpeningWish& wish = found_.wish;
-    wish.kind = "porthole";
-    wish.width_m = 0.4;
-    wish.height_m = 0.4;
-    wish.sill_m = 1.3;
-  }
-
   void SetCount() {
     OpeningWish& wish = found_.wish;
     if (!wish.door && full_height_ >= 2) {
@@ -363,6 +364,9 @@ bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
   std::size_t end = 0;
   const std::optional<double> first = words.LengthAt(at, end);
   if (!first || *first <= 0 || words.Is(end, "after_distances")) return false;
+  // "..., 4 m x 3 m" is the room.
+  constexpr double kLeastRoomM = 2.5;
+  if (words.At(i) == "," && *first >= kLeastRoomM && words.Says(end, {"x", "by"})) return false;
   const std::optional<std::size_t> above = words.BehindPhrase(end, "above_the_floor");
   if (sill || above) {
     wish.sill_m = first;

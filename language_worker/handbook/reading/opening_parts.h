@@ -41,7 +41,6 @@ std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningNoun& nou
 struct OpeningSite {
   std::vector<std::string> sides;  // words for walls, see WallOf; "across window" and "window" go by the windows
   AlongWall along;
-  std::string by_side;   // of "opposite the window on the east wall" the wall of the window
   bool pair = false;     // "either side of the door": there are two
   bool fills = false;    // "all along", "full width"
   std::size_t end = 0;   // behind its last token

@@ -51,6 +51,7 @@ class OpeningReader {
       things_.push_back(used[place] && !room[place]);
       if (words_.Is(room_.size() - 1, "onlookers")) onlookers_ = true;
     }
+    if (onlookers_) openings_.bare_sides.push_back("south");
   }
 
   void Read() {
@@ -214,13 +215,21 @@ class OpeningReader {
     if (site.along.at != AlongWall::At::kAny) wish.along = site.along;
     wish.fills = site.fills;
     wish.said = Quote(begin, end);
-    if (!Says(noun, site)) return;
+    if (!Says(noun, site)) {
+      if (wish.door && wish.definite) unsaid_ = {noun, end};
+      return;
+    }
+    // "With the door and a window in the short wall": of a door that nothing else is said of.
+    if (unsaid_ && behind && words_.At(unsaid_->second) == "and" && begin <= unsaid_->second + 2) {
+      Add(unsaid_->first, {});
+      last_ = Last{unsaid_->second, true, true, {}};
+      unsaid_.reset();
+    }
     const bool anded = last_ && begin <= last_->end + 2 && begin > last_->end && words_.At(last_->end) == "and";
     // "a door and a window on the same wall"
-    if (site.sides == Sides{"same"}) site.sides = {anded && last_->door && !wish.door ? "near" : "far"};
+    if (site.sides == Sides{"same"}) site.sides = {wish.door || (anded && last_->door) ? "near" : "far"};
     if (anded && behind && last_->open && site.sides.size() == 1 && site.sides[0] != "near") Share(wish, site);
     NoteUnread(noun, site, end);
-    if (!site.by_side.empty()) AddTheOther(site, !wish.door);
     if (site.pair) {
       wish.count = std::max(wish.count, 2);
       wish.counted = true;
@@ -326,20 +335,12 @@ class OpeningReader {
     }
   }
 
-  // "opposite the window on the east wall" tells of a window, too.
-  void AddTheOther(const OpeningSite& site, bool door) {
-    OpeningNoun other;
-    other.wish.door = door;
-    other.wish.definite = other.wish.counted = true;
-    other.wish.said = site.by_side;
-    OpeningSite there;
-    there.sides = {site.by_side};
-    Add(other, there);
-  }
-
   // Lists them: one wish for each wall, or room behind, that was named.
-  void Add(const OpeningNoun& noun, const OpeningSite& site) {
+  void Add(const OpeningNoun& noun, OpeningSite site) {
     OpeningWish wish = noun.wish;
+    // Of doors in several walls the others go by the first.
+    if (wish.door && site.sides.size() > 1 && IsIn("sides_from_the_door", site.sides[0]))
+      site.sides = site.sides == Sides{"left", "right"} ? Sides{"", "far"} : Sides{"", "left"};
     Join(noun, site, wish);
     const std::size_t walls = site.sides.size(), rooms = noun.leads.size(), parts = std::max(walls, rooms);
     if (parts == 0) return Add(wish);
@@ -482,6 +483,7 @@ class OpeningReader {
   std::vector<bool>& used_;
   OpeningWishes& openings_;
   std::optional<Last> last_;
+  std::optional<std::pair<OpeningNoun, std::size_t>> unsaid_;  // a door that nothing was said of, and its end
   std::vector<std::pair<OpeningNoun, std::string>> hints_;  // walls that words for pieces tell of openings
   std::size_t read_to_ = 0;
   bool onlookers_ = false;  // an audience

@@ -80,7 +80,7 @@ TEST(OpeningReader, ReadsWallsThatGoByOtherOpenings) {
   const OpeningCase kCases[] = {
       {"A window opposite the door.", "window@far"},
       {"A window across from the entrance.", "window@far"},
-      {"The door is opposite the window on the east wall.", "window@east; door@across east"},
+      {"The door is opposite the window on the east wall.", "door@across east; window@east"},
       {"A door and a window on the same wall.", "door; window@near"},
       {"A door on the north wall and a window on the opposite wall.", "door@north; window@across north"},
       {"Windows on both sides.", "window@left; window@right"},

@@ -68,32 +68,24 @@ Target TargetAt(const BriefText& words, std::size_t at) {
 
 // "both long walls", "two sides", "all four walls"; "the wall opposite" and "the same wall" go by others.
 Sides SeveralWallsAt(const BriefText& words, std::size_t i, std::size_t& end) {
-  const auto other = words.BehindPhrase(i, "the_other_wall"), same = words.BehindPhrase(i, "the_same_wall");
+  const std::pair<const char*, Sides> kSeveral[] = {{"the_other_wall", {"opposite"}},
+                                                    {"the_same_wall", {"same"}},
+                                                    {"both_long_walls", {"long", "across long"}},
+                                                    {"both_short_walls", {"short", "across short"}},
+                                                    {"all_walls", {"far", "left", "right", "near"}},
+                                                    {"three_walls", {"far", "left", "right"}},
+                                                    {"facing_walls", {"left", "right"}},
+                                                    {"two_walls", {"far", "left"}}};
+  for (const auto& [list, sides] : kSeveral) {
+    const auto behind = words.BehindPhrase(i, list);
+    if (!behind) continue;
+    end = *behind;
+    return sides;
+  }
   const auto rest = words.BehindPhrase(i, "the_other");
-  if (other || same || (rest && Closes(words, *rest))) {
-    end = other ? *other : same ? *same : *rest;
-    return {same && !other ? "same" : "opposite"};
-  }
-  if (!words.Is(i, "several_walls")) return {};
-  std::size_t at = i;
-  std::string length;
-  for (; words.Is(at, "numbers_of_walls") || words.Is(at, "several_walls") || IsLength(words.At(at)); ++at) {
-    if (IsLength(words.At(at))) length = words.At(at).starts_with("long") ? "long" : "short";
-  }
-  const bool ends = words.Says(at, {"end", "ends"});
-  if (!ends && !words.Is(at, "wall_or_side")) return {};
-  end = at + 1;
-  const auto says = [&](std::string_view list) {
-    for (std::size_t k = i; k < at; ++k) {
-      if (words.Is(k, list)) return true;
-    }
-    return false;
-  };
-  if (ends && length.empty()) length = "short";
-  if (!length.empty()) return {length, "across " + length};
-  if (says("all_walls") || (words.At(i) == "each" && words.At(at) == "wall")) return {"far", "left", "right", "near"};
-  if (says("three_walls")) return {"far", "left", "right"};
-  return says("facing_walls") ? Sides{"left", "right"} : Sides{"far", "left"};
+  if (!rest || !Closes(words, *rest)) return {};
+  end = *rest;
+  return {"opposite"};
 }
 
 // The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
@@ -320,52 +312,34 @@ class SiteReader {
     if (!words_.Is(at, "openings")) return false;
     const bool window = words_.At(at).starts_with("window");
     site_.pair = beside && words_.BehindPhrase(i_, "on_both_sides").has_value();
-    i_ = at + 1;
-    OpeningSite its;
-    SiteReader wall(words_, i_, its);
-    std::string of_it;
-    if (window == door && words_.Is(i_, "into") && wall.TakeWall({}) && its.sides.size() == 1) {
-      i_ = wall.end();
-      of_it = its.sides[0];
-    }
+    // What is said of that one is read with it.
+    i_ = at;
     // A window by a window and a door by a door go by the last one of their kind, a window by the door by the way in.
-    const std::string wall_of_it = !of_it.empty() ? of_it : window != door ? "same" : window ? "window" : "near";
-    if (!site_.sides.empty()) return true;
-    site_.by_side = of_it;
-    site_.sides = {!across ? wall_of_it : wall_of_it == "near" ? "far" : "across " + wall_of_it};
+    const std::string its = window != door ? "same" : window ? "window" : "near";
+    if (site_.sides.empty()) site_.sides = {!across ? its : its == "near" ? "far" : "across " + its};
     return true;
   }
 
-  // "on the left as you enter", "straight ahead when you come in"; alone "as you enter" tells nothing but is passed
-  // over.
+  // "on the left as you enter", "straight ahead when you come in".
   bool TakeEntering() {
-    std::size_t at = i_;
-    const auto first = words_.BehindPhrase(at, "entering");
-    if (first) at = words_.At(*first) == "," ? *first + 1 : *first;
-    if (first && words_.Behind(words_.BehindArticle(at), "room")) at = words_.BehindArticle(at) + 1;
-    const char* side = "";
-    std::optional<std::size_t> way;
-    for (const auto& [list, wall] : {std::pair("ahead", "far"), std::pair("on_the_left", "left"),
+    const std::size_t at = words_.BehindPhrase(i_, "entering").value_or(i_);
+    for (const auto& [list, side] : {std::pair("ahead", "far"), std::pair("on_the_left", "left"),
                                      std::pair("on_the_right", "right"), std::pair("behind_you", "near")}) {
-      way = words_.BehindPhrase(at, list);
-      side = wall;
-      if (way) break;
+      const auto way = words_.BehindPhrase(at, list);
+      if (!way) continue;
+      // "on the left of", "on the left-hand wall".
+      if (words_.Is(*way, "wall_nouns") || words_.Says(*way, {"of", "hand", "end", "corner"})) return false;
+      const bool hand = IsOneOf(side, {"left", "right"});
+      if (!site_.sides.empty() && !hand) return false;
+      if (site_.sides.empty()) {
+        site_.sides = {side};
+      } else {
+        site_.along = {At::kEnd, side, {}};
+      }
+      i_ = words_.BehindPhrase(words_.At(*way) == "," ? *way + 1 : *way, "entering").value_or(*way);
+      return true;
     }
-    if (!way) {
-      if (first && !site_.sides.empty()) i_ = at;
-      return first && !site_.sides.empty();
-    }
-    // "on the left of", "on the left-hand wall".
-    if (words_.Is(*way, "wall_nouns") || words_.Says(*way, {"of", "hand", "end", "corner"})) return false;
-    const bool hand = IsOneOf(side, {"left", "right"});
-    if (!site_.sides.empty() && !hand) return false;
-    if (site_.sides.empty()) {
-      site_.sides = {side};
-    } else {
-      site_.along = {At::kEnd, side, {}};
-    }
-    i_ = words_.BehindPhrase(words_.At(*way) == "," ? *way + 1 : *way, "entering").value_or(*way);
-    return true;
+    return false;
   }
 
   // "above the sink", "behind the sofa": a place that goes by a piece of furniture.

@@ -346,8 +346,11 @@ class ShapeReader {
     if (noun) return noun;
     // "with a round" and then a noun that nobody knows, say a barrel.
     if (end < tokens_.size() && tokens_[end].kind == Token::Kind::kWord && !EndsClause(end)) return false;
+    // "A sofa in an L shape".
+    std::size_t told = start;
+    while (told > 0 && (text_.Is(told - 1, "articles") || text_.Says(told - 1, {"in", "of"}))) --told;
     for (i = start > kReach ? start - kReach : 0; i < start; ++i) {
-      if (EndsClause(i)) noun.reset();
+      if (EndsClause(i) && i < told) noun.reset();
       i += ReadNoun(i, noun);
     }
     return noun;

@@ -238,7 +238,8 @@ class SizeReader {
       return size;
     } else if (ceiling || (text_.Says(end, {"high", "tall"}) && measure->value >= kLowestM)) {
       size.height_m = measure->value;
-    } else if (text_.At(end) == "wide") {
+    } else if (text_.At(end) == "wide" || (text_.Is(end, "wall_nouns") && text_.At(end + 1) != "of")) {
+      // "The 14 ft wall" is one of the room's.
       size.width_m = measure->value;
     } else if (text_.Says(end, {"long", "deep"})) {
       size.depth_m = measure->value;

@@ -73,7 +73,7 @@ const OpeningWish* AskedOpenings::MainDoor() const {
     doors += one.count;
     if (any == nullptr) any = &one;
     // "Three doors on the right" are seen from another one.
-    const bool seen = GoesByTheDoor(one.side);
+    const bool seen = one.side != "near" && GoesByTheDoor(one.side);
     if (one.outside || (seen && one.count > 1)) continue;
     if (one.leads_to.empty() || plan_.room_type.find(one.leads_to) != std::string::npos) {
       if (main == nullptr || (GoesByTheDoor(main->side) && !seen)) main = &one;

@@ -101,7 +101,9 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     SidesOf(*asked.area_m2, asked.side_ratio.value_or(0.8), deeper, size);
   } else if (asked.width_m || asked.depth_m) {
     const double given_m = asked.width_m.value_or(asked.depth_m.value_or(0));
-    const double other_m = std::max(1.2, RoundToStep(0.8 * given_m));
+    // A usual area, in sides that are not too unlike.
+    const double usual_m = std::clamp(width_m * depth_m * area_factor / given_m, 0.8 * given_m, 1.6 * given_m);
+    const double other_m = std::max(1.2, RoundToStep(usual_m));
     size.width_m = asked.width_m ? given_m : other_m;
     size.depth_m = asked.depth_m ? given_m : other_m;
     size.assumption = fmt::format("Only one side is given; the other is taken as {:g} m.", other_m);
@@ -246,6 +248,12 @@ void SetFloor(const ShapeRequest& request, const SizeRequest& asked, const RoomS
              "a floor plan of your own "
              "can have any straight walls.",
              request.unknown, size.width_m, size.depth_m),
+         room);
+  }
+  if (!request.parts.empty()) {
+    Warn("shape_part_left_out",
+         fmt::format("\"{}\" cannot be drawn: floors are level, ceilings flat and walls full height.",
+                     fmt::join(request.parts, "\", \"")),
          room);
   }
   if (request.shape == RoomShape::kRectangle) return SetOutline(rectangle, room);
