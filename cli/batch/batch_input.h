@@ -92,9 +92,6 @@ void SetViews(const std::vector<v1::RenderOptions>& views, v1::JobSpec& spec);
 
 // Messages as people write them in JSON: only what they want to change, enums by their short words.
 
-// Whether a JSON text nests at most `most` deep; those that read it do so by recursion.
-bool NestsWithin(std::string_view json, int most);
-
 // Sets the fields of `message` that the JSON object names and leaves the others as they are; parts that are messages
 // are changed likewise, lists are replaced. Enums may be short words: "birdseye" for PREVIEW_VIEW_BIRDSEYE.
 // INVALID_ARGUMENT begins with `path` and the field: "solve.max_restart_count: is "x"; expected ...".

@@ -17,6 +17,7 @@
 #include "nlohmann/json.hpp"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
+#include "worker_runtime/text/nests_within.h"
 
 namespace flair::cli {
 namespace {
@@ -227,25 +228,6 @@ absl::StatusOr<BriefLine> ReadBriefLine(std::string_view line, const v1::JobSpec
   if (brief.has_room()) CompleteRoom(*brief.mutable_room());
   if (status = Check(read.spec); !status.ok()) return status;
   return read;
-}
-
-bool NestsWithin(std::string_view json, int most) {
-  int depth = 0;
-  bool in_string = false;
-  for (size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > most) return false;
-    } else if (c == '}' || c == ']') {
-      --depth;
-    }
-  }
-  return true;
 }
 
 absl::Status SetFromJson(const json& object, std::string_view path, Message& message) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "worker_runtime/status/status_macros.h"
+#include "worker_runtime/text/nests_within.h"
 
 namespace flair::renderer {
 namespace {
@@ -14,29 +15,10 @@ using Json = nlohmann::json;
 
 constexpr int kMaxDepth = 64;
 
-bool TooDeep(std::string_view text) {
-  int depth = 0;
-  bool quoted = false;
-  for (size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c == '\\') ++i;
-      if (c == '"') quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kMaxDepth) return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 absl::StatusOr<Json> ParseLimitedJson(std::string_view text) {
-  if (TooDeep(text)) return InvalidArgument("JSON is more than {} levels deep", kMaxDepth);
+  if (!NestsWithin(text, kMaxDepth)) return InvalidArgument("JSON is more than {} levels deep", kMaxDepth);
   try {
     return Json::parse(text.begin(), text.end());
   } catch (const std::exception& failure) {
