@@ -24,6 +24,7 @@ class WishMaker {
     CountPeople();
     KeepCounts();
     if (facts_.nothing_else) KeepWishesOnly();
+    BringHosts();
   }
 
  private:
@@ -82,6 +83,27 @@ class WishMaker {
     for (auto* items : {&program_.floor_items, &program_.tertiary_items}) {
       for (ProgramItem& item : *items) {
         if (item.furniture == kin && !item.requested) item.furniture = &furniture;
+      }
+    }
+  }
+
+  // A television that is asked for has its stand: what is too large for any other top, where the brief puts it on none.
+  void BringHosts() {
+    constexpr double kLargeM = 0.6;
+    for (const Wish& wish : facts_.wishes) {
+      const hb::Furniture& piece = *wish.furniture;
+      if (piece.kind() != hb::FURNITURE_KIND_SURFACE || piece.width_m().typical() < kLargeM) continue;
+      const bool carried = std::ranges::any_of(facts_.places, [&](const Place& place) {
+        return place.furniture == &piece && place.asked->carried() != hb::CARRIED_UNSPECIFIED;
+      });
+      const std::vector<std::string> hosts = WithSubstitutes(piece.hosts(), program_);
+      const auto refused = [&](const hb::Furniture* host) { return host == nullptr || Includes(facts_.refusals, host); };
+      if (carried || std::ranges::any_of(hosts, [&](const std::string& host) { return Lists(program_, host); })) continue;
+      for (const std::string& name : hosts) {
+        const hb::Furniture* host = handbook_.FindFurniture(name);
+        if (refused(host) || !IsFloorPiece(*host)) continue;
+        program_.floor_items.push_back({host, nullptr, 1, HomeOf(*host, program_), false, 0});
+        break;
       }
     }
   }
