@@ -165,11 +165,11 @@ class FloorFitter {
     }
   }
 
-  // How much a piece is wanted: what the room cannot do without and the first zone's primary above all, then what the
-  // brief asks for, then other primaries; within that by drop order and place in the list.
+  // How much a piece is wanted: what the brief asks for above all, then what the room cannot do without and the first
+  // zone's primary, then other primaries; within that by drop order and place in the list.
   int Rank(const SizedItem& sized) const {
     const bool main = sized.primary && !program_.zones.empty() && sized.item.zone == program_.zones.front().name();
-    return (IsEssential(sized.item) ? 8 : 0) + (main ? 4 : 0) + (IsAskedFor(sized.item) ? 2 : 0) +
+    return (IsAskedFor(sized.item) ? 8 : 0) + (IsEssential(sized.item) ? 4 : 0) + (main ? 2 : 0) +
            (sized.primary ? 1 : 0);
   }
 

@@ -64,7 +64,7 @@ class ObjectLister {
       const std::string& name = item->furniture->name();
       if (listed >= program_.max_tertiaries && !item->requested && item->essential == 0) continue;
       const std::vector<HostedPiece> shared = sharer.Share(*item);
-      listed += static_cast<int>(shared.size());
+      if (!item->requested) listed += static_cast<int>(shared.size());
       if (shared.empty() && item->requested && !there.contains(name)) {
         left_out.push_back({name, "nothing in the room can carry it", true});
       }

@@ -83,6 +83,9 @@ void BringEssentials(const BriefFacts& facts, const Handbook& handbook, double a
 }
 
 void MarkEssentials(RoomProgram& program) {
+  for (auto* items : {&program.floor_items, &program.tertiary_items}) {
+    for (ProgramItem& item : *items) item.essential = 0;
+  }
   for (const hb::Essential* essential : program.essentials) {
     int left = NeededOf(*essential);
     // The classes themselves before others that will do.

@@ -8,11 +8,6 @@
 
 namespace flair::language {
 
-bool IsFloorPiece(const hb::Furniture& furniture) {
-  return !furniture.walk_over() &&
-         (furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
-}
-
 bool Lists(const std::vector<ProgramItem>& items, const std::string& name) {
   return std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.furniture->name() == name; });
 }
@@ -47,20 +42,6 @@ std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program) {
   return program.zones.empty() ? "" : program.zones.front().name();
 }
 
-int PlacesOn(const hb::Furniture& furniture) {
-  constexpr double kOnABenchM = 0.5, kOnASofaM = 0.6, kCornerM = 0.9, kTwoInABedM = 1.3;
-  const std::string& category = furniture.category();
-  const double width_m = furniture.width_m().typical();
-  if (category == "bench") return std::max(1, static_cast<int>(width_m / kOnABenchM));
-  if (category == "sofa") return std::max(1, static_cast<int>(width_m / kOnASofaM));
-  if (category == "corner_sofa") {
-    return std::max(1, static_cast<int>((width_m + furniture.depth_m().typical() - kCornerM) / kOnASofaM));
-  }
-  if (category == "bed" || category == "bunk_bed")
-    return width_m >= kTwoInABedM || furniture.name() == "bunk bed" ? 2 : 1;
-  return category == "chair" || category == "stool" || category == "armchair" ? 1 : 0;
-}
-
 void Remove(const std::string& name, RoomProgram& program) {
   for (auto* list : {&program.floor_items, &program.tertiary_items}) {
     std::erase_if(*list, [&](const ProgramItem& item) { return item.furniture->name() == name; });
@@ -86,7 +67,11 @@ class ProgramMaker {
     TakeBands();
     for (const hb::Changes* changes : program_.changes) Apply(*changes);
     ApplyWishes(facts_, handbook_, program_);
-    if (!IsOnlyGuessed()) BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
+    if (!IsOnlyGuessed() && DoesWhatItsKindDoes(facts_, program_))
+      BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
+    MarkEssentials(program_);
+    KeepStock(facts_, program_);
+    BringHosts(facts_, handbook_, program_);
     LeaveOutWhatCameLater();
     GatherSeats();
     GiveZonesTheirPrimaries();
@@ -118,7 +103,6 @@ class ProgramMaker {
     const bool further = !owner.empty();
     for (const hb::ObjectEntry& entry : band.objects()) {
       if (IsOnlyGuessed()) break;
-      if (IsBeyondTheBrief(entry, band)) continue;
       if (!further || !IsThereAlready(entry.furniture())) Add(entry, owner + "band", archetype);
     }
     for (const hb::ObjectEntry& entry : archetype.tertiaries()) {
@@ -129,22 +113,6 @@ class ProgramMaker {
   // Who lists what is in a room of a kind that nobody knows wants that, and not the stock of the kind that came
   // nearest.
   bool IsOnlyGuessed() const { return !facts_.archetype_named && program_.listed; }
-
-  // Nor does a bedroom whose pieces are listed get a desk as well: of the stock its first two zones come, and those of
-  // which the brief asks for something.
-  bool IsBeyondTheBrief(const hb::ObjectEntry& entry, const hb::Band& band) const {
-    constexpr int kMainZones = 2;
-    const auto zone = std::ranges::find(band.zones(), entry.zone());
-    if (!program_.listed || zone - band.zones().begin() < kMainZones || zone == band.zones().end()) return false;
-    return std::ranges::none_of(band.objects(), [&](const hb::ObjectEntry& other) {
-      return other.zone() == entry.zone() && std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
-               const hb::Furniture* stock = handbook_.FindFurniture(other.furniture());
-               return stock != nullptr &&
-                      (wish.furniture == stock ||
-                       (wish.furniture->category() == stock->category() && stock->category() != "box"));
-             });
-    });
-  }
 
   // The piece, or another that the same seats are pulled up to: of two kinds with a dining table one has it.
   bool IsThereAlready(const std::string& name) const {

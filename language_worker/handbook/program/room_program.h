@@ -9,6 +9,7 @@
 #include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
 
@@ -70,9 +71,6 @@ RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, d
 
 // Questions to a program that is being made.
 
-// Whether a class stands on the floor and is not walked over.
-bool IsFloorPiece(const hb::Furniture& furniture);
-
 bool Lists(const std::vector<ProgramItem>& items, const std::string& name);
 bool Lists(const RoomProgram& program, const std::string& name);
 
@@ -81,15 +79,26 @@ bool HasZone(const RoomProgram& program, const std::string& name);
 // The zone where a class belongs when nothing says so; empty when there are none.
 std::string HomeOf(const hb::Furniture& furniture, const RoomProgram& program);
 
-// How many can sit, or lie, on a piece of its usual size; 0 when it is for none.
-int PlacesOn(const hb::Furniture& furniture);
-
 // Takes a class out of a program.
 void Remove(const std::string& name, RoomProgram& program);
 
 // Brings what the brief asks for into the program of its kind of room: wishes with the seats that belong to them, what
 // it refuses, one piece for each person, and nothing else where it says so.
 void ApplyWishes(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program);
+
+// Of the stock of its kind of room the less stays, the more pieces the brief names: from four on, pieces or people who
+// need it aside, only lamps and pictures. What the room cannot do without stays, and must be marked.
+void KeepStock(const BriefFacts& facts, RoomProgram& program);
+
+// A television that is asked for has its stand: brings a host for what is too large for any other top, where the brief
+// puts it on none.
+void BringHosts(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program);
+
+// How many classes of pieces the brief names that stand or hang in the room.
+int PiecesNamed(const BriefFacts& facts);
+
+// Whether what the brief lists goes with the room's kind at all: curtains are sewn in a "spare room" without a bed.
+bool DoesWhatItsKindDoes(const BriefFacts& facts, const RoomProgram& program);
 
 // How many can sit round a table of that size: 0.6 m each along its sides, one at each end that is wide enough; round
 // ones by their circumference.

@@ -23,8 +23,6 @@ class WishMaker {
     RemoveRefusals();
     CountPeople();
     KeepCounts();
-    if (facts_.nothing_else) KeepWishesOnly();
-    BringHosts();
   }
 
  private:
@@ -59,7 +57,7 @@ class WishMaker {
                                    std::ranges::any_of(facts_.wishes, [&](const Wish& other) {
                                      return ShareANoun(*furniture, *other.furniture);
                                    });
-      if (furniture == nullptr || in_another_form) continue;
+      if (furniture == nullptr || in_another_form || (IsSeat(*furniture) && SitsOtherwise(*wish.furniture))) continue;
       auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
       list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
     }
@@ -83,27 +81,6 @@ class WishMaker {
     for (auto* items : {&program_.floor_items, &program_.tertiary_items}) {
       for (ProgramItem& item : *items) {
         if (item.furniture == kin && !item.requested) item.furniture = &furniture;
-      }
-    }
-  }
-
-  // A television that is asked for has its stand: what is too large for any other top, where the brief puts it on none.
-  void BringHosts() {
-    constexpr double kLargeM = 0.6;
-    for (const Wish& wish : facts_.wishes) {
-      const hb::Furniture& piece = *wish.furniture;
-      if (piece.kind() != hb::FURNITURE_KIND_SURFACE || piece.width_m().typical() < kLargeM) continue;
-      const bool carried = std::ranges::any_of(facts_.places, [&](const Place& place) {
-        return place.furniture == &piece && place.asked->carried() != hb::CARRIED_UNSPECIFIED;
-      });
-      const std::vector<std::string> hosts = WithSubstitutes(piece.hosts(), program_);
-      const auto refused = [&](const hb::Furniture* host) { return host == nullptr || Includes(facts_.refusals, host); };
-      if (carried || std::ranges::any_of(hosts, [&](const std::string& host) { return Lists(program_, host); })) continue;
-      for (const std::string& name : hosts) {
-        const hb::Furniture* host = handbook_.FindFurniture(name);
-        if (refused(host) || !IsFloorPiece(*host)) continue;
-        program_.floor_items.push_back({host, nullptr, 1, HomeOf(*host, program_), false, 0});
-        break;
       }
     }
   }
@@ -150,7 +127,8 @@ class WishMaker {
 
   bool IsSeatOfAnother(const ProgramItem& seat) const {
     return std::ranges::any_of(program_.floor_items, [&](const ProgramItem& host) {
-      return host.zone == seat.zone && !host.requested && SeatOf(*host.furniture, handbook_) == seat.furniture;
+      return host.zone == seat.zone && (!host.requested || host.seats > 0) &&
+             SeatOf(*host.furniture, handbook_) == seat.furniture;
     });
   }
 
@@ -220,7 +198,7 @@ class WishMaker {
   void SeatAt(const hb::Furniture& furniture, int count, int seats, const std::string& zone) {
     for (const hb::ObjectEntry& companion : furniture.companions()) {
       const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
-      if (seat == nullptr || !IsSeat(*seat)) continue;
+      if (seat == nullptr || !IsSeat(*seat) || (seats == 0 && SitsOtherwise(furniture))) continue;
       const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
       const auto there = std::ranges::find_if(
           program_.floor_items, [&](const ProgramItem& item) { return item.furniture == seat && item.zone == zone; });
@@ -233,6 +211,17 @@ class WishMaker {
       }
       return;
     }
+  }
+
+  // "A round table and four stools": seats of another kind that are asked for right behind the table are its own.
+  bool SitsOtherwise(const hb::Furniture& table) const {
+    const auto wish = std::ranges::find(facts_.wishes, &table, &Wish::furniture);
+    if (wish == facts_.wishes.end() || !table.category().ends_with("table")) return false;
+    const auto next = std::find_if(wish + 1, facts_.wishes.end(),
+                                   [](const Wish& other) { return IsFloorPiece(*other.furniture); });
+    if (next == facts_.wishes.end()) return false;
+    const std::string& category = next->furniture->category();
+    return category == "stool" || category == "bench";
   }
 
   bool IsWished(const hb::Furniture& furniture) const {
@@ -343,6 +332,13 @@ class WishMaker {
       table->count = std::min(kMostOfAKind, (*facts_.people + wish.seats - 1) / wish.seats);
       return SeatAt(*wish.furniture, table->count, wish.seats, std::string(table->zone));
     }
+    // "Seats 16. Chairs charcoal": one each.
+    for (const Wish& wish : facts_.wishes) {
+      const auto seat = std::ranges::find(program_.floor_items, wish.furniture, &ProgramItem::furniture);
+      if (wish.counted || wish.count < 2 || !IsSeat(*wish.furniture) || seat == program_.floor_items.end()) continue;
+      seat->count = std::min(kMostOfAKind, *facts_.people);
+      return EraseUnasked([&](const ProgramItem& item) { return IsSeat(*item.furniture); });
+    }
     const std::string& name = program_.archetype->per_person();
     if (name.empty()) return SeatPeopleAnywhere();
     if (SeatPeopleAtKin(name)) return;
@@ -405,13 +401,6 @@ class WishMaker {
     const int each = PlacesOn(*more->furniture);
     more->count += std::min(kMostMore, (missing + each - 1) / each);
     more->requested = true;  // by who is to sit or lie there
-  }
-
-  void KeepWishesOnly() {
-    std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-      const bool seat = item.seat_of != nullptr && IsWished(*item.seat_of);
-      return !item.requested && !seat;
-    });
   }
 
   const BriefFacts& facts_;

@@ -88,6 +88,8 @@ class BriefReader {
     facts_.archetype_named = facts_.archetype != nullptr;
     if (!facts_.archetype_named) return GuessArchetype();
     facts_.room_words = Quote(kind_.room);
+    // "The tavern's back room" is not the taproom.
+    facts_.archetype_named = text.At(kind_.room.end) != "'s";
     Use(kind_.room.begin, kind_.room.end - kind_.room.begin);
     for (const NamedRoom& one : kind_.also) {
       Use(one.begin, one.end - one.begin);
@@ -120,9 +122,10 @@ class BriefReader {
 
   // Rooms that the room has, unless their words mean a piece ("with a bar"): a corner of it, or a room of their own.
   void ReadOtherRooms(const std::vector<Mention>& pieces) {
+    const BriefText text(tokens_);
     for (const NamedRoom& one : kind_.named) {
       constexpr double kCorner = 0.4;
-      if (used_[one.begin]) continue;
+      if (used_[one.begin] || text.At(one.end) == "of") continue;  // "a bank of tall units"
       const bool own = one.archetype->serving() || facts_.archetype->serving();
       if (!own) facts_.also.push_back({one.archetype, kCorner});
       if (own) facts_.other_rooms.push_back(Quote(one));

@@ -127,7 +127,7 @@ class FinishReader {
     constexpr std::size_t kMostBetween = 4;
     std::size_t k = i;
     while (k < i + kMostBetween && (text_.Is(k, "finish_links") || text_.Is(k, "looks"))) ++k;
-    if (k == i) return;
+    const bool at_once = k == i;
     AskedFinish behind{.surface = finish.surface};
     while (k < tokens_.size() && !used_[k]) {
       const std::size_t length = TakeAt(k, behind);
@@ -138,6 +138,8 @@ class FinishReader {
     // "Walls lined with oak bookshelves" are not of oak.
     if (LongestAt(handbook_.vocabulary().names, tokens_, k, /*plural=*/true).second > 0) return;
     if (behind.material.empty() && behind.colour == nullptr) return;
+    // "Walls aubergine, ...".
+    if (at_once && k < tokens_.size() && !text_.IsSign(k)) return;
     finish = std::move(behind);
     end = k;
   }

@@ -9,7 +9,10 @@
 #include <utility>
 
 #include "english/quantities.h"
+#include "language_worker/handbook/reading/for_each.h"
 #include "language_worker/handbook/reading/noun_book.h"
+#include "language_worker/handbook/reading/other_words.h"
+#include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -26,7 +29,10 @@ class FurnitureReader {
         used_(used),
         facts_(facts),
         nouns_(handbook, facts),
-        names_(nouns_.names()) {}
+        names_(nouns_.names()) {
+    std::vector<bool> free = used;
+    people_ = ReadPeople(tokens, free).value_or(0);
+  }
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -52,6 +58,7 @@ class FurnitureReader {
         i += other - 1;
         continue;
       }
+      if (named != nullptr && !own && MakesACompound(text_, i + name_length)) continue;
       if (named != nullptr && named->named_as_said() && !own &&
           (IsOfAPurpose(text_, i) || AnyAt(i + name_length) != nullptr)) {
         i += name_length - 1;
@@ -72,8 +79,8 @@ class FurnitureReader {
         AddOnce(facts_.refusals, furniture);
         if (length == 1) RefuseKind(handbook_, text_, i, facts_);
         last_.reset();
-      } else if (const Wish* meant = MeantBefore(i, length)) {
-        mentions_.push_back({meant->furniture, i, i + length, meant->count});
+      } else if (const std::optional<Mention> meant = MeantBefore(i, length)) {
+        mentions_.push_back(*meant);
       } else if (!IsSaidTwice(*furniture, i, length)) {
         Wishing(*furniture, i, length);
       }
@@ -81,10 +88,12 @@ class FurnitureReader {
       i += length - 1;
       if (!mentions_.empty() && mentions_.back().end == i + 1) mentions_.back().end = BehindParts(text_, i + 1);
     }
+    MeetLater();
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
     std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
       return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
     });
+    TakeLooksBehind(handbook_, text_, mentions_, used_, facts_);
     facts_.nothing_else = !facts_.wishes.empty() && AsksForNothingElse(handbook_, text_);
     return {std::move(mentions_), std::move(counts_)};
   }
@@ -122,6 +131,27 @@ class FurnitureReader {
     mentions_.pop_back();
     last_.reset();
     return false;
+  }
+
+  // "... on the left of the bed. Hospital bed 100 x 210": what was spoken of is named later.
+  void MeetLater() {
+    for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
+      const hb::Furniture* vague = facts_.wishes[i].furniture;
+      const auto mention = std::ranges::find(mentions_, vague, &Mention::furniture);
+      const bool named_vaguely = facts_.wishes[i].noun != nullptr && mention != mentions_.end() &&
+                                 mention->end == mention->begin + 1 && mention->begin > 0 &&
+                                 text_.At(mention->begin - 1) == "the" && facts_.wishes[i].count == 1;
+      if (!named_vaguely || vague->category() == "box") continue;
+      const auto later = std::ranges::find_if(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                              facts_.wishes.end(), [&](const Wish& wish) {
+                                                return wish.furniture->category() == vague->category();
+                                              });
+      if (later == facts_.wishes.end()) continue;
+      for (Mention& one : mentions_) {
+        if (one.furniture == vague) one.furniture = later->furniture;
+      }
+      facts_.wishes.erase(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(i--));
+    }
   }
 
   // "Eighteen seats": what the room has for each; at a table that was spoken of its own. Null for other words.
@@ -179,24 +209,33 @@ class FurnitureReader {
     return found->second;
   }
 
-  // "... a coffee table. The table should be round": the piece of that name that was asked for before. Null where the
-  // words ask for another one.
-  const Wish* MeantBefore(std::size_t i, std::size_t length) const {
+  // "... a coffee table. The table should be round", "in front of sofa": the piece of that name that was asked for
+  // before, or the seats of one. Nothing where the words ask for another one.
+  std::optional<Mention> MeantBefore(std::size_t i, std::size_t length) const {
     // "The two beds" are those that were asked for.
     const bool counted = i > 1 && NumberWord(text_.At(i - 1)) && !text_.Says(i - 1, {"a", "an", "the"});
-    if (length != 1 || i == 0 || !text_.Is(i - (counted ? 2 : 1), "known_before")) return nullptr;
+    const std::size_t before = i - std::min<std::size_t>(i, counted ? 2 : 1);
+    const bool bare = text_.PhraseBegin(i) == i && !text_.At(i).ends_with('s') && text_.Is(before, "before_known");
+    if (length != 1 || i == 0 || !(text_.Is(before, "known_before") || bare)) return std::nullopt;
     const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
-    const auto among = [&](const std::string& name) {
-      return noun != nullptr && std::ranges::any_of(noun->options(), [&](const hb::NounOption& option) {
-               return option.furniture() == name;
-             });
+    const auto is_meant = [&](const hb::Furniture& furniture) {
+      const std::string last = LastWord(furniture.name());
+      const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
+      return MatchesWord(tokens_[i].text, last) || compound ||
+             (noun != nullptr && std::ranges::any_of(noun->options(), [&](const hb::NounOption& option) {
+                return option.furniture() == furniture.name();
+              }));
     };
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
-      const std::string last = LastWord(wish->furniture->name());
-      const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
-      if (MatchesWord(tokens_[i].text, last) || compound || among(wish->furniture->name())) return &*wish;
+      if (is_meant(*wish->furniture)) return Mention{wish->furniture, i, i + length, wish->count};
+      const hb::Furniture* seat = SeatOf(*wish->furniture, handbook_);
+      if (seat != nullptr && wish->seats > 0 && is_meant(*seat)) {
+        Mention seats{wish->furniture, i, i + length, wish->count};
+        seats.seats = true;
+        return seats;
+      }
     }
-    return nullptr;
+    return std::nullopt;
   }
 
   void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const PieceCount& count) {
@@ -227,11 +266,17 @@ class FurnitureReader {
     for (const Wish& wish : facts_.wishes) {
       if (count.said || wish.seats == 0 || SeatOf(*wish.furniture, handbook_) != &furniture) continue;
       mentions_.push_back({&furniture, i, i + length, wish.count * wish.seats});
-      return TakeLooks(i, length, furniture);
+      return TakeLooksBefore(handbook_, text_, furniture, i, used_, facts_);
     }
     constexpr int kMostForEach = 4;
-    if (count.number <= kMostForEach && !facts_.wishes.empty() && IsOneForEach(text_, used_, i, length)) {
-      count.number = std::clamp(count.number * facts_.wishes.back().count, 1, kMostOfAKind);
+    if (count.number <= kMostForEach) {
+      const int times = TimesForEach(text_, used_, i, i + length, mentions_, facts_.wishes, people_);
+      count.number = std::clamp(count.number * times, 1, kMostOfAKind);
+    }
+    // "Four chairs facing mirrors".
+    if (!count.said && !mentions_.empty() && text_.Is(mentions_.back().end, "facing_it") &&
+        text_.BehindPhrase(mentions_.back().end, "facing_it") == text_.PhraseBegin(i)) {
+      count.number = std::max(count.number, mentions_.back().count);
     }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};
     if (groups.end > 0) wish.in_each = InEach(groups, count.number);
@@ -241,12 +286,16 @@ class FurnitureReader {
     if (const SeatsSaid seats = SeatsAround(text_, i, length); !furniture.companions().empty() && seats.number > 0) {
       wish.seats = std::min(seats.number, kMostSeats);
       Use(seats.begin, seats.end - seats.begin);  // not the room's
+    } else if (PlacesOn(furniture) > 0 && !IsSeat(furniture) && furniture.category() != "bed" && seats.number > 0) {
+      const double width_m = furniture.width_m().typical();
+      wish.size.width_m = std::max(width_m, seats.number * width_m / PlacesOn(furniture));
+      Use(seats.begin, seats.end - seats.begin);
     }
     if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
     const bool further = IsFurther(text_, i);
     Mentioned(furniture, i, length, count);
     last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
-    TakeLooks(i, length, furniture);
+    TakeLooksBefore(handbook_, text_, furniture, i, used_, facts_);
     if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text_, i)) {
       if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text_.BehindPhrase(*at, "wall_mounted") - *at);
     }
@@ -265,7 +314,10 @@ class FurnitureReader {
     Wish& host = facts_.wishes[last_->wish];
     const hb::Furniture* usual = SeatOf(*host.furniture, handbook_);
     if (usual == nullptr || host.seats > 0) return false;
-    const bool any = length == 1 && seat.category() == usual->category();
+    const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
+    const auto is_usual = [&](const hb::NounOption& option) { return option.furniture() == usual->name(); };
+    const bool any = length == 1 && (seat.category() == usual->category() ||
+                                     (noun != nullptr && std::ranges::any_of(noun->options(), is_usual)));
     if (usual != &seat && !any) return false;
     const bool each = text_.At(i + length) == "each";
     Mentioned(*host.furniture, i, length, {host.count});
@@ -317,36 +369,6 @@ class FurnitureReader {
     return joined;
   }
 
-  // "A green armchair", "two sage green velvet armchairs", "an oak and steel desk": colour and material are the
-  // piece's, not the room's; of several the first.
-  void TakeLooks(std::size_t i, std::size_t name_length, const hb::Furniture& furniture) {
-    bool coloured = false, made = false;
-    std::size_t begin = text_.PhraseBegin(i);
-    // "An oak and steel desk".
-    while (begin > 2 && text_.At(begin - 1) == "and" && begin < i && text_.Is(begin - 2, "materials"))
-      begin = text_.PhraseBegin(begin - 2);
-    for (std::size_t k = begin; k < i; ++k) {
-      if (used_[k]) continue;
-      const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, k, /*plural=*/false);
-      if (length > 0 && k + length <= i && !coloured && !text_.Is(k, "materials")) {
-        coloured = true;
-        facts_.object_colours.emplace_back(&furniture, colour);
-        Use(k, length);
-        k += length - 1;
-      } else if (text_.Is(k, "materials") && !made) {
-        made = true;
-        facts_.object_materials.emplace_back(&furniture, text_.At(k) == "wooden" ? "wood" : text_.At(k));
-        Use(k, 1);
-      }
-    }
-    // "Cabinets pale blue, ...".
-    const std::size_t end = i + name_length;
-    const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, tokens_, end, /*plural=*/false);
-    if (coloured || length == 0 || (end + length < tokens_.size() && !text_.IsSign(end + length))) return;
-    facts_.object_colours.emplace_back(&furniture, colour);
-    Use(end, length);
-  }
-
   void Use(std::size_t start, std::size_t length) {
     std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
   }
@@ -359,6 +381,7 @@ class FurnitureReader {
   const NounBook nouns_;
   const std::vector<Saying<hb::Furniture>>& names_;
   std::optional<Last> last_;
+  int people_ = 0;  // as far as they are counted
   std::vector<Mention> mentions_;
   std::vector<std::size_t> counts_;                     // tokens
   std::map<std::size_t, const hb::Furniture*> any_at_;  // of a token: what it names, whatever the room

@@ -41,7 +41,7 @@ bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
 }  // namespace
 
 NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
-    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype) {
+    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype), names_(vocabulary_.names) {
   const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
   for (const hb::Furniture& furniture : handbook.contents().furniture()) {
     for (const hb::ZoneSpec& zone : room_.zones()) {
@@ -54,6 +54,23 @@ NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
   }
   for (const hb::ObjectEntry& entry : room_.tertiaries()) raise(entry.furniture(), kListed);
   raise(room_.per_person(), kOnePerPerson);
+  NameInShort(handbook);
+}
+
+// Where the room has one piece of that kind, and the word alone means another class elsewhere.
+void NounBook::NameInShort(const Handbook& handbook) {
+  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
+    const std::size_t space = furniture.name().rfind(' ');
+    if (space == std::string::npos || RankOf(furniture) == kNotOfTheRoom) continue;
+    const std::string last = furniture.name().substr(space + 1);
+    const bool noun = std::ranges::any_of(vocabulary_.heads, [&](const Vocabulary::Head& head) {
+      return Includes(head.noun->words(), last);
+    });
+    const hb::Furniture* other = noun ? nullptr : LongestAt(vocabulary_.names, TokensOf(last), 0, /*plural=*/true).first;
+    // A rack of any kind is none of these.
+    const bool any = other != nullptr && other->name().ends_with(" " + last);
+    if (other != nullptr && !any && RankOf(*other) == kNotOfTheRoom) names_.push_back({Phrase(last), &furniture});
+  }
 }
 
 int NounBook::RankOf(const hb::Furniture& furniture) const {
@@ -83,20 +100,30 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
                                         const hb::Furniture* named) const {
   const Vocabulary::Head* head = HeadAt(tokens, noun, length);
   if (head == nullptr) return named;
-  for (std::size_t at = noun, begin = BriefText(tokens).PhraseBegin(noun); at-- > begin;) {
-    for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
-      const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
-      if (said > 0 && at + said <= noun) return modifier.furniture;
+  // The "patient chair" of a dentist is not that of a ward.
+  for (const bool here : {true, false}) {
+    for (std::size_t at = noun, begin = BriefText(tokens).PhraseBegin(noun); at-- > begin;) {
+      for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
+        const std::size_t said = modifier.words.MatchAt(tokens, at, /*plural=*/false);
+        if (said > 0 && at + said <= noun && (!here || IsOfTheRoom(*head->noun, *modifier.furniture)))
+          return modifier.furniture;
+      }
     }
   }
-  // "A leather chair for reading" is a reading chair.
-  if (noun + length < tokens.size() && tokens[noun + length].text == "for") {
+  // "A leather chair for reading" is a reading chair, "a sofa in L shape" an L-shaped one.
+  if (noun + length < tokens.size() && IsOneOf(tokens[noun + length].text, {"for", "in"})) {
     for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
       if (modifier.words.MatchAt(tokens, noun + length + 1, /*plural=*/false) > 0) return modifier.furniture;
     }
   }
   return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr
                                                                                                         : named;
+}
+
+bool NounBook::IsOfTheRoom(const hb::Noun& noun, const hb::Furniture& furniture) const {
+  return std::ranges::any_of(noun.options(), [&](const hb::NounOption& option) {
+    return option.furniture() == furniture.name() && Includes(option.rooms(), room_.name());
+  });
 }
 
 const hb::Noun* NounBook::NounAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const {

@@ -20,8 +20,9 @@ class NounBook {
   // `facts` must know the kind of room, and its size if the brief says it.
   NounBook(const Handbook& handbook, const BriefFacts& facts);
 
-  // Every word that names a class, words for several of them before the others.
-  const std::vector<Saying<hb::Furniture>>& names() const { return vocabulary_.names; }
+  // Every word that names a class, words for several of them before the others; with those by which the room's own
+  // pieces are called there, "bath" for a dog bath.
+  const std::vector<Saying<hb::Furniture>>& names() const { return names_; }
 
   // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
   int RankOf(const hb::Furniture& furniture) const;
@@ -47,10 +48,16 @@ class NounBook {
   std::size_t OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const;
 
  private:
+  void NameInShort(const Handbook& handbook);
+
+  // Whether the noun means that class in this kind of room.
+  bool IsOfTheRoom(const hb::Noun& noun, const hb::Furniture& furniture) const;
+
   const Vocabulary::Head* HeadAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const;
 
   const Vocabulary& vocabulary_;
   const hb::Archetype& room_;
+  std::vector<Saying<hb::Furniture>> names_;
   std::map<std::string_view, int> ranks_;  // of a class by its name
 };
 

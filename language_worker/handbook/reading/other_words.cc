@@ -31,6 +31,11 @@ class PeopleReader {
       }
       if (const std::optional<int> number = NumberOfPersons(i)) return number;
     }
+    // Nobody counts twins, or oneself and one's wife.
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      const std::optional<std::size_t> end = used_[i] ? std::nullopt : text_.BehindPhrase(i, "two_people");
+      if (end) return Take(i, *end, 2);
+    }
     return std::nullopt;
   }
 

@@ -115,6 +115,9 @@ class OwnFinder {
     }
     // "leaning", "neatly placed": said of the thing, not its name.
     while (phrase.end > phrase.begin + 1 && IsSaidOf(phrase.end - 1)) --phrase.end;
+    // "Keep it plain" asks for no keep.
+    if (bare && phrase.end == phrase.begin + 1 && (text_.Is(phrase.end, "pronouns") || text_.Is(phrase.end, "articles")))
+      return std::nullopt;
     if (phrase.end == phrase.begin || phrase.end > phrase.begin + kMostOfAPhrase) return std::nullopt;
     return phrase;
   }

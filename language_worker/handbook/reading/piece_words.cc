@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -23,6 +24,12 @@ int CountAt(const BriefText& text, std::size_t i) {
 // "three-seat", "2 seater", "six-drawer", "ten-foot", "65-inch", "2 m long": how large a piece is, not how many of it.
 bool MeasuresThePiece(const BriefText& text, std::size_t i) {
   return CountAt(text, i) > 0 && text.Is(text.IsHyphen(i + 1) ? i + 2 : i + 1, "piece_measures");
+}
+
+// "A 180 bed", "a 1.80 bed": centimetres or metres, of one.
+bool MeasuresOnePiece(const BriefText& text, std::size_t at, std::size_t end) {
+  const double number = text.NumberAt(at);
+  return (number >= kLeastCm || number != std::floor(number)) && !text.At(end - 1).ends_with('s');
 }
 
 // "..., five of them", "(4)", "x 2"; 0 where nothing of the kind follows.
@@ -57,36 +64,17 @@ std::optional<std::size_t> PhraseBefore(std::string_view list, const BriefText& 
 }
 
 bool IsFurther(const BriefText& text, std::size_t i) {
-  for (std::size_t at = i, begin = text.PhraseBegin(i); at-- > begin;) {
-    if (text.Says(at, {"another", "second", "further", "additional"})) return true;
+  std::size_t begin = text.PhraseBegin(i);
+  // "A seventh, bigger chair".
+  if (begin > 1 && text.At(begin - 1) == "," && text.Is(begin - 2, "further_ones")) return true;
+  for (std::size_t at = i; at-- > begin;) {
+    if (text.Is(at, "further_ones")) return true;
   }
   return false;
 }
 
 bool IsMeasure(const BriefText& text, std::size_t i) {
   return i >= 2 && text.IsHyphen(i - 1) && text.tokens()[i].glued && MeasuresThePiece(text, i - 2);
-}
-
-bool IsOneForEach(const BriefText& text, const std::vector<bool>& used, std::size_t i, std::size_t length) {
-  constexpr std::size_t kMostWords = 5, kMostBack = 7, kMostToPer = 9;
-  for (std::size_t back = 1; back <= kMostBack && back < i && !text.IsSign(i - back); ++back) {
-    const std::size_t at = i - back;
-    const bool each = text.Says(at - 1, {"each", "every"}) || (at > 1 && text.Says(at - 2, {"each", "every"}));
-    if (text.Says(at, {"with", "has"}) && each) return true;
-  }
-  // "One nightstand and one visitor's chair per bed".
-  for (std::size_t k = i + length; k < i + length + kMostToPer && !text.EndsSentence(k) && text.At(k) != "with"; ++k) {
-    if (text.At(k) == "per" && !text.Is(k + 1, "unit_words")) return true;
-  }
-  for (std::size_t k = i + length; k < i + length + kMostWords && k < text.size() && !text.IsSign(k); ++k) {
-    if (used[k] || text.Says(k, {"and", "with"})) break;
-    if (!text.Says(k, {"each", "every"}) || text.Says(k + 1, {"side", "end", "wall", "corner"})) continue;
-    if (text.Says(k + 1, {"one", "of", "table", "desk", "bed", "seat"}) || k + 1 >= text.size() || text.IsSign(k + 1) ||
-        text.Is(k + 1, "thing_ends")) {
-      return true;
-    }
-  }
-  return false;
 }
 
 bool SeatsFollow(const BriefText& text, std::size_t i) {
@@ -98,7 +86,7 @@ bool SeatsFollow(const BriefText& text, std::size_t i) {
 SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length) {
   const std::size_t end = i + length;
   if (const auto behind = text.BehindPhrase(end, "before_seats")) {
-    const std::size_t at = *behind;
+    const std::size_t at = text.Is(*behind, "articles") ? *behind + 1 : *behind;
     const int number = CountAt(text, at);
     // What may follow: "for six by the window". A number with another behind it is a size.
     const bool ends = at + 1 >= text.size() || text.IsSign(at + 1) || CountsPeople(text.At(at + 1)) ||
@@ -161,6 +149,7 @@ PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Fu
     // "Somewhere for forty pairs of shoes" is one piece.
     if (text.At(at) == "pairs" && at > begin && CountAt(text, at - 1) > 2) return {1};
     if (MeasuresThePiece(text, at) && (text.IsHyphen(at + 1) ? at + 2 : at + 1) < i) continue;
+    if (text.IsNumber(at) && MeasuresOnePiece(text, at, i + length)) continue;
     if (text.IsNumber(at)) {
       const double number = std::min(text.NumberAt(at), 1e6);
       return {number >= 1 && number == std::floor(number) ? static_cast<int>(number) : 1};
@@ -265,17 +254,44 @@ bool AsksForNothingElse(const Handbook& handbook, const BriefText& text) {
   return false;
 }
 
+bool IsFloorPiece(const hb::Furniture& furniture) {
+  return !furniture.walk_over() &&
+         (furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED);
+}
+
+int PlacesOn(const hb::Furniture& furniture) {
+  constexpr double kOnABenchM = 0.5, kOnASofaM = 0.6, kCornerM = 0.9, kTwoInABedM = 1.3;
+  const std::string& category = furniture.category();
+  const double width_m = furniture.width_m().typical();
+  if (category == "bench") return std::max(1, static_cast<int>(width_m / kOnABenchM));
+  if (category == "sofa") return std::max(1, static_cast<int>(width_m / kOnASofaM));
+  if (category == "corner_sofa") {
+    return std::max(1, static_cast<int>((width_m + furniture.depth_m().typical() - kCornerM) / kOnASofaM));
+  }
+  if (category == "bed" || category == "bunk_bed")
+    return width_m >= kTwoInABedM || furniture.name() == "bunk bed" ? 2 : 1;
+  if (category == "crib" || category == "cot") return 1;
+  return category == "chair" || category == "stool" || category == "armchair" ? 1 : 0;
+}
+
 bool IsSeat(const hb::Furniture& furniture) {
   return furniture.category() == "chair" || furniture.category() == "stool";
 }
 
 bool IsAVerb(const BriefText& text, std::size_t i) {
+  // "A trolley can pass".
+  if (i > 0 && text.Is(i - 1, "modal_verbs")) return true;
   return text.Is(i, "verbs_of_having") && (text.Is(i + 1, "thing_articles") || NumberWord(text.At(i + 1)));
 }
 
 bool IsAShape(const BriefText& text, std::size_t i) {
   const std::size_t next = text.IsHyphen(i + 1) ? i + 2 : i + 1;
   return text.Says(next, {"shaped", "shape"});
+}
+
+bool MakesACompound(const BriefText& text, std::size_t end) {
+  const auto goes_on = [&](std::size_t i) { return text.IsWord(i) && !text.Is(i, "thing_ends"); };
+  return goes_on(end) && ((text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
 }
 
 std::size_t BehindParts(const BriefText& text, std::size_t end) {

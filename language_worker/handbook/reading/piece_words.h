@@ -14,7 +14,8 @@
 
 namespace flair::language {
 
-inline constexpr int kMostSeats = 40;  // at one piece
+inline constexpr int kMostSeats = 40;       // at one piece
+inline constexpr double kLeastCm = 60;      // numbers without a unit are lengths of a piece from there on
 
 // How many of a piece a brief asks for.
 struct PieceCount {
@@ -57,10 +58,6 @@ SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length);
 // "for eight", "with six chairs": behind a word for a table, those who sit at it.
 bool SeatsFollow(const BriefText& text, std::size_t i);
 
-// "Five desks, one stool at each", "three guests, each with a microphone": as many as of what was counted before. Words in
-// `used` belong to something else.
-bool IsOneForEach(const BriefText& text, const std::vector<bool>& used, std::size_t i, std::size_t length);
-
 // Where a phrase of a list begins among the words for the looks of the noun at `i`: "a wall-mounted flat screen".
 std::optional<std::size_t> PhraseBefore(std::string_view list, const BriefText& text, std::size_t i);
 
@@ -81,6 +78,9 @@ bool AsksForNothingElse(const Handbook& handbook, const BriefText& text);
 // Whether the word is a verb before what a room has: "the office showcases a desk".
 bool IsAVerb(const BriefText& text, std::size_t i);
 
+// "Wheel truing station", "doll's house maker": what is named before `end` only says of what kind another thing is.
+bool MakesACompound(const BriefText& text, std::size_t end);
+
 // The boat of a boat-shaped table.
 bool IsAShape(const BriefText& text, std::size_t i);
 
@@ -98,6 +98,12 @@ const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& hand
 
 // Whether a class usually stands at, on or beside the other.
 bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner);
+
+// Whether a class stands on the floor and is not walked over.
+bool IsFloorPiece(const hb::Furniture& furniture);
+
+// How many can sit, or lie, on a piece of its usual size; 0 when it is for none.
+int PlacesOn(const hb::Furniture& furniture);
 
 // Whether one sits on it, at something: chairs and stools, not armchairs.
 bool IsSeat(const hb::Furniture& furniture);

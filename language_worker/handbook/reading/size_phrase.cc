@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
 
 #include "english/language.h"
 #include "english/quantities.h"
+#include "english/words.h"
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -321,8 +324,18 @@ PieceSize PieceSizeAt(const BriefText& text, std::size_t i) {
     return size;
   }
   const std::optional<english::Measure> measure = MeasureAt(text, i);
-  if (!measure || measure->unit == 0 || text.Is(measure->end, "after_distances")) return {};
+  if (!measure || text.Is(measure->end, "after_distances")) return {};
   size.end = text.IsHyphen(measure->end) ? measure->end + 1 : measure->end;
+  // "Bed 180", "a 1.40 bed": the width of one, in centimetres or metres.
+  if (measure->unit == 0) {
+    constexpr double kMostCm = 400;
+    const double number = measure->value;
+    const bool alone = text.IsNumber(i) && !(text.IsWord(size.end) && english::IsPlural(text.At(size.end)));
+    if (alone && number >= kLeastCm && number <= kMostCm) size.width_m = number / 100;
+    if (alone && number < kLeastCm && number != std::floor(number)) size.width_m = number;
+    if (size.width_m && text.Says(size.end, {"wide", "width"})) ++size.end;
+    return size.width_m ? size : PieceSize();
+  }
   // The inches of a screen are its diagonal.
   constexpr double kInchM = 0.0254;
   const bool said = text.Is(size.end, "dimensions");

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/for_each.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "language_worker/handbook/reading/other_words.h"
+
+namespace flair::language {
+namespace {
+
+class EachReader {
+ public:
+  EachReader(const BriefText& text, const std::vector<bool>& used, const std::vector<Mention>& mentions,
+             const std::vector<Wish>& wishes, int people)
+      : text_(text), used_(used), mentions_(mentions), wishes_(wishes), people_(people) {}
+
+  // "One nightstand and one visitor's chair per bed", "a chair at each".
+  std::optional<int> Behind(std::size_t end) const {
+    constexpr std::size_t kMostToPer = 9, kMostWords = 5;
+    for (std::size_t k = end; k < end + kMostToPer && !text_.EndsSentence(k) && text_.At(k) != "with"; ++k) {
+      if (text_.At(k) == "per" && !text_.Is(k + 1, "unit_words")) return Of(CountsPeople(text_.At(k + 1)));
+    }
+    for (std::size_t k = end; k < end + kMostWords && k < text_.size() && !text_.IsSign(k); ++k) {
+      if (used_[k] || text_.Says(k, {"and", "with"})) break;
+      if (!IsEach(k) || !text_.Says(k, {"each", "every"})) continue;
+      const bool ends = text_.Says(k + 1, {"one", "of", "table", "desk", "bed", "seat"}) || k + 1 >= text_.size() ||
+                        text_.IsSign(k + 1) || text_.Is(k + 1, "thing_ends");
+      if (ends || CountsPeople(text_.At(k + 1))) return Of(text_.At(k - 1) == "for");
+    }
+    return std::nullopt;
+  }
+
+  // "Each needs his own bed, own desk and own shelf", "three guests, each with a microphone".
+  std::optional<int> Before(std::size_t begin) const {
+    for (std::size_t at = begin; at > 0 && !text_.EndsSentence(at - 1); --at) {
+      if (!IsEach(at - 1)) continue;
+      constexpr std::size_t kMostToVerb = 4;
+      std::size_t verb = at;
+      while (verb < at + kMostToVerb && !text_.Is(verb, "getting")) ++verb;
+      if (verb == at + kMostToVerb || verb >= begin || EndsBetween(verb, begin)) return std::nullopt;
+      return Sharers(at - 1, verb);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool IsEach(std::size_t i) const {
+    return text_.Is(i, "each_words") && !text_.Says(i + 1, {"side", "end", "wall", "corner", "other", "way"});
+  }
+
+  // Of the people, or of what was asked for last.
+  std::optional<int> Of(bool people) const {
+    if (people && people_ > 0) return people_;
+    return wishes_.empty() ? std::nullopt : std::optional<int>(wishes_.back().count);
+  }
+
+  // Whether a list of what each has, which begins at `verb`, is over before `i`: ", with a curtain between them".
+  bool EndsBetween(std::size_t verb, std::size_t i) const {
+    for (std::size_t k = verb + 1; k < i; ++k) {
+      if (text_.At(k) != ",") continue;
+      const std::size_t next = text_.At(k + 1) == "and" ? k + 2 : k + 1;
+      if (text_.At(next) == "with") return true;
+      if (text_.At(verb) == "with" && next == k + 1 && !text_.Says(next, {"its", "their", "his", "her", "own"}))
+        return true;
+    }
+    return false;
+  }
+
+  // How many "each" at `at` speaks of: the pieces, or groups of them, that stand right by it, else people.
+  std::optional<int> Sharers(std::size_t at, std::size_t verb) const {
+    constexpr std::size_t kMostBetween = 8;
+    for (auto mention = mentions_.rbegin(); mention != mentions_.rend(); ++mention) {
+      if (mention->begin > at && mention->begin < verb) return mention->count;
+      const bool near = mention->end <= at && at - mention->end <= (text_.At(verb) == "with" ? kMostBetween : 2);
+      if (!near || EndsSentenceBetween(mention->end, at) || CountsPeople(text_.At(at + 1))) continue;
+      const auto wish = std::ranges::find(wishes_, mention->furniture, &Wish::furniture);
+      if (wish != wishes_.end() && wish->in_each > 0 && IsInGroups(mention->begin)) return wish->count / wish->in_each;
+      return mention->count;
+    }
+    return people_ > 1 ? std::optional<int>(people_) : std::nullopt;
+  }
+
+  bool EndsSentenceBetween(std::size_t begin, std::size_t end) const {
+    while (begin < end && !text_.EndsSentence(begin)) ++begin;
+    return begin < end;
+  }
+
+  // "Groups of three armchairs".
+  bool IsInGroups(std::size_t noun) const {
+    constexpr std::size_t kMostBack = 4;
+    for (std::size_t k = noun - std::min(noun, kMostBack); k < noun; ++k) {
+      if (IsFormIn("groups_of_pieces", text_.At(k))) return true;
+    }
+    return false;
+  }
+
+  const BriefText& text_;
+  const std::vector<bool>& used_;
+  const std::vector<Mention>& mentions_;
+  const std::vector<Wish>& wishes_;
+  const int people_;
+};
+
+}  // namespace
+
+int TimesForEach(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end,
+                 const std::vector<Mention>& mentions, const std::vector<Wish>& wishes, int people) {
+  const EachReader reader(text, used, mentions, wishes, people);
+  const std::optional<int> behind = reader.Behind(end);
+  return std::max(1, behind ? *behind : reader.Before(begin).value_or(1));
+}
+
+}  // namespace flair::language

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/piece_looks.h"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "language_worker/handbook/reading/piece_words.h"
+#include "language_worker/handbook/reading/vocabulary.h"
+
+namespace flair::language {
+namespace {
+
+// Colour and material as said in tokens [begin, end).
+struct Looks {
+  const hb::NamedColour* colour = nullptr;
+  std::string material;
+  std::size_t begin = 0, end = 0;
+};
+
+class LooksReader {
+ public:
+  LooksReader(const Handbook& handbook, const BriefText& text, std::vector<bool>& used, BriefFacts& facts)
+      : handbook_(handbook), text_(text), used_(used), facts_(facts) {}
+
+  void Before(const hb::Furniture& furniture, std::size_t noun) {
+    std::size_t begin = text_.PhraseBegin(noun);
+    // "An oak and steel desk".
+    while (begin > 2 && text_.At(begin - 1) == "and" && begin < noun && text_.Is(begin - 2, "materials"))
+      begin = text_.PhraseBegin(begin - 2);
+    Looks looks;
+    for (std::size_t k = begin; k < noun; ++k) {
+      const std::size_t length = used_[k] ? 0 : TakeAt(k, looks);
+      if (length == 0 || k + length > noun) continue;
+      Use(k, k + length);
+      k += length - 1;
+    }
+    Give(furniture, looks);
+  }
+
+  void Behind(const Mention& mention) {
+    const hb::Furniture* seat = mention.seats ? SeatOf(*mention.furniture, handbook_) : nullptr;
+    const hb::Furniture& furniture = seat != nullptr ? *seat : *mention.furniture;
+    const Looks looks = BehindAt(mention.end);
+    if (looks.end == 0) return;
+    Give(furniture, looks);
+    Use(looks.begin, looks.end);
+  }
+
+  // "Matt sage fronts", "fronts in matt sage", "bottle green leather".
+  void OfAll() {
+    for (std::size_t i = 0; i < text_.size(); ++i) {
+      if (used_[i]) continue;
+      Looks looks = RunAt(i);
+      const bool fronts = text_.Is(looks.end, "fronts_of_pieces");
+      if (looks.colour != nullptr && fronts) {
+        ++looks.end;
+        GiveAll(looks, [](const hb::Furniture& one) { return HasFronts(one); });
+      } else if (looks.colour != nullptr && text_.Is(looks.end - 1, "upholstery") && EndsPhrase(looks.end)) {
+        GiveAll(looks, [](const hb::Furniture& one) { return IsUpholstered(one); });
+      } else if (text_.Is(i, "fronts_of_pieces") && (looks = BehindAt(i + 1)).end > 0) {
+        GiveAll(looks, [](const hb::Furniture& one) { return HasFronts(one); });
+      } else {
+        continue;
+      }
+      Use(looks.begin, looks.end);
+      i = looks.end - 1;
+    }
+  }
+
+ private:
+  static bool HasFronts(const hb::Furniture& one) {
+    return one.material_group() == "wood" && IsFloorPiece(one) && PlacesOn(one) == 0 &&
+           !one.category().ends_with("table");
+  }
+
+  static bool IsUpholstered(const hb::Furniture& one) {
+    return PlacesOn(one) > 0 && (one.material_group() == "upholstery" || one.material_group() == "textile");
+  }
+
+  bool EndsPhrase(std::size_t i) const { return i >= text_.size() || text_.IsSign(i) || text_.Is(i, "thing_ends"); }
+
+  // How many tokens the colour or material there has; 0 when there is neither.
+  std::size_t TakeAt(std::size_t i, Looks& looks) const {
+    const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, text_.tokens(), i, /*plural=*/false);
+    if (length > 0 && !text_.Is(i, "materials")) {
+      if (looks.colour == nullptr) looks.colour = colour;
+      return length;
+    }
+    if (!text_.Is(i, "materials")) return 0;
+    if (looks.material.empty()) looks.material = text_.At(i) == "wooden" ? "wood" : text_.At(i);
+    return 1;
+  }
+
+  // A run of colours and materials.
+  Looks RunAt(std::size_t i) const {
+    Looks looks{.begin = i, .end = i};
+    while (looks.end < text_.size() && !used_[looks.end]) {
+      const std::size_t length = TakeAt(looks.end, looks);
+      Looks next;
+      if (length == 0 && !(text_.At(looks.end) == "and" && looks.end > i && TakeAt(looks.end + 1, next) > 0)) break;
+      looks.end += std::max<std::size_t>(1, length);
+    }
+    return looks;
+  }
+
+  // "Chairs charcoal, ...", "in colour of sand", "are in bottle green leather"; `end` is 0 where nothing is said.
+  Looks BehindAt(std::size_t i) const {
+    constexpr std::size_t kMostBetween = 5;
+    std::size_t k = i;
+    while (k < i + kMostBetween && !used_[std::min(k, text_.size() - 1)] && text_.Is(k, "look_links")) ++k;
+    Looks looks = RunAt(k);
+    const bool said = looks.end > k && EndsPhrase(looks.end);
+    // "A sofa, green walls", "a shelf in oak cabinets".
+    if (!said || (k == i && looks.end < text_.size() && !text_.IsSign(looks.end))) return {};
+    looks.begin = i;
+    return looks;
+  }
+
+  void Give(const hb::Furniture& furniture, const Looks& looks) {
+    const auto has = [&](const auto& list) {
+      return std::ranges::any_of(list, [&](const auto& one) { return one.first == &furniture; });
+    };
+    if (looks.colour != nullptr && !has(facts_.object_colours))
+      facts_.object_colours.emplace_back(&furniture, looks.colour);
+    if (!looks.material.empty() && !has(facts_.object_materials))
+      facts_.object_materials.emplace_back(&furniture, looks.material);
+  }
+
+  // To what the brief asks for and what its kind of room has.
+  void GiveAll(const Looks& looks, const std::function<bool(const hb::Furniture&)>& counts) {
+    for (const Wish& wish : facts_.wishes) {
+      if (counts(*wish.furniture)) Give(*wish.furniture, looks);
+    }
+    for (const hb::Band& band : facts_.archetype->bands()) {
+      for (const hb::ObjectEntry& entry : band.objects()) {
+        const hb::Furniture* furniture = handbook_.FindFurniture(entry.furniture());
+        if (furniture != nullptr && counts(*furniture)) Give(*furniture, looks);
+      }
+    }
+  }
+
+  void Use(std::size_t begin, std::size_t end) {
+    std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
+              true);
+  }
+
+  const Handbook& handbook_;
+  const BriefText& text_;
+  std::vector<bool>& used_;
+  BriefFacts& facts_;
+};
+
+}  // namespace
+
+void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
+                     std::vector<bool>& used, BriefFacts& facts) {
+  LooksReader(handbook, text, used, facts).Before(furniture, noun);
+}
+
+void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std::vector<Mention>& mentions,
+                     std::vector<bool>& used, BriefFacts& facts) {
+  LooksReader reader(handbook, text, used, facts);
+  for (const Mention& mention : mentions) reader.Behind(mention);
+  reader.OfAll();
+}
+
+}  // namespace flair::language

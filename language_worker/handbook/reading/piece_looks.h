@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The colours and materials that a brief names for pieces: "a green armchair", "chairs charcoal", "bed in white linen",
+// "matt sage fronts".
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/place_reader.h"
+
+namespace flair::language {
+
+// Reads what is said before the name of a piece at token `noun`: it is the piece's, not the room's; of several
+// colours and materials the first. Marks what it has used.
+void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
+                     std::vector<bool>& used, BriefFacts& facts);
+
+// The same for what is said behind them, and for what is said of all fronts or all that one sits on. To be called when
+// all pieces are known.
+void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std::vector<Mention>& mentions,
+                     std::vector<bool>& used, BriefFacts& facts);
+
+}  // namespace flair::language
