@@ -38,7 +38,8 @@ class StockKeeper {
   bool IsNeeded(const ProgramItem& item) const { return item.requested || (item.essential > 0 && !nothing_else_); }
 
   bool IsBrought(const ProgramItem& item) const {
-    return std::ranges::any_of(program_.floor_items,
+    return (!nothing_else_ || IsSeat(*item.furniture)) &&
+           std::ranges::any_of(program_.floor_items,
                                [&](const ProgramItem& host) { return &host != &item && Brings(host, item, program_); });
   }
 
