@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "language_worker/handbook/reading/opening_reader.h"
@@ -29,9 +31,14 @@ struct OpeningNoun {
   std::size_t end = 0;
 };
 
+inline constexpr double kPairOfLeavesM = 1.5;
+
 // Reads the opening whose head is at a token; of kind kNone where there is none, or where the word belongs to a name in
 // `things` ("window seat"), kOfAPiece in "a wardrobe with sliding doors".
 OpeningNoun OpeningNounAt(const BriefText& words, const std::vector<bool>& things, std::size_t i);
+
+// A number of openings at a token.
+std::optional<int> OpeningCountAt(const BriefText& words, std::size_t i);
 
 // What stands behind a head and tells of the opening itself: where it leads, its measures, its number, how it opens.
 // The index behind that, or `i`.
@@ -60,7 +67,51 @@ OpeningSite ReadSiteBefore(const BriefText& words, std::size_t begin);
 // at `begin`, that across from the long one. Empty when there is none.
 std::string WallBefore(const BriefText& words, std::size_t begin);
 
-// The walls named from `at` on ("the long wall"), `end` behind them.
-std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, std::size_t& end);
+// What is named behind a preposition: a wall, or an end or corner of one, with the words that say which.
+struct WallTarget {
+  std::vector<std::string> sides;
+  bool wall = false, end_of_wall = false, corner = false;  // the noun, if there is one
+  bool several = false;                                    // "the short walls"
+  std::size_t end = 0;
+};
+
+WallTarget WallTargetAt(const BriefText& words, std::size_t at);
+
+// The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
+// wall follows, so that one without its noun must end its phrase ("left sofa").
+std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, bool alone, std::size_t& end);
+
+// Whether the words for a wall can end before a token.
+bool EndsWall(const BriefText& words, std::size_t i);
+
+// The openings that a brief has asked for so far: joins what it says twice of the same one, and finds the walls that go
+// by other openings. The wishes must outlive it.
+class OpeningList {
+ public:
+  explicit OpeningList(OpeningWishes& openings) : openings_(openings) {}
+
+  // One wish for each wall, or room behind, that was named.
+  void Add(const OpeningNoun& noun, OpeningSite site);
+  void Add(const OpeningWish& wish);
+
+  // A wall that words for a piece tell of an opening: it holds where no other is told.
+  void Hint(const OpeningNoun& noun, const std::string& side) { hints_.push_back({noun, side}); }
+
+  // An audience looks on from the south.
+  void LookOn();
+
+  // To be called when all is read: doors go by windows that have a wall of their own then, and of two wishes that
+  // exclude each other one holds.
+  void Settle();
+
+ private:
+  std::string Resolved(const std::string& side, bool door) const;
+  void Join(const OpeningNoun& noun, const OpeningSite& site, OpeningWish& wish);
+  void SettleRelations();
+
+  OpeningWishes& openings_;
+  std::vector<std::pair<OpeningNoun, std::string>> hints_;
+  bool onlookers_ = false;
+};
 
 }  // namespace flair::language

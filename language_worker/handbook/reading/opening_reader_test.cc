@@ -100,6 +100,23 @@ TEST(OpeningReader, ReadsWallsThatGoByOtherOpenings) {
   for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
 }
 
+TEST(OpeningReader, ReadsWhatAClauseTellsOfSeveral) {
+  const OpeningCase kCases[] = {
+      {"It has two doors, bedroom and bathroom, facing each other in the short walls.",
+       "door@short to:bedroom; door@across short to:bathroom"},
+      {"One door to the passage and one to the larder.", "door; door to:larder"},
+      {"North glazing full width.", "window@north w100"},
+      {"Both get a bit of the window, which is in the centre of the long wall.", "window@long middle"},
+      {"A shop window and a glass door on the short street side.", "window@near w2; door@short"},
+      {"A bed on the long wall opposite the windows.", "2 window@across long"},
+      {"A table near the kitchen hatch.", "door to:kitchen open"},
+  };
+  for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
+  EXPECT_TRUE(OpeningsIn("A trapdoor as the only entrance.").other_way_in);
+  EXPECT_TRUE(OpeningsIn("A bench on the window wall.").one_window_wall);
+  EXPECT_EQ(OpeningsIn("A board on the windowless long wall.").bare_sides, std::vector<std::string>{"long"});
+}
+
 TEST(OpeningReader, ReadsThePlaceAlongTheWall) {
   const OpeningCase kCases[] = {
       {"A door in the middle of the west wall.", "door@west middle"},

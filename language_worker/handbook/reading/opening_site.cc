@@ -14,111 +14,6 @@ namespace {
 using At = AlongWall::At;
 using Sides = std::vector<std::string>;
 
-bool Closes(const BriefText& words, std::size_t i) {
-  return words.IsSign(i) || i >= words.size() || words.Is(i, "after_a_wall");
-}
-
-bool IsLength(std::string_view side) { return IsIn("long_or_short", side); }
-
-// What is named behind a preposition: a wall, or an end or corner of one, with the words that say which.
-struct Target {
-  Sides sides;
-  bool wall = false, end_of_wall = false, corner = false;  // the noun, if there is one
-  bool several = false;                                    // "the short walls"
-  std::size_t end = 0;
-};
-
-Target TargetAt(const BriefText& words, std::size_t at) {
-  Target target;
-  at = words.BehindArticle(at);
-  std::string street;
-  for (int most = 4; most > 0; --most) {
-    const std::string side(words.At(at));
-    // "The long glass side", "the street side", "the gable end".
-    std::size_t noun = at;
-    while (words.Is(noun, "wall_looks")) ++noun;
-    const bool look = noun > at && (words.Is(noun, "wall_nouns") || words.Is(noun, "wall_ends") ||
-                                    (words.Is(noun, "wall_sides") && words.Is(noun + 1, "wall_nouns")));
-    if (look) {
-      if (words.Is(at, "end_walls") || (words.Is(at, "street_walls") && words.Is(noun, "wall_ends"))) street = "short";
-      if (words.Is(at, "street_walls") && street.empty()) street = "near";
-      at = noun;
-    } else if (target.sides.size() < 2 && words.Is(at, "compass_corners")) {
-      constexpr std::size_t kNorth = 5;  // letters of "north" and "south"
-      target.sides = {side.substr(0, kNorth), side.substr(kNorth)};
-      ++at;
-    } else if (target.sides.size() < 2 && words.Is(at, "wall_sides")) {
-      target.sides.push_back(side == "narrow" ? "short" : side);
-      at += words.At(at + 1) == "hand" ? 2 : 1;
-    } else {
-      break;
-    }
-  }
-  target.corner = words.Is(at, "corners");
-  target.end_of_wall = words.Is(at, "wall_ends");
-  target.wall = words.Is(at, "wall_nouns");
-  if (target.sides.empty() && !street.empty()) target.sides = {street};
-  // "The street end" is a wall.
-  target.wall = target.wall || (target.end_of_wall && !street.empty());
-  target.several = words.At(at).ends_with('s');
-  if (target.corner || target.end_of_wall || target.wall) ++at;
-  target.end = words.BehindPhrase(at, "of_the_room").value_or(at);
-  return target;
-}
-
-// "both long walls", "two sides", "all four walls"; "the wall opposite" and "the same wall" go by others.
-Sides SeveralWallsAt(const BriefText& words, std::size_t i, std::size_t& end) {
-  const std::pair<const char*, Sides> kSeveral[] = {{"the_other_wall", {"opposite"}},
-                                                    {"the_same_wall", {"same"}},
-                                                    {"both_long_walls", {"long", "across long"}},
-                                                    {"both_short_walls", {"short", "across short"}},
-                                                    {"all_walls", {"far", "left", "right", "near"}},
-                                                    {"three_walls", {"far", "left", "right"}},
-                                                    {"facing_walls", {"left", "right"}},
-                                                    {"two_walls", {"far", "left"}}};
-  for (const auto& [list, sides] : kSeveral) {
-    const auto behind = words.BehindPhrase(i, list);
-    if (!behind) continue;
-    end = *behind;
-    return sides;
-  }
-  const auto rest = words.BehindPhrase(i, "the_other");
-  if (!rest || !Closes(words, *rest)) return {};
-  end = *rest;
-  return {"opposite"};
-}
-
-// The walls named from `at` on, `end` behind them; none when the words tell none. `alone`: no preposition says that a
-// wall follows, so that one without its noun must end its phrase ("left sofa").
-Sides WallsFrom(const BriefText& words, std::size_t at, bool alone, std::size_t& end) {
-  constexpr std::size_t kMostSides = 4;
-  if (Sides several = SeveralWallsAt(words, at, end); !several.empty()) return several;
-  Sides sides;
-  bool any_noun = false;
-  while (sides.size() < kMostSides) {
-    std::size_t next = at;
-    while (!sides.empty() && next < at + 2 && words.Is(next, "and_signs")) ++next;
-    if (!sides.empty() && next == at) break;
-    if (!sides.empty() && words.Is(next, "into")) ++next;
-    const Target target = TargetAt(words, next);
-    const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
-    if (target.sides.empty() || target.sides.size() > 2 || target.corner) break;
-    // "The short north wall": the compass tells.
-    const std::string side = IsLength(target.sides[0]) ? target.sides.back() : target.sides[0];
-    if (target.sides.size() == 2 && !IsLength(target.sides[0])) break;
-    const bool compass = IsIn("compass", side), closes = Closes(words, target.end);
-    // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
-    if (!sides.empty() && !(noun && closes) && !(closes && !any_noun && compass)) break;
-    if (!noun && (words.At(target.end) == "of" || IsIn("sides_with_a_noun", side))) break;
-    if (!noun && !closes && (alone || !compass)) break;
-    sides.push_back(side);
-    if (noun && target.several && IsLength(side) && sides.size() == 1) sides.push_back("across " + side);
-    any_noun = any_noun || noun;
-    at = end = target.end;
-  }
-  return sides;
-}
-
 // Reads one place after the other from `i` on; each Take moves it behind what it has read.
 class SiteReader {
  public:
@@ -162,7 +57,7 @@ class SiteReader {
   };
 
   // "on the north wall", "facing south", "on the north and east walls"; "at the west end of the north wall", "in the
-  // north-east corner", "near a corner"; "in the 4 m wall".
+  // north-east corner", "near a corner".
   bool TakeWall(Form form) {
     const auto close = words_.BehindPhrase(i_, "close_to");
     const bool into = words_.Is(i_, "into"), near = close || words_.Is(i_, "at_or_near");
@@ -171,7 +66,6 @@ class SiteReader {
     if (into && whole) at = *whole;
     if ((into || near) && TakePart(at)) return true;
     if (form.part && !form.bare && !words_.Is(i_, "into_a_wall")) return false;
-    if (into && TakeWallOfLength(at)) return true;
     // "Stage left" is the right of those who look on.
     const std::size_t stage = words_.BehindArticle(at);
     if (words_.Is(stage, "stages") && words_.Says(stage + 1, {"left", "right"})) {
@@ -181,9 +75,9 @@ class SiteReader {
     }
     // "A window north and a door south" has no "on" either.
     if (!into && !form.bare && !words_.Is(at, "compass")) return false;
-    const Sides sides = WallsFrom(words_, at, /*alone=*/!into, at);
+    const Sides sides = WallsAt(words_, at, /*alone=*/!into, at);
     const bool noun = words_.Is(at - 1, "wall_nouns") || words_.Is(at - 1, "wall_ends");
-    if (sides.empty() || (form.part && !(noun && Closes(words_, at)))) return false;
+    if (sides.empty() || (form.part && !(noun && EndsWall(words_, at)))) return false;
     site_.fills = site_.fills || (into && whole);
     // "Facing each other in the short walls".
     if (each_other_) site_.sides = sides.size() > 1 ? sides : Sides{sides[0], "across " + sides[0]};
@@ -200,7 +94,7 @@ class SiteReader {
     std::size_t at = centred ? *centred : *middle;
     if (centred ? words_.Is(at, "centred_on") : words_.At(at) == "of") {
       const auto that = words_.BehindPhrase(++at, "that_wall");
-      const Sides sides = WallsFrom(words_, at, /*alone=*/true, at);
+      const Sides sides = WallsAt(words_, at, /*alone=*/true, at);
       if (sides.empty() && !that) return false;
       if (sides.empty()) at = *that;
       if (!sides.empty()) site_.sides = sides;
@@ -224,24 +118,15 @@ class SiteReader {
     return true;
   }
 
-  // "in the 4 m wall": no wall is known by its length.
-  bool TakeWallOfLength(std::size_t at) {
-    std::size_t end = 0;
-    if (!words_.LengthAt(words_.BehindArticle(at), end) || !words_.Says(end, {"wall", "side"})) return false;
-    site_.not_read = words_.Quote(i_, end + 1);
-    i_ = end + 1;
-    return true;
-  }
-
   // "the west end of the north wall", "the north-east corner", "a corner", "the left of the south wall".
   bool TakePart(std::size_t at) {
-    Target target = TargetAt(words_, at);
+    WallTarget target = WallTargetAt(words_, at);
     std::size_t end = target.end;
     bool of_wall = false;
     if (words_.At(end) == "of") {
       const auto that = words_.BehindPhrase(end + 1, "that_wall");
       std::size_t behind = 0;
-      const Sides walls = WallsFrom(words_, end + 1, /*alone=*/true, behind);
+      const Sides walls = WallsAt(words_, end + 1, /*alone=*/true, behind);
       of_wall = !walls.empty() || (that && !site_.sides.empty());
       if (!walls.empty()) site_.sides = walls;
       if (of_wall) end = walls.empty() ? *that : behind;
@@ -261,9 +146,7 @@ class SiteReader {
     for (const std::string& one : target.sides) {
       if (site_.sides.empty() || one != site_.sides[0]) site_.along.end = one;
     }
-    const std::size_t begin = i_;
     i_ = end;
-    if (words_.At(end) == "of" && TakeWallOfLength(end + 1)) site_.not_read = words_.Quote(begin, i_);
     return true;
   }
 
@@ -273,13 +156,13 @@ class SiteReader {
     const std::optional<double> length_m = words_.LengthAt(i_, at);
     const std::optional<std::size_t> from = length_m ? words_.BehindPhrase(at, "measured_from") : std::nullopt;
     if (!from) return false;
-    const Target target = TargetAt(words_, *from);
+    const WallTarget target = WallTargetAt(words_, *from);
     if (!target.wall && !target.corner && !target.end_of_wall && target.sides.empty()) return false;
     site_.along = {At::kEnd, target.sides.empty() ? "" : target.sides[0], length_m};
     i_ = target.end;
     if (words_.At(i_) != "of") return true;
     std::size_t end = 0;
-    const Sides walls = WallsFrom(words_, i_ + 1, /*alone=*/true, end);
+    const Sides walls = WallsAt(words_, i_ + 1, /*alone=*/true, end);
     if (walls.empty()) return true;
     site_.sides = walls;
     i_ = end;
@@ -400,10 +283,10 @@ std::string WallBefore(const BriefText& words, std::size_t begin) {
   constexpr std::size_t kMostWords = 7;
   for (std::size_t start = begin - std::min(begin, kMostWords); start < begin; ++start) {
     if (!words.Is(start, "articles")) continue;
-    const Target target = TargetAt(words, start);
+    const WallTarget target = WallTargetAt(words, start);
     if (!target.wall || target.sides.size() != 1 || target.end >= begin) continue;
     const std::string& side = target.sides[0];
-    if (!IsIn("compass", side) && !IsLength(side)) continue;
+    if (!IsIn("compass", side) && !IsIn("long_or_short", side)) continue;
     // An article of the opening stands between.
     const auto across = words.BehindPhrase(target.end, "opposite_openings");
     const auto beside = words.BehindPhrase(target.end, "walls_of_openings");
@@ -411,10 +294,6 @@ std::string WallBefore(const BriefText& words, std::size_t begin) {
     if (beside && words.BehindArticle(*beside) >= begin && *beside <= begin) return side;
   }
   return "";
-}
-
-std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, std::size_t& end) {
-  return WallsFrom(words, at, /*alone=*/true, end);
 }
 
 }  // namespace flair::language
