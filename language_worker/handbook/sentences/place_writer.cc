@@ -104,6 +104,11 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     const std::vector<v1::Sentence> sentences = WriteOfDesks(place, relation, subjects, further);
     if (!sentences.empty()) return sentences;
   }
+  constexpr std::size_t kMany = 3;
+  if (!place.asked->text_of_many().empty() && subjects.size() >= kMany && !place.target->walk_over()) {
+    relation.set_text(place.asked->text_of_many());
+    relation.set_pairing(hb::PAIRING_TOGETHER);
+  }
   if (relation.targets().empty()) NameTheWall(further, relation);
   const bool on_a_top = carried != hb::CARRIED_UNSPECIFIED && subjects.front()->kind() == v1::OBJECT_KIND_SURFACE;
   if (on_a_top && !writer_.IsCentral(*subjects.front()))
