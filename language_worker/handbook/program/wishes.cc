@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/program/seats.h"
 #include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
@@ -15,13 +16,13 @@ namespace {
 class WishMaker {
  public:
   WishMaker(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program)
-      : facts_(facts), handbook_(handbook), program_(program) {}
+      : facts_(facts), handbook_(handbook), program_(program), seats_(facts, handbook, program) {}
 
   void Apply() {
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
     KeepAskedSeats();
     RemoveRefusals();
-    CountPeople();
+    seats_.SeatPeople();
     KeepCounts();
   }
 
@@ -49,7 +50,7 @@ class WishMaker {
     program_.floor_items.front().size = wish.size;
     program_.floor_items.front().in_each = wish.in_each;
     program_.floor_items.front().in_rows = wish.in_rows;
-    SeatAt(*wish.furniture, wish.count, wish.seats, zone);
+    seats_.SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
       const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
@@ -57,7 +58,7 @@ class WishMaker {
                                    std::ranges::any_of(facts_.wishes, [&](const Wish& other) {
                                      return ShareANoun(*furniture, *other.furniture);
                                    });
-      if (furniture == nullptr || in_another_form || (IsSeat(*furniture) && SitsOtherwise(*wish.furniture))) continue;
+      if (furniture == nullptr || in_another_form || (IsSeat(*furniture) && seats_.SitsOtherwise(*wish.furniture))) continue;
       auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
       list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
     }
@@ -122,7 +123,7 @@ class WishMaker {
       if (wish.counted && is_easy(*wish.furniture)) asked += wish.count * PlacesOn(*wish.furniture);
     }
     if (asked < kEnough) return;
-    EraseUnasked([&](const ProgramItem& item) { return is_easy(*item.furniture); });
+    seats_.EraseUnasked([&](const ProgramItem& item) { return is_easy(*item.furniture); });
   }
 
   bool IsSeatOfAnother(const ProgramItem& seat) const {
@@ -157,7 +158,7 @@ class WishMaker {
       if (spec == program_.zones.end()) return false;
       if (!HasZone(program_, zone)) program_.zones.insert(spec + 1, hb::ZoneSpec(*spec))->set_name(zone);
       items.insert(items.begin(), {wish.furniture, nullptr, wish.count, zone, true, 0, wish.seats});
-      SeatAt(*wish.furniture, wish.count, wish.seats, zone);
+      seats_.SeatAt(*wish.furniture, wish.count, wish.seats, zone);
       return true;
     }
     const int usual = item->count;
@@ -170,7 +171,7 @@ class WishMaker {
     item->seats = wish.seats;
     item->size = wish.size;
     if (&items == &program_.floor_items) {
-      SeatAt(*wish.furniture, item->count, wish.seats, std::string(item->zone));
+      seats_.SeatAt(*wish.furniture, item->count, wish.seats, std::string(item->zone));
     } else {
       // What is asked for finds its place first.
       std::rotate(items.begin(), item, item + 1);
@@ -193,37 +194,6 @@ class WishMaker {
     }
   }
 
-  // Every one of several desks has its chair, every table of a zone of its own the seats that belong to it, or as many
-  // as were asked for.
-  void SeatAt(const hb::Furniture& furniture, int count, int seats, const std::string& zone) {
-    for (const hb::ObjectEntry& companion : furniture.companions()) {
-      const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
-      if (seat == nullptr || !IsSeat(*seat) || (seats == 0 && SitsOtherwise(furniture))) continue;
-      const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
-      const auto there = std::ranges::find_if(
-          program_.floor_items, [&](const ProgramItem& item) { return item.furniture == seat && item.zone == zone; });
-      if (there == program_.floor_items.end()) {
-        if (IsWished(*seat) && seats == 0) continue;
-        program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order(), 0, &furniture});
-      } else if (!there->requested) {
-        there->count = seats > 0 || count > 1 ? wanted : std::max(there->count, wanted);
-        there->seat_of = &furniture;
-      }
-      return;
-    }
-  }
-
-  // "A round table and four stools": seats of another kind that are asked for right behind the table are its own.
-  bool SitsOtherwise(const hb::Furniture& table) const {
-    const auto wish = std::ranges::find(facts_.wishes, &table, &Wish::furniture);
-    if (wish == facts_.wishes.end() || !table.category().ends_with("table")) return false;
-    const auto next = std::find_if(wish + 1, facts_.wishes.end(),
-                                   [](const Wish& other) { return IsFloorPiece(*other.furniture); });
-    if (next == facts_.wishes.end()) return false;
-    const std::string& category = next->furniture->category();
-    return category == "stool" || category == "bench";
-  }
-
   bool IsWished(const hb::Furniture& furniture) const {
     return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == &furniture; });
   }
@@ -238,7 +208,7 @@ class WishMaker {
         return primary != nullptr && (primary == &furniture || ShareANoun(*primary, furniture));
       });
       if (zone.name() != zone_name || !(makes_it || main)) continue;
-      EraseUnasked([&](const ProgramItem& item) {
+      seats_.EraseUnasked([&](const ProgramItem& item) {
         if (item.zone != zone_name) return false;
         const bool same = item.furniture->category() == furniture.category();
         const bool rival = same || (makes_it && Includes(zone.primaries(), item.furniture->name()));
@@ -264,7 +234,7 @@ class WishMaker {
   // sofa. Where the brief lists what there is, so do pieces of one category: its lab benches are the room's benches.
   void ReplaceAlike(const hb::Furniture& furniture) {
     if (program_.listed && IsFloorPiece(furniture) && furniture.category() != "box") {
-      EraseUnasked([&](const ProgramItem& item) {
+      seats_.EraseUnasked([&](const ProgramItem& item) {
         return item.furniture->category() == furniture.category() && item.furniture != &furniture &&
                !IsWished(*item.furniture) && !StandsWith(furniture, *item.furniture);
       });
@@ -275,26 +245,11 @@ class WishMaker {
                                    [&](const auto& option) { return option.furniture() == KinOf(one); });
       };
       if (!noun.one_of() || !among(furniture)) continue;
-      EraseUnasked([&](const ProgramItem& item) {
+      seats_.EraseUnasked([&](const ProgramItem& item) {
         if (item.furniture == &furniture || IsWished(*item.furniture) || !among(*item.furniture)) return false;
         program_.substitutes.emplace_back(item.furniture->name(), furniture.name());
         return true;
       });
-    }
-  }
-
-  // Takes stock off the floor; who sat at it goes as well.
-  template <typename Goes>
-  void EraseUnasked(const Goes& goes) {
-    std::vector<const hb::Furniture*> gone;
-    std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-      if (item.requested || !goes(item)) return false;
-      gone.push_back(item.furniture);
-      return true;
-    });
-    for (const hb::Furniture* host : gone) {
-      const hb::Furniture* seat = SeatOf(*host, handbook_);
-      if (seat != nullptr) RemoveUnaccompanied(seat->name());
     }
   }
 
@@ -307,105 +262,14 @@ class WishMaker {
   void RemoveRefusals() {
     for (const hb::Furniture* refusal : facts_.refusals) {
       Remove(refusal->name(), program_);
-      for (const hb::ObjectEntry& companion : refusal->companions()) RemoveUnaccompanied(companion.furniture());
+      for (const hb::ObjectEntry& companion : refusal->companions()) seats_.RemoveUnaccompanied(companion.furniture());
     }
-  }
-
-  // Without its desk the office chair goes as well, unless another piece brings one or the brief asks for it.
-  void RemoveUnaccompanied(const std::string& name) {
-    for (const ProgramItem& item : program_.floor_items) {
-      if (item.requested && item.furniture->name() == name) return;
-      for (const hb::ObjectEntry& companion : item.furniture->companions()) {
-        if (companion.furniture() == name) return;
-      }
-    }
-    Remove(name, program_);
-  }
-
-  // The class that each person has a place at, and the seats at each of it. Seats at a table are the table's.
-  void CountPeople() {
-    if (!facts_.people) return;
-    // "Seats for 24, mostly at tables for two."
-    for (const Wish& wish : facts_.wishes) {
-      const auto table = std::ranges::find(program_.floor_items, wish.furniture, &ProgramItem::furniture);
-      if (wish.counted || wish.seats == 0 || table == program_.floor_items.end()) continue;
-      table->count = std::min(kMostOfAKind, (*facts_.people + wish.seats - 1) / wish.seats);
-      return SeatAt(*wish.furniture, table->count, wish.seats, std::string(table->zone));
-    }
-    // "Seats 16. Chairs charcoal": one each.
-    for (const Wish& wish : facts_.wishes) {
-      const auto seat = std::ranges::find(program_.floor_items, wish.furniture, &ProgramItem::furniture);
-      if (wish.counted || wish.count < 2 || !IsSeat(*wish.furniture) || seat == program_.floor_items.end()) continue;
-      seat->count = std::min(kMostOfAKind, *facts_.people);
-      return EraseUnasked([&](const ProgramItem& item) { return IsSeat(*item.furniture); });
-    }
-    const std::string& name = program_.archetype->per_person();
-    if (name.empty()) return SeatPeopleAnywhere();
-    if (SeatPeopleAtKin(name)) return;
-    auto item = std::ranges::find_if(program_.floor_items,
-                                     [&](const ProgramItem& one) { return one.furniture->name() == name; });
-    const bool counted = std::ranges::any_of(
-        facts_.wishes, [&](const Wish& wish) { return wish.furniture->name() == name && wish.counted; });
-    if (item != program_.floor_items.end() && item->requested && counted) return;
-    if (item == program_.floor_items.end()) {
-      const hb::Furniture* furniture = handbook_.FindFurniture(name);
-      if (furniture == nullptr || std::ranges::find(facts_.refusals, furniture) != facts_.refusals.end()) return;
-      program_.floor_items.push_back({furniture, nullptr, 1, HomeOf(*furniture, program_)});
-      item = program_.floor_items.end() - 1;
-    }
-    const int places = std::max(1, PlacesOn(*item->furniture));
-    item->count = std::min(kMostOfAKind, (*facts_.people + places - 1) / places);
-    const std::string zone = item->zone;
-    const hb::Furniture& furniture = *item->furniture;
-    SeatAt(furniture, item->count, 0, zone);
-  }
-
-  // Twenty-four pupils at "six island benches" sit four at each of those, and not at benches of ours.
-  bool SeatPeopleAtKin(const std::string& name) {
-    const hb::Furniture* usual = handbook_.FindFurniture(name);
-    if (usual == nullptr || usual->category() == "box") return false;
-    // Who says how many sit at how many tables has seated them.
-    const bool seated = std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
-      return wish.counted && wish.seats > 0 && SeatOf(*wish.furniture, handbook_) == usual;
-    });
-    if (seated) return true;
-    const bool without_seats = IsSeat(*usual) && !Lists(program_.floor_items, name);
-    const auto kin = std::ranges::find_if(facts_.wishes, [&](const Wish& wish) {
-      if (!wish.counted || wish.count < 2 || wish.furniture == usual || !IsFloorPiece(*wish.furniture)) return false;
-      const hb::Furniture* seat = SeatOf(*wish.furniture, handbook_);
-      return wish.furniture->category() == usual->category() ||
-             (seat != nullptr && (without_seats || seat == SeatOf(*usual, handbook_)));
-    });
-    if (kin == facts_.wishes.end()) return false;
-    EraseUnasked([&](const ProgramItem& item) { return item.furniture == usual; });
-    const int each = kin->seats > 0 ? kin->seats : (*facts_.people + kin->count - 1) / kin->count;
-    SeatAt(*kin->furniture, kin->count, each, HomeOf(*kin->furniture, program_));
-    return true;
-  }
-
-  // Of rooms where one sits on what is there anyway, or sleeps: more armchairs, or beds, until everyone has a place.
-  void SeatPeopleAnywhere() {
-    constexpr int kMostMore = 4;
-    int seats = 0, beds = 0;
-    ProgramItem *armchairs = nullptr, *bed = nullptr;
-    for (ProgramItem& item : program_.floor_items) {
-      const bool for_sleep = item.furniture->category() == "bed";
-      const int places = item.count * PlacesOn(*item.furniture);
-      if (item.furniture->category() == "armchair") armchairs = &item;
-      if (for_sleep && bed == nullptr) bed = &item;
-      (for_sleep ? beds : seats) += places;
-    }
-    ProgramItem* more = bed != nullptr ? bed : armchairs;
-    const int missing = *facts_.people - (bed != nullptr ? beds : seats);
-    if (more == nullptr || more->requested || missing <= 0) return;
-    const int each = PlacesOn(*more->furniture);
-    more->count += std::min(kMostMore, (missing + each - 1) / each);
-    more->requested = true;  // by who is to sit or lie there
   }
 
   const BriefFacts& facts_;
   const Handbook& handbook_;
   RoomProgram& program_;
+  Seats seats_;
 };
 
 }  // namespace
