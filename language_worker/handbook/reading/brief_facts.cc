@@ -14,6 +14,7 @@
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_words.h"
+#include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/room_kind.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"

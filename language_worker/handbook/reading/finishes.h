@@ -13,7 +13,7 @@ namespace flair::language {
 struct AskedFinish {
   enum class Surface { kWalls, kFloor, kCeiling };
   Surface surface = Surface::kWalls;
-  std::string material;                     // as said; empty where only the colour is
+  std::string material = {};                // as said; empty where only the colour is
   const hb::NamedColour* colour = nullptr;  // null where only the material is said
   std::size_t begin = 0, end = 0;           // the tokens that say it
 };

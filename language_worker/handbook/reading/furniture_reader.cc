@@ -394,27 +394,4 @@ NamedPieces ReadFurniture(const Handbook& handbook, const std::vector<Token>& to
   return FurnitureReader(handbook, tokens, used, facts).Read();
 }
 
-void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
-                std::vector<bool>& used, BriefFacts& facts) {
-  const NounBook nouns(handbook, facts);
-  const auto rank = [&](const hb::Furniture& furniture) {
-    // What is wished for first is most often what is spoken of again.
-    constexpr std::ptrdiff_t kMost = 200;
-    const auto wish = std::ranges::find(facts.wishes, &furniture, &Wish::furniture);
-    const auto after = std::min(kMost, wish - facts.wishes.begin());
-    const bool wished = wish != facts.wishes.end();
-    return nouns.RankOf(furniture) + (wished ? static_cast<int>(1024 + 2 * (kMost - after)) : 0);
-  };
-  // "The sofa" is also a corner sofa that was asked for.
-  std::vector<Saying<hb::Furniture>> names = nouns.names();
-  for (const Wish& wish : facts.wishes) names.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
-  for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
-    for (const Wish& wish : facts.wishes) {
-      if (!Includes(head.options, wish.furniture)) continue;
-      for (const Phrase& word : head.words) names.push_back({word, wish.furniture});
-    }
-  }
-  ReadPlaces(handbook, tokens, names, mentions, rank, used, facts);
-}
-
 }  // namespace flair::language

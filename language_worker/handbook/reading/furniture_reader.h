@@ -21,9 +21,4 @@ struct NamedPieces {
 NamedPieces ReadFurniture(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
                           BriefFacts& facts);
 
-// Reads where these pieces are to be; see place_reader.h. To be called when all other words that may name a place have
-// been used.
-void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
-                std::vector<bool>& used, BriefFacts& facts);
-
 }  // namespace flair::language

@@ -14,7 +14,7 @@ namespace {
 // Colour and material as said in tokens [begin, end).
 struct Looks {
   const hb::NamedColour* colour = nullptr;
-  std::string material;
+  std::string material = {};
   std::size_t begin = 0, end = 0;
 };
 

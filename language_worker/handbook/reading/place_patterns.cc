@@ -100,6 +100,17 @@ bool PlacePatterns::Complete(const PlaceWords& words, Match& match) const {
   return Fits(words.slot, match.landmark);
 }
 
+bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool otherwise) {
+  if (IsOfAnyKind(furniture)) return true;
+  const bool floor = IsOnTheFloor(furniture);
+  if (otherwise) return MayBeCarriedOtherwise(furniture, asked);
+  // It has neither front nor back.
+  if (furniture.walk_over() && (AskedNames(asked, "faces") || AskedNames(asked, "{wall}"))) return false;
+  if (asked.kinds().empty()) return floor && (!furniture.walk_over() || !AskedNames(asked, "under the {target}"));
+  return std::ranges::find(asked.kinds(), static_cast<int>(furniture.kind())) != asked.kinds().end() &&
+         (!floor || furniture.walk_over());
+}
+
 void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& place) {
   const hb::Relation& relation = place.asked->relation();
   if (relation.pairing() != hb::PAIRING_TOGETHER || place.target != nullptr || &other == place.furniture) return;
@@ -125,6 +136,34 @@ void TakeWhatHangs(const PlacePatterns& patterns, Place& place) {
   if (hanging == nullptr) return;
   place.asked = hanging;
   std::swap(place.furniture, place.target);
+}
+
+void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts) {
+  std::vector<Place> walls;
+  for (Place& place : facts.places) {
+    if (place.target == nullptr || place.target->kind() != hb::FURNITURE_KIND_WALL ||
+        !IsOnTheFloor(*place.furniture) || !AskedNames(*place.asked, "faces the {target}")) {
+      continue;
+    }
+    const auto own = [&](const Place& one) { return one.furniture == place.target && one.asked->carried() == 0; };
+    if (std::ranges::any_of(facts.places, own) || std::ranges::any_of(walls, own)) continue;
+    const auto wish = std::ranges::find(facts.wishes, place.furniture, &Wish::furniture);
+    if (wish == facts.wishes.end() || wish->count == 1) {
+      const hb::AskedPlace* opposite = patterns.Find("opposite", "target", hb::FURNITURE_KIND_WALL);
+      if (opposite == nullptr) continue;
+      place.asked = opposite;
+      std::swap(place.furniture, place.target);
+      continue;
+    }
+    Place hung = place;
+    hung.furniture = place.target;
+    hung.target = nullptr;
+    hung.which = -1;
+    hung.asked = patterns.Find("on", "wall", hb::FURNITURE_KIND_WALL);
+    hung.side = "blank far";
+    if (hung.asked != nullptr) walls.push_back(hung);
+  }
+  facts.places.insert(facts.places.end(), walls.begin(), walls.end());
 }
 
 }  // namespace flair::language

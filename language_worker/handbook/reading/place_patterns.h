@@ -55,11 +55,19 @@ class PlacePatterns {
   const std::vector<PlaceWords>& places_;
 };
 
+// Whether a place is for pieces of the class's kind: for those that stand on the floor when it does not say; or, where
+// `otherwise`, for a kind that it can be as well; see Carried.
+bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool otherwise);
+
 // "A washing machine and a dryer side by side": what is said of several of a kind, of a piece and the `other` listed
 // before it, is that the piece stands by the other.
 void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& place);
 
 // "A dresser under a mirror", "a lectern by the screen": what hangs there is above the other, or near it.
 void TakeWhatHangs(const PlacePatterns& patterns, Place& place);
+
+// "Desks facing a screen": what hangs on a wall hangs where they look. One piece looks somewhere; several need a wall
+// that is told.
+void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts);
 
 }  // namespace flair::language

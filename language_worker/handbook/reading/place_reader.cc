@@ -10,7 +10,9 @@
 #include "fmt/format.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/own_classes.h"
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/subject_finder.h"
 #include "language_worker/handbook/reading/target_finder.h"
@@ -20,19 +22,6 @@ namespace flair::language {
 namespace {
 
 constexpr std::size_t kMostPlacesNotKnown = 8;
-
-// Whether a place is for pieces of the class's kind: for those that stand on the floor when it does not say; or, where
-// `otherwise`, for a kind that it can be as well; see Carried.
-bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool otherwise) {
-  if (IsOfAnyKind(furniture)) return true;
-  const bool floor = IsOnTheFloor(furniture);
-  if (otherwise) return MayBeCarriedOtherwise(furniture, asked);
-  // It has neither front nor back.
-  if (furniture.walk_over() && (AskedNames(asked, "faces") || AskedNames(asked, "{wall}"))) return false;
-  if (asked.kinds().empty()) return floor && (!furniture.walk_over() || !AskedNames(asked, "under the {target}"));
-  return std::ranges::find(asked.kinds(), static_cast<int>(furniture.kind())) != asked.kinds().end() &&
-         (!floor || furniture.walk_over());
-}
 
 // Long, and one class: whose place it is, what it is told by and what is left untold all depend on what was read last
 // and on which pieces only tell where others go. To be taken apart when clauses are read by frames.
@@ -58,7 +47,7 @@ class PlaceReader {
       if (i < read_to_ || used_[i] || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
-    HangWhatIsFaced();
+    HangWhatIsFaced(patterns_, facts_);
   }
 
  private:
@@ -270,36 +259,6 @@ class PlaceReader {
     }
   }
 
-  // "Desks facing a screen": what hangs on a wall hangs where they look. One piece looks somewhere; several need a wall
-  // that is told.
-  void HangWhatIsFaced() {
-    std::vector<Place> walls;
-    for (Place& place : facts_.places) {
-      if (place.target == nullptr || place.target->kind() != hb::FURNITURE_KIND_WALL ||
-          !IsOnTheFloor(*place.furniture) || !AskedNames(*place.asked, "faces the {target}")) {
-        continue;
-      }
-      const auto own = [&](const Place& one) { return one.furniture == place.target && one.asked->carried() == 0; };
-      if (std::ranges::any_of(facts_.places, own) || std::ranges::any_of(walls, own)) continue;
-      const auto wish = std::ranges::find(facts_.wishes, place.furniture, &Wish::furniture);
-      if (wish == facts_.wishes.end() || wish->count == 1) {
-        const hb::AskedPlace* opposite = patterns_.Find("opposite", "target", hb::FURNITURE_KIND_WALL);
-        if (opposite == nullptr) continue;
-        place.asked = opposite;
-        std::swap(place.furniture, place.target);
-        continue;
-      }
-      Place hung = place;
-      hung.furniture = place.target;
-      hung.target = nullptr;
-      hung.which = -1;
-      hung.asked = patterns_.Find("on", "wall", hb::FURNITURE_KIND_WALL);
-      hung.side = "blank far";
-      if (hung.asked != nullptr) walls.push_back(hung);
-    }
-    facts_.places.insert(facts_.places.end(), walls.begin(), walls.end());
-  }
-
   // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners.
   int OneForEach(const Place& place, std::size_t begin, std::size_t end) const {
     bool each = false;
@@ -407,10 +366,27 @@ class PlaceReader {
 
 }  // namespace
 
-void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens,
-                const std::vector<Saying<hb::Furniture>>& names, const std::vector<Mention>& mentions,
-                std::function<int(const hb::Furniture&)> rank, std::vector<bool>& used, BriefFacts& facts) {
-  PlaceReader(handbook, tokens, names, mentions, std::move(rank), used, facts).Read();
+void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
+                std::vector<bool>& used, BriefFacts& facts) {
+  const NounBook nouns(handbook, facts);
+  const auto rank = [&](const hb::Furniture& furniture) {
+    // What is wished for first is most often what is spoken of again.
+    constexpr std::ptrdiff_t kMost = 200;
+    const auto wish = std::ranges::find(facts.wishes, &furniture, &Wish::furniture);
+    const auto after = std::min(kMost, wish - facts.wishes.begin());
+    const bool wished = wish != facts.wishes.end();
+    return nouns.RankOf(furniture) + (wished ? static_cast<int>(1024 + 2 * (kMost - after)) : 0);
+  };
+  // "The sofa" is also a corner sofa that was asked for.
+  std::vector<Saying<hb::Furniture>> names = nouns.names();
+  for (const Wish& wish : facts.wishes) names.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
+  for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
+    for (const Wish& wish : facts.wishes) {
+      if (!Includes(head.options, wish.furniture)) continue;
+      for (const Phrase& word : head.words) names.push_back({word, wish.furniture});
+    }
+  }
+  PlaceReader(handbook, tokens, names, mentions, rank, used, facts).Read();
 }
 
 }  // namespace flair::language

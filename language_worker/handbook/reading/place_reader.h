@@ -20,11 +20,10 @@ struct Mention {
   bool seats = false;  // said of the seats of the piece: "tables, each with two chairs"
 };
 
-// Reads where the brief wants its pieces: which piece, how, and by what ("a lamp between them"). Places that it finds
-// words for and cannot read go into `facts.places_not_known`. Marks the tokens that it has used. `mentions` are in the
-// order of the text; `rank` says how likely a class is meant by a word that several share.
-void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens,
-                const std::vector<Saying<hb::Furniture>>& names, const std::vector<Mention>& mentions,
-                std::function<int(const hb::Furniture&)> rank, std::vector<bool>& used, BriefFacts& facts);
+// Reads where the brief wants its pieces: which piece, how, and by what ("a lamp between them"). To be called when all
+// other words that may name a place have been used. Places that it finds words for and cannot read go into
+// `facts.places_not_known`. Marks the tokens that it has used. `mentions` are in the order of the text.
+void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
+                std::vector<bool>& used, BriefFacts& facts);
 
 }  // namespace flair::language

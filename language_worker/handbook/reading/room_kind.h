@@ -39,7 +39,7 @@ struct ShapeRequest {
   // The word for an outline that cannot be drawn, as written but in lower case: "triangular"; else empty.
   std::string unknown;
   std::size_t begin = 0, end = 0;  // the tokens that say it
-  std::vector<std::string> parts;  // "half wall", "mezzanine": cannot be drawn
+  std::vector<std::string> parts = {};  // "half wall", "mezzanine": cannot be drawn
 };
 
 // Reads "L-shaped", "T shape", "shaped like a U" and words such as "round" where they speak of the room; an L-shaped
