@@ -379,7 +379,7 @@ class FurnitureReader {
   std::vector<bool>& used_;
   BriefFacts& facts_;
   const NounBook nouns_;
-  const std::vector<Saying<hb::Furniture>>& names_;
+  const PieceNames& names_;
   std::optional<Last> last_;
   int people_ = 0;  // as far as they are counted
   std::vector<Mention> mentions_;

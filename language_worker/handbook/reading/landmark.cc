@@ -14,7 +14,7 @@ bool IsOfTheRoom(Landmark::Kind kind) { return kind == Landmark::Kind::kWall || 
 
 }  // namespace
 
-LandmarkReader::LandmarkReader(const std::vector<Token>& tokens, const std::vector<Saying<hb::Furniture>>& names,
+LandmarkReader::LandmarkReader(const std::vector<Token>& tokens, const PieceNames& names,
                                std::function<int(const hb::Furniture&)> rank)
     : tokens_(tokens), text_(tokens), names_(names), rank_(std::move(rank)), pieces_(tokens.size()) {}
 

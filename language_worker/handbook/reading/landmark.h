@@ -33,7 +33,7 @@ struct Landmark {
 class LandmarkReader {
  public:
   // `rank` says how likely a class is meant by a word that several share; higher is likelier.
-  LandmarkReader(const std::vector<Token>& tokens, const std::vector<Saying<hb::Furniture>>& names,
+  LandmarkReader(const std::vector<Token>& tokens, const PieceNames& names,
                  std::function<int(const hb::Furniture&)> rank);
 
   // The landmark that begins at a token; of kind kNone where none does.
@@ -55,7 +55,7 @@ class LandmarkReader {
 
   const std::vector<Token>& tokens_;
   const BriefText text_;
-  const std::vector<Saying<hb::Furniture>>& names_;
+  const PieceNames& names_;
   const std::function<int(const hb::Furniture&)> rank_;
   mutable std::vector<std::optional<Found>> pieces_;  // of a token
 };

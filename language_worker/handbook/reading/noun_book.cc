@@ -41,7 +41,7 @@ bool IsCompound(const std::vector<Token>& tokens, std::size_t noun) {
 }  // namespace
 
 NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
-    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype), names_(vocabulary_.names) {
+    : vocabulary_(handbook.vocabulary()), room_(*facts.archetype), names_{&vocabulary_.names} {
   const auto raise = [&](std::string_view name, int rank) { ranks_[name] = std::max(ranks_[name], rank); };
   for (const hb::Furniture& furniture : handbook.contents().furniture()) {
     for (const hb::ZoneSpec& zone : room_.zones()) {
@@ -54,22 +54,10 @@ NounBook::NounBook(const Handbook& handbook, const BriefFacts& facts)
   }
   for (const hb::ObjectEntry& entry : room_.tertiaries()) raise(entry.furniture(), kListed);
   raise(room_.per_person(), kOnePerPerson);
-  NameInShort(handbook);
-}
-
-// Where the room has one piece of that kind, and the word alone means another class elsewhere.
-void NounBook::NameInShort(const Handbook& handbook) {
-  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
-    const std::size_t space = furniture.name().rfind(' ');
-    if (space == std::string::npos || RankOf(furniture) == kNotOfTheRoom) continue;
-    const std::string last = furniture.name().substr(space + 1);
-    const bool noun = std::ranges::any_of(vocabulary_.heads, [&](const Vocabulary::Head& head) {
-      return Includes(head.noun->words(), last);
-    });
-    const hb::Furniture* other = noun ? nullptr : LongestAt(vocabulary_.names, TokensOf(last), 0, /*plural=*/true).first;
-    // A rack of any kind is none of these.
-    const bool any = other != nullptr && other->name().ends_with(" " + last);
-    if (other != nullptr && !any && RankOf(*other) == kNotOfTheRoom) names_.push_back({Phrase(last), &furniture});
+  // Where the room has one piece of that kind.
+  for (const Vocabulary::ShortName& one : vocabulary_.short_names) {
+    if (RankOf(*one.furniture) != kNotOfTheRoom && RankOf(*one.elsewhere) == kNotOfTheRoom)
+      names_.more.push_back({one.word, one.furniture});
   }
 }
 

@@ -22,7 +22,7 @@ class NounBook {
 
   // Every word that names a class, words for several of them before the others; with those by which the room's own
   // pieces are called there, "bath" for a dog bath.
-  const std::vector<Saying<hb::Furniture>>& names() const { return names_; }
+  const PieceNames& names() const { return names_; }
 
   // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
   int RankOf(const hb::Furniture& furniture) const;
@@ -48,8 +48,6 @@ class NounBook {
   std::size_t OtherThingAt(const std::vector<Token>& tokens, std::size_t start) const;
 
  private:
-  void NameInShort(const Handbook& handbook);
-
   // Whether the noun means that class in this kind of room.
   bool IsOfTheRoom(const hb::Noun& noun, const hb::Furniture& furniture) const;
 
@@ -57,7 +55,7 @@ class NounBook {
 
   const Vocabulary& vocabulary_;
   const hb::Archetype& room_;
-  std::vector<Saying<hb::Furniture>> names_;
+  PieceNames names_;
   std::map<std::string_view, int> ranks_;  // of a class by its name
 };
 

@@ -28,7 +28,7 @@ constexpr std::size_t kMostPlacesNotKnown = 8;
 class PlaceReader {
  public:
   PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens,
-              const std::vector<Saying<hb::Furniture>>& names, const std::vector<Mention>& mentions,
+              const PieceNames& names, const std::vector<Mention>& mentions,
               std::function<int(const hb::Furniture&)> rank, std::vector<bool>& used, BriefFacts& facts)
       : tokens_(tokens),
         text_(tokens),
@@ -378,12 +378,12 @@ void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, cons
     return nouns.RankOf(furniture) + (wished ? static_cast<int>(1024 + 2 * (kMost - after)) : 0);
   };
   // "The sofa" is also a corner sofa that was asked for.
-  std::vector<Saying<hb::Furniture>> names = nouns.names();
-  for (const Wish& wish : facts.wishes) names.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
+  PieceNames names = nouns.names();
+  for (const Wish& wish : facts.wishes) names.more.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
   for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
     for (const Wish& wish : facts.wishes) {
       if (!Includes(head.options, wish.furniture)) continue;
-      for (const Phrase& word : head.words) names.push_back({word, wish.furniture});
+      for (const Phrase& word : head.words) names.more.push_back({word, wish.furniture});
     }
   }
   PlaceReader(handbook, tokens, names, mentions, rank, used, facts).Read();

@@ -175,6 +175,16 @@ Vocabulary::Vocabulary(const Handbook& handbook)
     AddSayings(colour.name(), colour.synonyms(), colour, colours);
   }
   for (const std::string& words : handbook.contents().other_things()) other_things.emplace_back(words);
+  for (const hb::Furniture& furniture : handbook.contents().furniture()) {
+    const std::size_t space = furniture.name().rfind(' ');
+    if (space == std::string::npos) continue;
+    const std::string last = furniture.name().substr(space + 1);
+    const bool noun =
+        std::ranges::any_of(heads, [&](const Head& head) { return Includes(head.noun->words(), last); });
+    const hb::Furniture* other = noun ? nullptr : LongestAt(names, TokensOf(last), 0, /*plural=*/true).first;
+    // A rack of any kind is none of these.
+    if (other != nullptr && !other->name().ends_with(" " + last)) short_names.push_back({Phrase(last), &furniture, other});
+  }
 }
 
 Vocabulary::Vocabulary(const Vocabulary& base, const std::vector<hb::Furniture>& own) : Vocabulary(base) {

@@ -44,6 +44,27 @@ std::pair<const T*, std::size_t> LongestAt(const std::vector<Saying<T>>& sayings
   return BestAt(sayings, tokens, i, plural, [](const T&) { return 0; });
 }
 
+// The words that name classes: those of the handbook and, behind them, those that do so in one brief only.
+struct PieceNames {
+  const std::vector<Saying<hb::Furniture>>* all = nullptr;
+  std::vector<Saying<hb::Furniture>> more = {};
+};
+
+template <typename Rank>
+std::pair<const hb::Furniture*, std::size_t> BestAt(const PieceNames& names, const std::vector<Token>& tokens,
+                                                    std::size_t i, bool plural, const Rank& rank) {
+  const auto best = BestAt(*names.all, tokens, i, plural, rank), more = BestAt(names.more, tokens, i, plural, rank);
+  const bool better = more.second > best.second ||
+                      (more.second > 0 && more.second == best.second && rank(*more.first) > rank(*best.first));
+  return better ? more : best;
+}
+
+inline std::pair<const hb::Furniture*, std::size_t> LongestAt(const PieceNames& names,
+                                                              const std::vector<Token>& tokens, std::size_t i,
+                                                              bool plural) {
+  return BestAt(names, tokens, i, plural, [](const hb::Furniture&) { return 0; });
+}
+
 template <typename T>
 void AddOnce(std::vector<const T*>& list, const T* item) {
   if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
@@ -113,10 +134,18 @@ struct Vocabulary {
   // With the words of further classes, which come first and must outlive it.
   Vocabulary(const Vocabulary& base, const std::vector<hb::Furniture>& own);
 
+  // A class by its last word alone, "bath" for a dog bath, where that means another class elsewhere.
+  struct ShortName {
+    Phrase word;
+    const hb::Furniture* furniture;
+    const hb::Furniture* elsewhere;
+  };
+
   std::vector<Saying<hb::Furniture>> names;  // every word that names a class, words for several of them first
   std::vector<Saying<hb::Archetype>> rooms;  // but for the fallback
   std::vector<Saying<hb::NamedColour>> colours;
   std::vector<Head> heads;
+  std::vector<ShortName> short_names;
   std::vector<Phrase> other_things;
   std::shared_ptr<const std::vector<PlaceWords>> places;
   std::shared_ptr<const Speller> speller;
