@@ -23,7 +23,11 @@ bool Brings(const ProgramItem& host, const ProgramItem& item, const RoomProgram&
 class StockKeeper {
  public:
   StockKeeper(const BriefFacts& facts, int named, RoomProgram& program)
-      : program_(program), nothing_else_(facts.nothing_else), share_(facts.nothing_else ? 0 : std::max(0, kSaysAll - named)) {}
+      : program_(program),
+        nothing_else_(facts.nothing_else),
+        seats_asked_(std::ranges::any_of(
+            facts.wishes, [](const Wish& wish) { return wish.seats > 0 || (wish.count > 1 && IsSeat(*wish.furniture)); })),
+        share_(facts.nothing_else ? 0 : std::max(0, kSaysAll - named)) {}
 
   void Keep() {
     KeepOnFloor();
@@ -57,12 +61,22 @@ class StockKeeper {
     }
     int left = alone * share_ / kSaysAll;
     std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-      return !IsNeeded(item) && !brought.contains(item.furniture) && left-- <= 0;
+      if (IsNeeded(item) || brought.contains(item.furniture)) return false;
+      return IsTableForOthers(item) || left-- <= 0;
     });
     const std::vector<ProgramItem> kept = program_.floor_items;
     std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
       return !IsNeeded(item) && brought.contains(item.furniture) &&
              std::ranges::none_of(kept, [&](const ProgramItem& host) { return Brings(host, item, program_); });
+    });
+  }
+
+  // Who asks for three stools at an island eats there: no other table.
+  bool IsTableForOthers(const ProgramItem& item) const {
+    const std::string& category = item.furniture->category();
+    if (!seats_asked_ || (category != "table" && category != "round_table")) return false;
+    return std::ranges::any_of(program_.floor_items, [&](const ProgramItem& other) {
+      return !other.requested && IsSeat(*other.furniture) && Brings(item, other, program_);
     });
   }
 
@@ -72,7 +86,7 @@ class StockKeeper {
   }
 
   RoomProgram& program_;
-  const bool nothing_else_;
+  const bool nothing_else_, seats_asked_;
   const int share_;  // of kSaysAll
 };
 

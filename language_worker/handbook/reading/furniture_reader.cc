@@ -138,13 +138,16 @@ class FurnitureReader {
     for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
       const hb::Furniture* vague = facts_.wishes[i].furniture;
       const auto mention = std::ranges::find(mentions_, vague, &Mention::furniture);
-      const bool named_vaguely = facts_.wishes[i].noun != nullptr && mention != mentions_.end() &&
-                                 mention->end == mention->begin + 1 && mention->begin > 0 &&
-                                 text_.At(mention->begin - 1) == "the" && facts_.wishes[i].count == 1;
-      if (!named_vaguely || vague->category() == "box") continue;
+      const bool by_noun = facts_.wishes[i].noun != nullptr && mention != mentions_.end() &&
+                           mention->end == mention->begin + 1 && mention->begin > 0;
+      const bool the = by_noun && text_.At(mention->begin - 1) == "the" && facts_.wishes[i].count == 1;
+      // "Separate beds now. Two twin beds with ..."
+      const bool plural = by_noun && !facts_.wishes[i].counted && facts_.wishes[i].seats == 0;
+      if (!(the || plural) || vague->category() == "box") continue;
       const auto later = std::ranges::find_if(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                                               facts_.wishes.end(), [&](const Wish& wish) {
-                                                return wish.furniture->category() == vague->category();
+                                                return wish.furniture->category() == vague->category() &&
+                                                       (the || (wish.counted && wish.count > 1));
                                               });
       if (later == facts_.wishes.end()) continue;
       for (Mention& one : mentions_) {
@@ -260,6 +263,7 @@ class FurnitureReader {
     const Groups groups = GroupsAround(text_, i, length);
     if (groups.count > 0 && groups.in_each > 0 && !(count.said && groups.begin > i))
       count = {groups.count * groups.in_each};
+    if (groups.count == 0 && groups.in_each > 0 && groups.begin < i) count.said = false;
     Use(groups.begin, groups.end - groups.begin);
     if (SeatsTheLast(furniture, count, i, length)) return;
     // "Mismatched wooden chairs": those of the tables, which are counted already.

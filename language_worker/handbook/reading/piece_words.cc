@@ -127,7 +127,9 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
   for (std::size_t at = i; at > 0 && at + kMostBack > i && text.PhraseBegin(i) <= at; --at) {
     const std::size_t group = at - 1;
     if (!is_group(group) || text.At(at) != "of") continue;
-    Groups groups{std::max(1, number(group - std::min<std::size_t>(group, 1))), number(at + 1), group, i,
+    // "In clusters of four": so many as it takes.
+    const int fewest = text.At(group).ends_with('s') && number(at + 1) > 0 ? 0 : 1;
+    Groups groups{std::max(fewest, number(group - std::min<std::size_t>(group, 1))), number(at + 1), group, i,
                   IsFormIn("rows_of_pieces", text.At(group))};
     // "Two rows of recliners, four each".
     for (std::size_t k = end; k < end + kMostWords && groups.in_each == 0; ++k) {

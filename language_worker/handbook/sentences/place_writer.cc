@@ -104,6 +104,10 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     const std::vector<v1::Sentence> sentences = WriteOfDesks(place, relation, subjects, further);
     if (!sentences.empty()) return sentences;
   }
+  // What is opened from the front stands across from the foot of a bed, not at it.
+  if (PlaceNames(place, "next to the front of") && place.furniture->back() == hb::BACK_RULE_WALL) {
+    relation.set_text("The {object} faces the {target}.");
+  }
   constexpr std::size_t kMany = 3;
   if (!place.asked->text_of_many().empty() && subjects.size() >= kMany && !place.target->walk_over()) {
     relation.set_text(place.asked->text_of_many());
