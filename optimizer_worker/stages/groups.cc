@@ -191,7 +191,8 @@ class GroupFinder {
         return std::pair(scene_.objects[first].zone, first) < std::pair(scene_.objects[second].zone, second);
       });
       Chain(pattern);
-      if (pattern.size() >= std::min(blocks ? size_t{2} : kFewestAlike, cluster.size())) groups_.patterns.push_back(std::move(pattern));
+      if (pattern.size() >= std::min(blocks ? size_t{2} : kFewestAlike, cluster.size()))
+        groups_.patterns.push_back(std::move(pattern));
     }
   }
 

@@ -16,7 +16,8 @@ namespace flair::optimizer {
 std::string CallText(const SolveInput& input, const Group& group, int edge);
 
 // Stands the group's first piece in an empty room, free or with its back or sides at walls, places the others by the
-// calls among them, and keeps what differs; exact, like a polished layout. Empty when they cannot stand without overlap.
+// calls among them, and keeps what differs; exact, like a polished layout. Empty when they cannot stand without
+// overlap.
 std::vector<Arrangement> ArrangeGroup(const SolveInput& input, const Group& group);
 
 // Places groups one after the other, each as one piece where that costs least, in the

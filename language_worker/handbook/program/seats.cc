@@ -38,8 +38,8 @@ void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const s
 bool Seats::SitsOtherwise(const hb::Furniture& table) const {
   const auto wish = std::ranges::find(facts_.wishes, &table, &Wish::furniture);
   if (wish == facts_.wishes.end() || !table.category().ends_with("table")) return false;
-  const auto next = std::find_if(wish + 1, facts_.wishes.end(),
-                                 [](const Wish& other) { return IsFloorPiece(*other.furniture); });
+  const auto next =
+      std::find_if(wish + 1, facts_.wishes.end(), [](const Wish& other) { return IsFloorPiece(*other.furniture); });
   if (next == facts_.wishes.end()) return false;
   const std::string& category = next->furniture->category();
   return category == "stool" || category == "bench";
@@ -71,7 +71,8 @@ void Seats::RemoveUnaccompanied(const std::string& name) {
 // Armchairs round a table are its seats: the usual chairs stay away.
 void Seats::SeatAsAsked() {
   for (const Place& place : facts_.places) {
-    const bool seats = place.target != nullptr && !place.asked->text_of_many().empty() && PlacesOn(*place.furniture) > 0;
+    const bool seats =
+        place.target != nullptr && !place.asked->text_of_many().empty() && PlacesOn(*place.furniture) > 0;
     if (!seats || SeatOf(*place.target, handbook_) == place.furniture) continue;
     EraseUnasked([&](const ProgramItem& item) { return item.seat_of == place.target; });
   }
@@ -97,8 +98,8 @@ void Seats::CountPeople() {
   const std::string& name = program_.archetype->per_person();
   if (name.empty()) return SeatPeopleAnywhere();
   if (SeatPeopleAtKin(name)) return;
-  auto item = std::ranges::find_if(program_.floor_items,
-                                   [&](const ProgramItem& one) { return one.furniture->name() == name; });
+  auto item =
+      std::ranges::find_if(program_.floor_items, [&](const ProgramItem& one) { return one.furniture->name() == name; });
   const bool counted = std::ranges::any_of(
       facts_.wishes, [&](const Wish& wish) { return wish.furniture->name() == name && wish.counted; });
   if (item != program_.floor_items.end() && item->requested && counted) return;

@@ -8,7 +8,8 @@
 
 namespace flair::language {
 
-// Who sits where: the seats of what one sits at, and so many of both as there are people. The arguments must outlive it.
+// Who sits where: the seats of what one sits at, and so many of both as there are people. The arguments must outlive
+// it.
 class Seats {
  public:
   Seats(const BriefFacts& facts, const Handbook& handbook, RoomProgram& program)

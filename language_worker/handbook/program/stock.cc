@@ -26,7 +26,8 @@ class StockKeeper {
       : program_(program),
         nothing_else_(facts.nothing_else),
         seats_asked_(std::ranges::any_of(
-            facts.wishes, [](const Wish& wish) { return wish.seats > 0 || (wish.count > 1 && IsSeat(*wish.furniture)); })),
+            facts.wishes,
+            [](const Wish& wish) { return wish.seats > 0 || (wish.count > 1 && IsSeat(*wish.furniture)); })),
         share_(facts.nothing_else ? 0 : std::max(0, kSaysAll - named)) {}
 
   void Keep() {

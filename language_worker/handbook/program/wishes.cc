@@ -54,11 +54,12 @@ class WishMaker {
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
       if (Lists(program_, companion.furniture())) continue;
       const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
-      const bool in_another_form = furniture != nullptr && !IsSeat(*furniture) &&
-                                   std::ranges::any_of(facts_.wishes, [&](const Wish& other) {
-                                     return ShareANoun(*furniture, *other.furniture);
-                                   });
-      if (furniture == nullptr || in_another_form || (IsSeat(*furniture) && seats_.SitsOtherwise(*wish.furniture))) continue;
+      const bool in_another_form =
+          furniture != nullptr && !IsSeat(*furniture) && std::ranges::any_of(facts_.wishes, [&](const Wish& other) {
+            return ShareANoun(*furniture, *other.furniture);
+          });
+      if (furniture == nullptr || in_another_form || (IsSeat(*furniture) && seats_.SitsOtherwise(*wish.furniture)))
+        continue;
       auto& list = IsFloorPiece(*furniture) ? program_.floor_items : program_.tertiary_items;
       list.push_back({furniture, &companion, std::max(1, companion.count()), zone, false, companion.drop_order()});
     }

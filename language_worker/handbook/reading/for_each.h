@@ -12,9 +12,9 @@
 
 namespace flair::language {
 
-// How many have one of the piece in tokens [begin, end); 1 where nothing is said of each. `mentions` and `wishes` are what
-// was named before it, `people` those whom the brief counts, 0 when it counts none. Words in `used` belong to something
-// else.
+// How many have one of the piece in tokens [begin, end); 1 where nothing is said of each. `mentions` and `wishes` are
+// what was named before it, `people` those whom the brief counts, 0 when it counts none. Words in `used` belong to
+// something else.
 int TimesForEach(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end,
                  const std::vector<Mention>& mentions, const std::vector<Wish>& wishes, int people);
 

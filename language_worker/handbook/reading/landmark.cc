@@ -118,7 +118,8 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   // "The east end", "the left hand side", "on the left", "across the back": the wall there.
   std::size_t told = i - (i > 0 ? 1 : 0);
   if (told > 1 && text_.At(told) == "hand") told -= text_.IsHyphen(told - 1) ? 2 : 1;
-  const bool side = i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && (text_.Is(told, "told_sides") || text_.At(told) == "one");
+  const bool side =
+      i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && (text_.Is(told, "told_sides") || text_.At(told) == "one");
   const std::size_t the = i - (i > 1 && text_.At(i - 1) == "very" ? 2 : std::min<std::size_t>(i, 1));
   const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(the, {"the", "your"});
   const bool sign = text_.IsSign(i + 1) && !text_.IsHyphen(i + 1);  // "the north-east corner"
@@ -129,8 +130,11 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
 }
 
 void LandmarkReader::TakeSecond(Landmark& landmark) const {
-  const auto opening = [](Landmark::Kind kind) { return kind == Landmark::Kind::kDoor || kind == Landmark::Kind::kWindow; };
-  if (!text_.Says(landmark.end, {"and", "from"}) || (landmark.kind != Landmark::Kind::kPiece && !opening(landmark.kind)))
+  const auto opening = [](Landmark::Kind kind) {
+    return kind == Landmark::Kind::kDoor || kind == Landmark::Kind::kWindow;
+  };
+  if (!text_.Says(landmark.end, {"and", "from"}) ||
+      (landmark.kind != Landmark::Kind::kPiece && !opening(landmark.kind)))
     return;
   const Landmark next = Noun(BehindDeterminers(landmark.end + 1));
   const bool piece = next.kind == Landmark::Kind::kPiece;
@@ -194,7 +198,8 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
   }
   // "The wall to the left as you walk in."
   const std::size_t told = landmark.end + 2;
-  if (text_.Says(landmark.end, {"to", "on"}) && text_.Is(told - 1, "determiners") && FeatureAt(told) == Landmark::Kind::kWall) {
+  if (text_.Says(landmark.end, {"to", "on"}) && text_.Is(told - 1, "determiners") &&
+      FeatureAt(told) == Landmark::Kind::kWall) {
     add(text_.At(told));
     landmark.end = told + 1;
   }

@@ -28,8 +28,8 @@ Lead LeadAt(const BriefText& words, std::size_t i, bool any) {
   // "a door to the side wall" is none that leads to a side.
   if (words.Is(at, "sides_of_a_house") || words.Is(at, "wall_sides")) return {};
   const bool roomy = words.IsWord(at) && words.Is(at + 1, "room_endings");
-  const bool unknown = any && article && words.IsWord(at) && !words.Is(at, "wall_nouns") && !words.Is(at, "wall_ends") &&
-                       !words.Is(at, "corners") && !words.Is(at, "openings") &&
+  const bool unknown = any && article && words.IsWord(at) && !words.Is(at, "wall_nouns") &&
+                       !words.Is(at, "wall_ends") && !words.Is(at, "corners") && !words.Is(at, "openings") &&
                        (words.IsSign(at + 1) || at + 1 >= words.size() || words.Is(at + 1, "after_a_wall"));
   if (!known(at) && !(any && roomy) && !unknown) return {};
   return {at, at + (words.Is(at + 1, "room_endings") ? 2 : 1)};

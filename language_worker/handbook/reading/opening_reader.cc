@@ -28,7 +28,12 @@ class OpeningReader {
  public:
   OpeningReader(const std::vector<Token>& tokens, const std::vector<bool>& room, std::vector<bool>& used,
                 OpeningWishes& openings)
-      : text_(tokens), tokens_(WithoutHyphens(text_, places_)), words_(tokens_), list_(openings), used_(used), openings_(openings) {
+      : text_(tokens),
+        tokens_(WithoutHyphens(text_, places_)),
+        words_(tokens_),
+        list_(openings),
+        used_(used),
+        openings_(openings) {
     for (const std::size_t place : places_) {
       room_.push_back(room[place]);
       things_.push_back(used[place] && !room[place]);
@@ -124,7 +129,8 @@ class OpeningReader {
     if (noun.kind == OpeningNoun::Kind::kOfAPiece) return Use(noun.begin, noun.end);
     if (noun.kind == OpeningNoun::Kind::kNone) return;
     if (noun.kind == OpeningNoun::Kind::kOverhead) return NoteOverhead(noun);
-    if (!noun.wish.door && !noun.none && !noun.glass) (noun.plural || noun.any ? openings_.windows_meant : openings_.window_meant) = true;
+    if (!noun.wish.door && !noun.none && !noun.glass)
+      (noun.plural || noun.any ? openings_.windows_meant : openings_.window_meant) = true;
     if (noun.any) return;
     OpeningSite site;
     const std::size_t end = ReadBehind(noun, noun.end, site);
@@ -274,8 +280,8 @@ class OpeningReader {
     for (std::size_t i = end; i < end + kMostWords && i < words_.size(); ++i) {
       if (words_.IsSign(i) || things_[i] || words_.Is(i, "clause_starts") || words_.Is(i, "articles_of_others")) return;
       if (!words_.Is(i, "wall_sides") && !words_.Is(i, "wall_nouns") && !words_.Is(i, "corners")) continue;
-      openings_.not_read.push_back(fmt::format("\"{}\": where it is to be was not understood; it is placed where it fits.",
-                                               Quote(noun.begin, i + 1)));
+      openings_.not_read.push_back(fmt::format(
+          "\"{}\": where it is to be was not understood; it is placed where it fits.", Quote(noun.begin, i + 1)));
       return;
     }
   }

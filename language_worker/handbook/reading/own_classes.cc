@@ -116,7 +116,8 @@ class OwnFinder {
     // "leaning", "neatly placed": said of the thing, not its name.
     while (phrase.end > phrase.begin + 1 && IsSaidOf(phrase.end - 1)) --phrase.end;
     // "Keep it plain" asks for no keep.
-    if (bare && phrase.end == phrase.begin + 1 && (text_.Is(phrase.end, "pronouns") || text_.Is(phrase.end, "articles")))
+    if (bare && phrase.end == phrase.begin + 1 &&
+        (text_.Is(phrase.end, "pronouns") || text_.Is(phrase.end, "articles")))
       return std::nullopt;
     if (phrase.end == phrase.begin || phrase.end > phrase.begin + kMostOfAPhrase) return std::nullopt;
     return phrase;
@@ -198,7 +199,8 @@ class OwnFinder {
     const std::string said = text_.Quote(mention.begin, mention.end), one = english::Singular(said);
     const auto& words = mention.furniture->synonyms();
     for (const std::string& name : {said, one}) {
-      if (Includes(words, name) && !mention.furniture->name().ends_with(name)) return AddClass(*mention.furniture, name);
+      if (Includes(words, name) && !mention.furniture->name().ends_with(name))
+        return AddClass(*mention.furniture, name);
     }
   }
 

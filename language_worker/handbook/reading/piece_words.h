@@ -14,8 +14,8 @@
 
 namespace flair::language {
 
-inline constexpr int kMostSeats = 40;       // at one piece
-inline constexpr double kLeastCm = 60;      // numbers without a unit are lengths of a piece from there on
+inline constexpr int kMostSeats = 40;   // at one piece
+inline constexpr double kLeastCm = 60;  // numbers without a unit are lengths of a piece from there on
 
 // How many of a piece a brief asks for.
 struct PieceCount {
@@ -23,8 +23,8 @@ struct PieceCount {
   bool said = true;  // false: a plural without a number
 };
 
-// The number in the phrase of a noun of `length` tokens at `i`, "two comfortable armchairs", "2 x desk", "a pair of", or
-// behind it: "toadstools, five of them". A plural without one means two at least.
+// The number in the phrase of a noun of `length` tokens at `i`, "two comfortable armchairs", "2 x desk", "a pair of",
+// or behind it: "toadstools, five of them". A plural without one means two at least.
 PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t i,
                    std::size_t length);
 

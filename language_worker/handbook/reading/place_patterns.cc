@@ -12,8 +12,9 @@ namespace {
 bool Fits(const std::string& slot, const Landmark& landmark) {
   using Kind = Landmark::Kind;
   const Kind kind = landmark.kind;
-  for (const auto& [name, feature] : {std::pair("door", Kind::kDoor), std::pair("window", Kind::kWindow),
-                                      std::pair("socket", Kind::kSocket), std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
+  for (const auto& [name, feature] :
+       {std::pair("door", Kind::kDoor), std::pair("window", Kind::kWindow), std::pair("socket", Kind::kSocket),
+        std::pair("wall", Kind::kWall), std::pair("corner", Kind::kCorner)}) {
     if (slot == name) return kind == feature;
   }
   if (slot == "windows") return kind == Kind::kWindow && landmark.plural;
@@ -127,11 +128,11 @@ void TakeWhatHangs(const PlacePatterns& patterns, Place& place) {
   const bool on_wall = kind == hb::FURNITURE_KIND_WALL;
   if (!on_wall && kind != hb::FURNITURE_KIND_CEILING) return;
   const auto says = [&](std::string_view words) { return AskedNames(*place.asked, words); };
-  const std::string_view converse = says("under the {target}")                                      ? "above"
-                                    : !on_wall || !IsOnTheFloor(*place.furniture)                   ? ""
-                                    : says("near the {target}") || says("next to the {target}") ||
-                                            says("in front of the {target}")                        ? "near"
-                                                                                                    : "";
+  const std::string_view converse =
+      says("under the {target}")                                                                      ? "above"
+      : !on_wall || !IsOnTheFloor(*place.furniture)                                                   ? ""
+      : says("near the {target}") || says("next to the {target}") || says("in front of the {target}") ? "near"
+                                                                                                      : "";
   const hb::AskedPlace* hanging = converse.empty() ? nullptr : patterns.Find(converse, "target", kind);
   if (hanging == nullptr) return;
   place.asked = hanging;
@@ -141,8 +142,8 @@ void TakeWhatHangs(const PlacePatterns& patterns, Place& place) {
 void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts) {
   std::vector<Place> walls;
   for (Place& place : facts.places) {
-    if (place.target == nullptr || place.target->kind() != hb::FURNITURE_KIND_WALL ||
-        !IsOnTheFloor(*place.furniture) || !AskedNames(*place.asked, "faces the {target}")) {
+    if (place.target == nullptr || place.target->kind() != hb::FURNITURE_KIND_WALL || !IsOnTheFloor(*place.furniture) ||
+        !AskedNames(*place.asked, "faces the {target}")) {
       continue;
     }
     const auto own = [&](const Place& one) { return one.furniture == place.target && one.asked->carried() == 0; };

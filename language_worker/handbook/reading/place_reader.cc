@@ -27,9 +27,9 @@ constexpr std::size_t kMostPlacesNotKnown = 8;
 // and on which pieces only tell where others go. To be taken apart when clauses are read by frames.
 class PlaceReader {
  public:
-  PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens,
-              const PieceNames& names, const std::vector<Mention>& mentions,
-              std::function<int(const hb::Furniture&)> rank, std::vector<bool>& used, BriefFacts& facts)
+  PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens, const PieceNames& names,
+              const std::vector<Mention>& mentions, std::function<int(const hb::Furniture&)> rank,
+              std::vector<bool>& used, BriefFacts& facts)
       : tokens_(tokens),
         text_(tokens),
         mentions_(mentions),
@@ -191,8 +191,8 @@ class PlaceReader {
     NoteLoosely(place, i, i + match.length);
     // "A lamp on either side" makes two of one.
     for (Wish& wish : facts_.wishes) {
-      const int least = std::max({place.asked->relation().condition().min_count(), OneForEach(place, i, match.end),
-                                  subject.further ? 2 : 1});
+      const int least = std::max(
+          {place.asked->relation().condition().min_count(), OneForEach(place, i, match.end), subject.further ? 2 : 1});
       if (wish.furniture == subject.furniture) wish.count = std::max(wish.count, least);
     }
     return true;
@@ -379,7 +379,8 @@ void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, cons
   };
   // "The sofa" is also a corner sofa that was asked for.
   PieceNames names = nouns.names();
-  for (const Wish& wish : facts.wishes) names.more.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
+  for (const Wish& wish : facts.wishes)
+    names.more.push_back({Phrase(LastWord(wish.furniture->name())), wish.furniture});
   for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
     for (const Wish& wish : facts.wishes) {
       if (!Includes(head.options, wish.furniture)) continue;

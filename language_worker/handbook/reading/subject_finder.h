@@ -32,8 +32,8 @@ class SubjectFinder {
   Subject Of(std::size_t mention) const { return {mentions_[mention].furniture, mention, mentions_[mention].which}; }
 
   // "A desk under the window", "a narrow bed that he never makes in the corner, by the stove": the piece before words
-  // that begin at a token, over what else is said of it. `of_it`: the place is told by a pronoun, so that what comes with
-  // a piece is not that piece's own: "a fire with two dogs in front of it".
+  // that begin at a token, over what else is said of it. `of_it`: the place is told by a pronoun, so that what comes
+  // with a piece is not that piece's own: "a fire with two dogs in front of it".
   std::optional<Subject> Before(std::size_t i, bool of_it = false) const;
 
   // "Under the window a desk", "next to the bed there is a nightstand": the piece behind words for a place.

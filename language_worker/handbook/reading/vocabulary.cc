@@ -179,11 +179,11 @@ Vocabulary::Vocabulary(const Handbook& handbook)
     const std::size_t space = furniture.name().rfind(' ');
     if (space == std::string::npos) continue;
     const std::string last = furniture.name().substr(space + 1);
-    const bool noun =
-        std::ranges::any_of(heads, [&](const Head& head) { return Includes(head.noun->words(), last); });
+    const bool noun = std::ranges::any_of(heads, [&](const Head& head) { return Includes(head.noun->words(), last); });
     const hb::Furniture* other = noun ? nullptr : LongestAt(names, TokensOf(last), 0, /*plural=*/true).first;
     // A rack of any kind is none of these.
-    if (other != nullptr && !other->name().ends_with(" " + last)) short_names.push_back({Phrase(last), &furniture, other});
+    if (other != nullptr && !other->name().ends_with(" " + last))
+      short_names.push_back({Phrase(last), &furniture, other});
   }
 }
 

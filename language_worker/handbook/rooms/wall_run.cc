@@ -78,7 +78,8 @@ class RunPlanner {
       const double reach_m = (swings ? std::max(kPassageM, one.width_m()) : kPassageM) + kFrameM;
       const auto is_on = [&](int other) { return one.wall() == room_.walls(other).name(); };
       if (is_on(wall)) taken.push_back({one.offset_m() - kFrameM, end_m + kFrameM});
-      if (is_on(Turned(wall, -1)) && WallLength(room_, Turned(wall, -1)) - end_m < depth_m_) taken.push_back({0, reach_m});
+      if (is_on(Turned(wall, -1)) && WallLength(room_, Turned(wall, -1)) - end_m < depth_m_)
+        taken.push_back({0, reach_m});
       if (is_on(Turned(wall, 1)) && one.offset_m() < depth_m_) taken.push_back({length_m - reach_m, length_m});
     }
     std::ranges::sort(taken, {}, &Span::from_m);

@@ -221,8 +221,8 @@ std::optional<int> CornerOf(const v1::Room& room, std::string_view words) {
     if (!wall) return std::nullopt;
     const double share = (opening->offset_m() + opening->width_m() / 2) / WallLength(room, *wall);
     const v1::Point2 &from = CornerAt(room, *wall), &to = CornerAt(room, *wall + 1);
-    return ExtremeCorner(room, from.x_m() + share * (to.x_m() - from.x_m()), from.y_m() + share * (to.y_m() - from.y_m()),
-                         true);
+    return ExtremeCorner(room, from.x_m() + share * (to.x_m() - from.x_m()),
+                         from.y_m() + share * (to.y_m() - from.y_m()), true);
   }
   std::vector<int> headings;
   for (const std::string& word : SideWords(words)) {

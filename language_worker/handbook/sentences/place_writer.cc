@@ -39,8 +39,8 @@ void NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation&
     const v1::Opening* one = at == std::string::npos || side.empty() ? nullptr : OpeningOf(room, kind, side);
     if (one == nullptr) continue;
     const bool alone = std::ranges::count_if(room.openings(), [&](const v1::Opening& other) {
-      return other.kind() == kind && other.wall() == one->wall();
-    }) == 1;
+                         return other.kind() == kind && other.wall() == one->wall();
+                       }) == 1;
     const bool by_wall = alone && !one->wall().starts_with("wall");
     relation.mutable_text()->replace(at, words.size(),
                                      by_wall ? fmt::format("the {} {}", one->wall(), words.substr(4)) : one->id());
@@ -51,7 +51,8 @@ void NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation&
 void NameTheWall(const Slots& further, hb::Relation& relation) {
   constexpr std::string_view kTarget = "the {target}";
   const std::size_t at = relation.text().find(kTarget);
-  if (at != std::string::npos && further.contains("wall")) relation.mutable_text()->replace(at, kTarget.size(), "{wall}");
+  if (at != std::string::npos && further.contains("wall"))
+    relation.mutable_text()->replace(at, kTarget.size(), "{wall}");
 }
 
 bool HasOpenings(const v1::Room& room, int wall) {
@@ -140,7 +141,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteHung(const hb::Relation& relation, c
   if (group.front()->kind() != v1::OBJECT_KIND_WALL || relation.pairing() == hb::PAIRING_TOGETHER) return sentences;
   for (const v1::Object* object : group) {
     const v1::Object* target = Neighbour(*place.target, *object, nullptr);
-    if (target != nullptr) sentences.push_back(writer_.WriteOne(relation, {object}, {target}, sentences.size(), further));
+    if (target != nullptr)
+      sentences.push_back(writer_.WriteOne(relation, {object}, {target}, sentences.size(), further));
   }
   return sentences;
 }
@@ -157,7 +159,8 @@ Group PlaceWriter::WhatGoesThere(const Group& group) const {
     }
   }
   for (const hb::Relation& relation : program_.archetype->relations()) {
-    if (relation.object() != group.front()->name() || relation.text().find("in front of the {target}") == std::string::npos)
+    if (relation.object() != group.front()->name() ||
+        relation.text().find("in front of the {target}") == std::string::npos)
       continue;
     for (const std::string& name : relation.targets()) {
       if (const Group faced = as_many(name); !faced.empty()) return faced;
@@ -182,7 +185,8 @@ std::string PlaceWriter::StandIn(const Place& place, Slots& further) const {
   const v1::Object& target = *found->second.front();
   if (target.kind() == v1::OBJECT_KIND_SURFACE) {
     for (const auto& [name, objects] : groups) {
-      if (std::ranges::any_of(objects, [&](const v1::Object* one) { return one->id() == target.host_id(); })) return name;
+      if (std::ranges::any_of(objects, [&](const v1::Object* one) { return one->id() == target.host_id(); }))
+        return name;
     }
   }
   for (const Place& hung : places_) {
@@ -227,8 +231,9 @@ std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const G
   const bool told = !place.side.empty() && place.side != "opposite";
   for (std::size_t i = 0; i < group.size(); ++i) {
     const bool first = i < (group.size() + 1) / 2;
-    const std::optional<int> wall =
-        WallOf(room_, first ? (told ? place.side : "left") : told ? "across " + place.side : "right");
+    const std::optional<int> wall = WallOf(room_, first  ? (told ? place.side : "left")
+                                                  : told ? "across " + place.side
+                                                         : "right");
     if (!wall) return {};
     sentences.push_back(
         writer_.WriteOne(place.asked->relation(), {group[i]}, {}, i, {{"wall", TheWall(room_, *wall)}}));
@@ -239,7 +244,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const G
 // All of them cannot have the middle: they stand off the long walls, one behind the other.
 std::vector<v1::Sentence> PlaceWriter::WriteAlongTheMiddle(const Place& place, const Group& group) const {
   constexpr double kShare = 0.3;  // of what is free beside a piece
-  const std::optional<int> wall = WallOf(room_, "long"), other = WallOf(room_, "across long"), end = WallOf(room_, "short");
+  const std::optional<int> wall = WallOf(room_, "long"), other = WallOf(room_, "across long"),
+                           end = WallOf(room_, "short");
   if (!wall || !other || !end) return writer_.Write(place.asked->relation(), group);
   std::vector<v1::Sentence> sentences;
   for (const v1::Object* object : group) {
@@ -292,10 +298,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Gro
   hb::Relation back = place.asked->relation(), side = back;
   back.set_text("The {object}'s back is against {wall}.");
   side.set_text(fmt::format("The {{object}}'s {} side is against {{wall}}.", on_after ? "left" : "right"));
-  std::vector<v1::Sentence> sentences =
-      writer_.Write(back, one, {{"wall", TheWall(room_, on_after ? after : before)}});
-  for (v1::Sentence& sentence :
-       writer_.Write(side, one, {{"wall", TheWall(room_, on_after ? before : after)}})) {
+  std::vector<v1::Sentence> sentences = writer_.Write(back, one, {{"wall", TheWall(room_, on_after ? after : before)}});
+  for (v1::Sentence& sentence : writer_.Write(side, one, {{"wall", TheWall(room_, on_after ? before : after)}})) {
     sentences.push_back(std::move(sentence));
   }
   return sentences;
@@ -346,7 +350,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteRun(const std::vector<RunPlace>& run
   return sentences;
 }
 
-const v1::Object* PlaceWriter::Neighbour(const hb::Furniture& furniture, const v1::Object& object, const v1::Object* other) const {
+const v1::Object* PlaceWriter::Neighbour(const hb::Furniture& furniture, const v1::Object& object,
+                                         const v1::Object* other) const {
   google::protobuf::RepeatedPtrField<std::string> classes;
   *classes.Add() = furniture.name();
   const v1::Object* best = nullptr;
