@@ -158,6 +158,17 @@ TEST(Groups, NothingElseMeansNothingElse) {
   EXPECT_EQ(plan.Count("wardrobe") + plan.Count("dresser"), 0);
 }
 
+TEST(Groups, CountsFollowWhatIsAsked) {
+  EXPECT_EQ(PlanFor("A barber shop, 5 x 7 m, with four barber chairs.").Count("styling station"), 4);
+  EXPECT_EQ(PlanFor("An open office for 16, 7 x 9 m, in clusters of 4 desks.").Count("desk"), 16);
+  EXPECT_EQ(PlanFor("A kitchen, 3.5 x 4 m, with an island and three stools.").Count("round dining table"), 0);
+  EXPECT_EQ(PlanFor("A lounge with three armchairs around a round table.").Count("dining chair"), 0);
+  EXPECT_EQ(PlanFor("A living room with a television opposite the sofa.").Count("tv stand"), 1);
+  const Plan beds = PlanFor("A bedroom, 4 x 5 m, separate beds please. Two twin beds.");
+  EXPECT_EQ(beds.Count("single bed"), 2);
+  EXPECT_EQ(beds.Count("double bed"), 0);
+}
+
 TEST(Groups, WhatTheBriefSaysOfAPlaceIsWrittenInsteadOfTheUsual) {
   const Plan plan = PlanFor("A bedroom with the bed under the window.");
   EXPECT_EQ(plan.Sentences("The double bed is under the window."), 1);

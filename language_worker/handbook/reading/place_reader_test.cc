@@ -211,6 +211,47 @@ TEST(PlaceReader, OnePieceAndAnother) {
                "The armchair is at a right angle to the sofa."}});
 }
 
+TEST(PlaceReader, WhoseThePlaceIs) {
+  EXPECT_THAT(PlacesIn("Kitchen with sink and dishwasher on the north wall."),
+              UnorderedElementsAre("The kitchen sink's back is against {wall}. [north]",
+                                   "The dishwasher's back is against {wall}. [north]"));
+  EXPECT_THAT(PlacesIn("Bedroom with a bed and a desk under the window."), ElementsAre("The desk is under the window."));
+  ExpectEach({
+      {"Dining room with a table with six chairs in the middle.", "The dining table is central in the room."},
+      {"Bedroom: a bed with a bench at the foot of it.", "The bedroom bench is next to the front of the double bed."},
+      {"Bedroom with a narrow bed that he never makes, in the corner.", "The single bed is in a corner."},
+      {"A bedroom, bed 100 x 200, headboard on the north wall.", "The double bed's back is against {wall}. [north]"},
+      {"Office with one desk; put it under the window.", "The desk is under the window."},
+  });
+}
+
+TEST(PlaceReader, EndsAislesSocketsAndWindows) {
+  ExpectEach({
+      {"A study with a desk near the socket.", "The desk is near a socket."},
+      {"A living room with two windows and an armchair between the windows.", "The armchair is near the window."},
+      {"A hall with a piano at one end.", "The upright piano's back is against {wall}. [short]"},
+      {"A shop with shelves on the windowless wall.", "The shop shelves's back is against {wall}. [blank]"},
+  });
+  EXPECT_THAT(PlacesIn("A hall with a piano on the left side and a sofa on the other."),
+              UnorderedElementsAre("The upright piano's back is against {wall}. [left]",
+                                   "The sofa's back is against {wall}. [across left]"));
+}
+
+TEST(PlaceReader, LengthsOfFreeFloor) {
+  const struct {
+    const char* text;
+    double length_m;
+  } kCases[] = {{"A gym with two treadmills at least 1.5 m apart.", 1.5},
+                {"A gym with a treadmill with 90 cm free behind it.", 0.9},
+                {"A gym with a treadmill with space behind it.", 0.9},
+                {"A workshop with a workbench with 3 ft free all around.", 0.9144}};
+  for (const auto& one : kCases) {
+    const BriefFacts facts = FactsOf(one.text);
+    ASSERT_EQ(facts.places.size(), 1) << one.text;
+    EXPECT_DOUBLE_EQ(facts.places[0].length_m, one.length_m) << one.text;
+  }
+}
+
 TEST(PlaceReader, WhatHangsStandsOnTopOrIsWalkedOver) {
   ExpectEach(
       {{"A living room with a painting above the sofa.", "The painting hangs on the wall above the sofa."},

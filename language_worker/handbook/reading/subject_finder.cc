@@ -31,7 +31,7 @@ std::optional<Subject> SubjectFinder::Before(std::size_t i, bool of_it) const {
     if (text_.Says(at - 1, {",", "and", "but"})) {
       if (unknown && !relative) return std::nullopt;
       joined = true;
-    } else if (text_.Says(at - 1, {"with", "without"}) && (unknown || text_.Is(at, "unit_words")) && !of_it) {
+    } else if (text_.Says(at - 1, {"with", "without"}) && !of_it) {
       unknown = false;  // "a bed with pots of herbs by the window": the bed's
     } else if (text_.IsSign(at - 1) ? before == ":" : !IsFiller(at - 1)) {
       // A thing of its own: "a quilt on the", "the window on the".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/sentences/list_constraints.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -120,6 +121,26 @@ TEST(ListConstraints, OneOfSeveralDoorsAndWindowsIsNamed) {
             "The desk is under the east window.\n");
   EXPECT_EQ(asked("A study 4 x 4 m with one big window, the desk under the big window."),
             "The desk is under the window.\n");
+}
+
+TEST(ListConstraints, PlacesOfSeveralAreSharedOut) {
+  const auto said = [](const std::string& text) {
+    std::string all;
+    const Design design = Ask(text, 1);
+    for (const v1::Sentence& sentence : design.constraints.sentences()) all += sentence.text() + "\n";
+    return all;
+  };
+  const std::string shelves = said("A bookshop, 4 by 11 m, door in the south, with four bookshelves on both long walls.");
+  for (const char* wall : {"first bookshelf's back is against the east", "fourth bookshelf's back is against the west"})
+    EXPECT_THAT(shelves, testing::HasSubstr(wall));
+  EXPECT_THAT(said("A barber shop, 4.5 x 6 m, door in the north, with four barber chairs along the east wall."),
+              testing::HasSubstr("The fourth styling station's back is against the east wall."));
+  EXPECT_THAT(said("A student room, 3.2 x 2.6 m, with a single bed along the south wall."),
+              testing::HasSubstr("One long side of the single bed is against the south wall."));
+  EXPECT_THAT(said("A lounge, 6 x 6 m, with four armchairs around a coffee table."),
+              testing::HasSubstr("The armchairs surround the coffee table."));
+  EXPECT_THAT(said("A bedroom, 4 x 5 m, with a bed and a dresser at the foot of the bed."),
+              testing::HasSubstr("The dresser faces the double bed."));
 }
 
 TEST(ListConstraints, VerbsFollowPluralNames) {
