@@ -121,7 +121,11 @@ class Grouper {
     const double side_m = std::sqrt(area_m2_), width_m = item->furniture->width_m().typical();
     const double row_m = item->furniture->depth_m().typical() + (SeatsOf(*item) ? kBehindDeskM : kBehindSeatM);
     int across = item->in_each;
-    for (item->abreast = Abreast(*item); across == 0; ++item->abreast) {
+    // "Two rows of five pews" that are too long to stand across the room are five pews on either side of an aisle.
+    const int asked_rows = across > 0 ? (item->count + across - 1) / across : 0;
+    const bool along = asked_rows > 1 && asked_rows < across && across * width_m > kShortSide * side_m;
+    if (along) across = asked_rows;
+    for (item->abreast = along ? 1 : Abreast(*item); across == 0; ++item->abreast) {
       const int block = item->abreast > 0 ? item->abreast : item->count;
       const auto length_m = [&](int n) { return n * width_m + std::max(rows.aisles_m(), (n - 1) / block * kWayM); };
       int most = 1;
