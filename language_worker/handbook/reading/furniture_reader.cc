@@ -283,7 +283,7 @@ class FurnitureReader {
       count.number = std::max(count.number, mentions_.back().count);
     }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};
-    if (groups.end > 0) wish.in_each = InEach(groups, count.number);
+    if (groups.end > 0) wish.in_each = groups.InEach(count.number);
     wish.in_rows = groups.rows;
     wish.noun = nouns_.NounAt(tokens_, i, length);
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
@@ -303,13 +303,6 @@ class FurnitureReader {
     if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text_, i)) {
       if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text_.BehindPhrase(*at, "wall_mounted") - *at);
     }
-  }
-
-  static int InEach(const Groups& groups, int number) {
-    constexpr int kUsual = 4;
-    if (groups.in_each > 0) return groups.in_each;
-    if (groups.count > 0) return (number + groups.count - 1) / groups.count;
-    return groups.rows ? 0 : kUsual;
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".

@@ -11,6 +11,7 @@
 #include "english/words.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_words.h"
+#include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
@@ -364,31 +365,6 @@ std::vector<OwnClass> OtherwiseCarried(const BriefFacts& facts) {
     own.furniture.add_synonyms(place.called);
   }
   return all;
-}
-
-bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace& asked) {
-  constexpr double kSmallM2 = 0.3, kHangsM2 = 0.7, kFlatM = 0.4;
-  const double area_m2 = furniture.width_m().typical() * furniture.depth_m().typical();
-  const bool floor = IsOnTheFloor(furniture);
-  if (furniture.walk_over() || furniture.kind() == hb::FURNITURE_KIND_CEILING) return false;
-  if (asked.carried() == hb::CARRIED_ON || asked.carried() == hb::CARRIED_IN) {
-    return area_m2 <= kSmallM2;
-  }
-  const auto& text = asked.relation().text();
-  // A curtain between two beds stands there, a television over the fireplace hangs.
-  const bool between = text.find("{first}") != std::string::npos;
-  if (between) return furniture.kind() == hb::FURNITURE_KIND_WALL;
-  const bool by_piece = text.find("{target}") != std::string::npos;
-  constexpr double kSlimM = 0.2;
-  if (by_piece && IsOneOfKinds(asked, hb::FURNITURE_KIND_WALL) && text.find("above") != std::string::npos) {
-    return furniture.kind() == hb::FURNITURE_KIND_SURFACE && furniture.depth_m().typical() < kSlimM;
-  }
-  if (by_piece || asked.carried() != hb::CARRIED_UNSPECIFIED) return false;
-  if (asked.kinds().empty() || IsOneOfKinds(asked, hb::FURNITURE_KIND_FLOOR)) {
-    return !floor && furniture.companions().empty();
-  }
-  if (IsOneOfKinds(asked, hb::FURNITURE_KIND_CEILING)) return area_m2 <= kHangsM2;
-  return !floor || furniture.depth_m().typical() < kFlatM;
 }
 
 const hb::Furniture* PlainThing(hb::FurnitureKind kind, const Handbook& handbook) {

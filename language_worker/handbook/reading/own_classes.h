@@ -36,9 +36,6 @@ std::vector<OwnClass> Placed(std::vector<OwnClass> classes, const BriefFacts& fa
 // corner of the room, a television on the wall. Each is the class, carried otherwise.
 std::vector<OwnClass> OtherwiseCarried(const BriefFacts& facts);
 
-// Whether a piece can be carried as a place asks for, though its class usually is not.
-bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace& asked);
-
 inline bool IsOnTheFloor(const hb::Furniture& furniture) {
   return furniture.kind() == hb::FURNITURE_KIND_FLOOR || furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED;
 }

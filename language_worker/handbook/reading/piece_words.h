@@ -35,6 +35,14 @@ struct Groups {
   std::size_t begin = 0;
   std::size_t end = 0;  // begin where there are none
   bool rows = false;    // side by side, not round about
+
+  // Of so many; 0 where rows take as many as fit.
+  int InEach(int number) const {
+    constexpr int kUsual = 4;
+    if (in_each > 0) return in_each;
+    if (count > 0) return (number + count - 1) / count;
+    return rows ? 0 : kUsual;
+  }
 };
 Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length);
 

@@ -101,6 +101,32 @@ bool PlacePatterns::Complete(const PlaceWords& words, Match& match) const {
   return Fits(words.slot, match.landmark);
 }
 
+bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace& asked) {
+  constexpr double kSmallM2 = 0.3, kHangsM2 = 0.7, kFlatM = 0.4;
+  const double area_m2 = furniture.width_m().typical() * furniture.depth_m().typical();
+  const bool floor = IsOnTheFloor(furniture);
+  const auto of_kind = [&](hb::FurnitureKind kind) { return Includes(asked.kinds(), static_cast<int>(kind)); };
+  if (furniture.walk_over() || furniture.kind() == hb::FURNITURE_KIND_CEILING) return false;
+  if (asked.carried() == hb::CARRIED_ON || asked.carried() == hb::CARRIED_IN) {
+    return area_m2 <= kSmallM2;
+  }
+  const auto& text = asked.relation().text();
+  // A curtain between two beds stands there, a television over the fireplace hangs.
+  const bool between = text.find("{first}") != std::string::npos;
+  if (between) return furniture.kind() == hb::FURNITURE_KIND_WALL;
+  const bool by_piece = text.find("{target}") != std::string::npos;
+  constexpr double kSlimM = 0.2;
+  if (by_piece && of_kind(hb::FURNITURE_KIND_WALL) && text.find("above") != std::string::npos) {
+    return furniture.kind() == hb::FURNITURE_KIND_SURFACE && furniture.depth_m().typical() < kSlimM;
+  }
+  if (by_piece || asked.carried() != hb::CARRIED_UNSPECIFIED) return false;
+  if (asked.kinds().empty() || of_kind(hb::FURNITURE_KIND_FLOOR)) {
+    return !floor && furniture.companions().empty();
+  }
+  if (of_kind(hb::FURNITURE_KIND_CEILING)) return area_m2 <= kHangsM2;
+  return !floor || furniture.depth_m().typical() < kFlatM;
+}
+
 bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool otherwise) {
   if (IsOfAnyKind(furniture)) return true;
   const bool floor = IsOnTheFloor(furniture);

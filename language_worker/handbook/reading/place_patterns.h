@@ -55,6 +55,9 @@ class PlacePatterns {
   const std::vector<PlaceWords>& places_;
 };
 
+// Whether a piece can be carried as a place asks for, though its class usually is not.
+bool MayBeCarriedOtherwise(const hb::Furniture& furniture, const hb::AskedPlace& asked);
+
 // Whether a place is for pieces of the class's kind: for those that stand on the floor when it does not say; or, where
 // `otherwise`, for a kind that it can be as well; see Carried.
 bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool otherwise);

@@ -52,19 +52,23 @@ class RunPlanner {
   }
 
   Units Best() {
-    for ([[maybe_unused]] const bool mirrored : {false, true}) {
-      for (int i = 0; i < room_.walls_size(); ++i) {
-        const int wall = (first_ + i) % room_.walls_size();
-        Straight(units_, wall, [&](const Units& run) { Offer(run, 0); });
-        for (std::size_t k = 0; k < units_.size(); ++k) RoundCorner(wall, k);
-        for (std::size_t k = 1; k < units_.size(); ++k) OnFacingWalls(wall, k);
-      }
-      std::ranges::reverse(units_);
-    }
+    OfferAll();
+    std::ranges::reverse(units_);
+    OfferAll();
     return best_;
   }
 
  private:
+  // In their order: straight, round a corner and on walls that face each other.
+  void OfferAll() {
+    for (int i = 0; i < room_.walls_size(); ++i) {
+      const int wall = (first_ + i) % room_.walls_size();
+      Straight(units_, wall, [&](const Units& run) { Offer(run, 0); });
+      for (std::size_t k = 0; k < units_.size(); ++k) RoundCorner(wall, k);
+      for (std::size_t k = 1; k < units_.size(); ++k) OnFacingWalls(wall, k);
+    }
+  }
+
   int Turned(int wall, int by) const { return (wall + by + room_.walls_size()) % room_.walls_size(); }
 
   // What doors leave of a wall, as deep as the units.

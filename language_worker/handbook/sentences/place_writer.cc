@@ -249,7 +249,7 @@ std::vector<v1::Sentence> PlaceWriter::WriteAlongTheMiddle(const Place& place, c
   if (!wall || !other || !end) return writer_.Write(place.asked->relation(), group);
   std::vector<v1::Sentence> sentences;
   for (const v1::Object* object : group) {
-    const double free_m = WallLength(room_, *end) - std::min(object->width_m(), object->depth_m());
+    const double free_m = std::max(0.3, WallLength(room_, *end) - std::min(object->width_m(), object->depth_m()));
     hb::Relation relation = place.asked->relation();
     relation.set_text(fmt::format("The {{object}} is at least {:.1f} m away from {{wall}}.", kShare * free_m));
     for (const int side : {*wall, *other})
