@@ -23,7 +23,10 @@ void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const s
     if (seat == nullptr || !IsSeat(*seat) || (seats == 0 && SitsOtherwise(furniture))) continue;
     const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
     const auto there = std::ranges::find_if(
-        program_.floor_items, [&](const ProgramItem& item) { return item.furniture == seat && item.zone == zone; });
+        program_.floor_items, [&](const ProgramItem& item) {
+          const bool of_another = item.seat_of != nullptr && item.seat_of != &furniture && seats > 0;
+          return item.furniture == seat && item.zone == zone && !of_another;
+        });
     if (there == program_.floor_items.end()) {
       if (IsWished(*seat) && seats == 0) continue;
       program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order(), 0, &furniture});

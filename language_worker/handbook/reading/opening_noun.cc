@@ -239,6 +239,8 @@ class NounReader {
   bool IsOfAPiece() {
     const std::size_t at = found_.begin;
     if (!found_.wish.door || at == 0) return false;
+    // "Nothing should block the wardrobe doors."
+    if (found_.plural && things_[noun_ - 1]) return true;
     if (found_.none) return things_[at - 1];
     const bool had = at > 1 && words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
     if (had) --found_.begin;

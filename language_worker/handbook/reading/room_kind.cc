@@ -349,6 +349,8 @@ class ShapeReader {
     // "A sofa in an L shape".
     std::size_t told = start;
     while (told > 0 && (text_.Is(told - 1, "articles") || text_.Says(told - 1, {"in", "of"}))) --told;
+    // "A metre of space all round", "floor to turn round": how, not what the floor is.
+    if (told == start && start > 0 && !EndsClause(start - 1) && !text_.Says(start - 1, {"is", "be", "was"})) return noun;
     for (i = start > kReach ? start - kReach : 0; i < start; ++i) {
       if (EndsClause(i) && i < told) noun.reset();
       i += ReadNoun(i, noun);
