@@ -3,13 +3,10 @@
 
 #include <sys/resource.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <set>
 
 #include "absl/strings/str_replace.h"
@@ -119,13 +116,6 @@ double ProcessCpu_s() { return Seconds(CLOCK_PROCESS_CPUTIME_ID); }
 double ThreadCpu_s() { return Seconds(CLOCK_THREAD_CPUTIME_ID); }
 double Wall_s() { return Seconds(CLOCK_MONOTONIC); }
 
-double Memory_MiB() {
-  std::ifstream pages("/proc/self/statm");
-  double all = 0, resident = 0;
-  pages >> all >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
-}
-
 double PeakMemory_MiB() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -137,31 +127,6 @@ double Quantile(std::vector<double> values, double share) {
   std::ranges::sort(values);
   return values[std::min(values.size() - 1, static_cast<size_t>(share * static_cast<double>(values.size())))];
 }
-
-double Mean(const std::vector<double>& values) {
-  if (values.empty()) return 0;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-std::optional<double> NumberAt(const Record& record, const std::string& at) {
-  const Record::json_pointer place(at);
-  return record.contains(place) ? std::optional(record.at(place).get<double>()) : std::nullopt;
-}
-
-std::vector<double> NumbersAt(const std::vector<Record>& records, const std::string& at, double factor) {
-  std::vector<double> numbers;
-  for (const Record& record : records) {
-    if (const std::optional<double> number = NumberAt(record, at)) numbers.push_back(factor * *number);
-  }
-  return numbers;
-}
-
-std::string CellOf(const Record& record, const Figure& figure) {
-  const std::optional<double> number = NumberAt(record, figure.at);
-  return number.has_value() ? fmt::format("{:.{}f}", figure.factor * *number, figure.digits) : "-";
-}
-
-std::string RecordText(const Record& record) { return JsonText(record, 1) + "\n"; }
 
 absl::Status CompleteGraph(v1::LayoutGraph& graph) {
   ASSIGN_OR_RETURN(const std::unique_ptr<const language::Handbook> handbook,

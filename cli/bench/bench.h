@@ -9,7 +9,6 @@
 
 #include "absl/status/status.h"
 #include "absl/status/statusor.h"
-#include "cli/output/text.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
@@ -48,38 +47,15 @@ double ProcessCpu_s();
 double ThreadCpu_s();
 // Monotonic time, seconds from some point.
 double Wall_s();
-// Memory that this process holds now, and the most it has held, MiB.
-double Memory_MiB();
+// The most memory that this process has held, MiB.
 double PeakMemory_MiB();
 
 // The value at `share` of [0, 1] of the way through the sorted values, the upper one between two; 0 when there are
 // none.
 double Quantile(std::vector<double> values, double share);
-double Mean(const std::vector<double>& values);
 
-// What was measured once: an object that --json writes and that tables are made of.
+// What was measured once; evaluation/bench makes tables of it.
 using Record = nlohmann::ordered_json;
-
-// A number of a record, by its JSON pointer; nothing when the record does not have it.
-std::optional<double> NumberAt(const Record& record, const std::string& at);
-// Those of all records that have it.
-std::vector<double> NumbersAt(const std::vector<Record>& records, const std::string& at, double factor = 1);
-
-// A column of a table of records.
-struct Figure {
-  const char* title;
-  const char* at;
-  int digits = 0;
-  double factor = 1;
-};
-// "-" for what the record does not have.
-std::string CellOf(const Record& record, const Figure& figure);
-
-// Indented, ending in a newline.
-std::string RecordText(const Record& record);
-
-// What is measured: solves, edits of solved layouts, single restarts, pictures and scenes. Each for people and for
-// programs.
 
 // Solves.
 
@@ -87,23 +63,13 @@ struct SolveMeasure {
   v1::SolvedLayout layout;
   // name, objects, cpu_s and wall_s of this process (all threads, medians over the repeats), restarts and evaluations
   // of all branches, total_cost; "stages" with the same of each; "ours" and, of the layout that the problem came with,
-  // "recorded": verdicts, measures and findings; "missed": the constraints that do not hold, and why.
+  // "recorded": verdicts, measures and findings; "missed": the constraints that do not hold, and why; "memory_mib": the
+  // most that the process had held before and after.
   Record record;
 };
 
 // Solves `repeats` (>= 1) times in this process. INTERNAL when the repeats do not give the same bytes.
 absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1::SolveOptions& options, int repeats);
-
-// What the columns of SolveTable mean, a line each; ends in an empty line.
-std::string SolveLegend();
-// One line a room; `name_width` is that of the longest name.
-TextTable SolveTable(size_t name_width);
-std::vector<std::string> SolveCells(const Record& solve);
-// Medians and means over all rooms, and, beside those of the recorded layouts, the measures over the rooms that have
-// one. `memory_before_MiB` is what the process held before the first solve.
-std::string SolveSummary(const std::vector<Record>& solves, double memory_before_MiB);
-// {"rooms": [...], "failures": [...], "memory_peak_mib": ...}; a failure is {"file", "reason"}.
-std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures);
 
 // Edits of solved layouts: what one costs, how much it moves, and how good the result is.
 
@@ -114,29 +80,10 @@ std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Re
 absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem, const v1::SolveOptions& options,
                                                     int per_kind);
 
-// A line per room, then medians and 95th percentiles per kind of edit and over all.
-std::string ResolveTable(const std::vector<Record>& edits);
-
-// How soon restarts of the primary stage find the best layout that many of them find.
-
-struct RestartsMeasure {
-  std::string name;
-  // One per restart, in order: where it ended, and the CPU time of its thread.
-  std::vector<double> scores;
-  std::vector<double> cpu_s;
-
-  double Best() const;
-  // Whether restart k ended within 1 % of the best (or 0.001, if that is more).
-  bool Hits(size_t k) const;
-  // Share of restarts that do.
-  double HitShare() const;
-};
-
-// Runs restarts 0 to `count` of the stage, one after the other. NOT_FOUND when the room has no primaries.
-absl::StatusOr<RestartsMeasure> MeasureRestarts(const BenchProblem& problem, v1::SolveOptions options, int count);
-
-// After how many restarts what share of the rooms has its best primary layout: 1, 2, 4, ... restarts.
-std::string RestartsTable(const std::vector<RestartsMeasure>& measures);
+// How soon restarts of the primary stage find the best layout that many of them find: runs restarts 0 to `count` of the
+// stage, one after the other. The record has name and, for each restart in order, its scores and the cpu_s of its
+// thread. NOT_FOUND when the room has no primaries.
+absl::StatusOr<Record> MeasureRestarts(const BenchProblem& problem, v1::SolveOptions options, int count);
 
 // Pictures and scenes.
 
@@ -148,18 +95,11 @@ struct RenderBench {
   bool views = true;
 };
 
-// Draws the layout as a renderer does, without its transport. The record has room, object_count and for each of
-// RenderKinds() that is drawn the cpu_s of all threads, the least of the repeats, and bytes. The first call of the
-// process also loads what it needs; call it once beforehand.
+// Draws the layout as a renderer does, without its transport. The record has room, object_count and for each kind of
+// picture that is drawn, such as "plan PNG", the cpu_s of all threads, the least of the repeats, and bytes. The first
+// call of the process also loads what it needs; call it once beforehand.
 absl::StatusOr<Record> MeasureRenders(const std::string& room, const v1::SolvedLayout& layout, const RenderBench& bench,
                                       renderer::ImageWriter& writer);
-// "plan PNG" and so on.
-std::vector<std::string> RenderKinds();
-
-// Median, 95th percentile and the slowest room of every kind, as a table for people.
-std::string RenderTable(const std::vector<Record>& rooms);
-// All figures of all rooms.
-std::string RenderJson(const std::vector<Record>& rooms, const RenderBench& bench);
 
 // Completes a graph that comes without its language stage, such as a recorded one: adds the sentences that follow from
 // the use of its objects, with their calls, and takes out the calls that they overrule. A call without a sentence

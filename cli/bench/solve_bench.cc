@@ -9,7 +9,6 @@
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "worker_runtime/status/status_macros.h"
-#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {
@@ -54,20 +53,10 @@ class CountingRunner final : public optimizer::RestartRunner {
   mutable StageTallies tallies_;
 };
 
-// One of the measures of a layout: its name in LayoutMetrics, what people read, and which end is good.
-struct Metric {
-  const char* name;
-  const char* title;
-  bool less_is_better;
-};
-constexpr Metric kMetrics[] = {{"oob_percent", "OOB, % of the room", true},
-                               {"oor_percent", "OOR, % of the room", true},
-                               {"deepest_overlap_m", "deepest overlap, m", true},
-                               {"oob_3d_percent", "OOB in 3D, % of the volume", true},
-                               {"oor_3d_percent", "OOR in 3D, % of the volume", true},
-                               {"reachable_floor_share", "reachable floor, share", false},
-                               {"reachable_front_share", "reachable fronts, share", false},
-                               {"pathway_cost_m3", "pathway cost, m3", true}};
+// Measures of a layout that are told, by their names in LayoutMetrics.
+constexpr const char* kMetrics[] = {"oob_percent",           "oor_percent",    "deepest_overlap_m",
+                                    "oob_3d_percent",        "oor_3d_percent", "reachable_floor_share",
+                                    "reachable_front_share", "pathway_cost_m3"};
 
 // Verdicts and measures of a SolvedLayout or an EvaluateResponse.
 template <typename Message>
@@ -80,9 +69,8 @@ Record QualityOf(const Message& message) {
                  {"missed", count(v1::OUTCOME_STATUS_VIOLATED)},
                  {"dropped", count(v1::OUTCOME_STATUS_DROPPED)}};
   const v1::LayoutMetrics& metrics = message.metrics();
-  for (const Metric& metric : kMetrics) {
-    const auto* const field = metrics.GetDescriptor()->FindFieldByName(metric.name);
-    quality[metric.name] = metrics.GetReflection()->GetDouble(metrics, field);
+  for (const char* const name : kMetrics) {
+    quality[name] = metrics.GetReflection()->GetDouble(metrics, metrics.GetDescriptor()->FindFieldByName(name));
   }
   quality["use_count"] = metrics.use_count();
   quality["met_use_count"] = metrics.met_use_count();
@@ -142,61 +130,11 @@ Record StagesOf(const v1::SolvedLayout& layout, const StageTallies& tallies,
   return stages;
 }
 
-// The measures beside those of the recorded layouts, over the rooms that have one.
-std::string BesideRecorded(const std::vector<Record>& all) {
-  std::vector<Record> paired;
-  std::ranges::copy_if(all, std::back_inserter(paired), [](const Record& solve) { return solve.contains("recorded"); });
-  if (paired.empty()) return "";
-  const TextTable table({fmt::format("mean over {} with a recorded layout", Counted(std::ssize(paired), "room")),
-                         "ours", "recorded", "ratio", "ours no worse in"},
-                        46, 9);
-  std::string text = table.Header();
-  const auto row = [&](const std::string& name, bool less_is_better, const auto& of) {
-    std::vector<double> ours, theirs;
-    int no_worse = 0;
-    for (const Record& solve : paired) {
-      ours.push_back(of(solve["ours"]));
-      theirs.push_back(of(solve["recorded"]));
-      const double difference = ours.back() - theirs.back();
-      no_worse += less_is_better ? difference <= 1e-9 : difference >= -1e-9;
-    }
-    text += table.Row({name, fmt::format("{:.4f}", Mean(ours)), fmt::format("{:.4f}", Mean(theirs)),
-                       Mean(theirs) > 0 ? fmt::format("{:.3f}", Mean(ours) / Mean(theirs)) : "",
-                       Counted(no_worse, "room")});
-  };
-  row("share of constraints that hold, by our terms", false, [](const Record& quality) {
-    const double held = quality["held"], missed = quality["missed"];
-    return held / std::max(1.0, held + missed);
-  });
-  for (const Metric& metric : kMetrics) {
-    row(metric.title, metric.less_is_better, [&](const Record& quality) { return quality[metric.name].get<double>(); });
-  }
-  return text;
-}
-
-constexpr Figure kFigures[] = {{"objs", "/objects"},
-                               {"CPU ms", "/cpu_s", 0, 1e3},
-                               {"runs", "/restarts"},
-                               {"evals k", "/evaluations", 0, 1e-3},
-                               {"primary", "/stages/primary/cost", 3},
-                               {"second", "/stages/secondary/cost", 3},
-                               {"polish", "/stages/polish/cost", 3},
-                               {"tertiary", "/stages/tertiary/cost", 3},
-                               {"OOB %", "/ours/oob_percent", 4},
-                               {"OOR %", "/ours/oor_percent", 4},
-                               {"deep mm", "/ours/deepest_overlap_m", 3, 1e3},
-                               {"floor", "/ours/reachable_floor_share", 3},
-                               {"fronts", "/ours/reachable_front_share", 3},
-                               {"path m3", "/ours/pathway_cost_m3", 4},
-                               {"held", "/ours/held"},
-                               {"missed", "/ours/missed"},
-                               {"rec path", "/recorded/pathway_cost_m3", 4},
-                               {"rec held", "/recorded/held"}};
-
 }  // namespace
 
 absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1::SolveOptions& options, int repeats) {
   SolveMeasure measure;
+  const double memory_before_MiB = PeakMemory_MiB();
   const optimizer::NloptSolver solver;
   std::vector<double> cpu_s, wall_s;
   std::array<std::vector<double>, kStages.size()> stage_cpu_s;
@@ -229,63 +167,11 @@ absl::StatusOr<SolveMeasure> MeasureSolve(const BenchProblem& problem, const v1:
                     {"evaluations", evaluations},
                     {"total_cost", measure.layout.total_cost()},
                     {"stages", StagesOf(measure.layout, tallies, stage_cpu_s)},
+                    {"memory_mib", {{"before", memory_before_MiB}, {"after", PeakMemory_MiB()}}},
                     {"ours", QualityOf(measure.layout)}};
   MeasureRecorded(problem, options, solver, measure.record);
   measure.record["missed"] = MissedOf(measure.layout);
   return measure;
-}
-
-std::string SolveLegend() {
-  return "CPU ms    of a solve, all threads; runs and evals k: its restarts and thousands of evaluations\n"
-         "primary.. cost at the end of each stage, of the branch that won\n"
-         "OOB, OOR  area outside the room and in other things or door swings, percent of the room; deep: deepest "
-         "overlap\n"
-         "floor     share of the free floor that can be reached from the door; fronts: share of the objects' fronts\n"
-         "path m3   pathway cost: how much stands in the ways; held, missed: constraints\n"
-         "rec       the same of the layout that the problem was recorded with\n\n";
-}
-
-TextTable SolveTable(size_t name_width) {
-  std::vector<std::string> titles = {"room"};
-  for (const Figure& figure : kFigures) titles.emplace_back(figure.title);
-  return TextTable(titles, name_width);
-}
-
-std::vector<std::string> SolveCells(const Record& solve) {
-  std::vector<std::string> cells = {solve["name"]};
-  for (const Figure& figure : kFigures) cells.push_back(CellOf(solve, figure));
-  return cells;
-}
-
-std::string SolveSummary(const std::vector<Record>& solves, double memory_before_MiB) {
-  const auto sum = [&solves](const char* at) {
-    return std::llround(Mean(NumbersAt(solves, at)) * static_cast<double>(solves.size()));
-  };
-  const int64_t held = sum("/ours/held"), judged = held + sum("/ours/missed");
-  const std::vector<double> cpu_s = NumbersAt(solves, "/cpu_s");
-  std::string text = fmt::format(
-      "\n{}: CPU median {:.3f} s, mean {:.3f} s, 95th percentile {:.3f} s, most {:.3f} s\n"
-      "restarts {:.1f}, evaluations {:.0f} k a room; {} of {} ({:.1f} %)\n"
-      "memory of the process: {:.1f} MiB before the first solve, {:.1f} MiB at most\n\n",
-      Counted(std::ssize(solves), "room"), Quantile(cpu_s, 0.5), Mean(cpu_s), Quantile(cpu_s, 0.95), Quantile(cpu_s, 1),
-      Mean(NumbersAt(solves, "/restarts")), Mean(NumbersAt(solves, "/evaluations", 1e-3)), held,
-      Counted(judged, "constraint holds", "constraints hold"),
-      100.0 * static_cast<double>(held) / static_cast<double>(std::max<int64_t>(1, judged)), memory_before_MiB,
-      PeakMemory_MiB());
-  const TextTable stages({"stage", "CPU ms", "share", "runs", "evals k"}, 10, 8);
-  text += "mean per room\n" + stages.Header();
-  for (const optimizer::StageKind stage : kStages) {
-    const std::string name = NameOf(stage);
-    const auto mean = [&](const char* of) { return Mean(NumbersAt(solves, fmt::format("/stages/{}/{}", name, of))); };
-    text += stages.Row({name, fmt::format("{:.1f}", 1e3 * mean("cpu_s")),
-                        fmt::format("{:.0f} %", 100 * mean("cpu_s") / std::max(1e-9, Mean(cpu_s))),
-                        fmt::format("{:.1f}", mean("restarts")), fmt::format("{:.0f}", 1e-3 * mean("evaluations"))});
-  }
-  return text + "\n" + BesideRecorded(solves);
-}
-
-std::string SolvesToJson(const std::vector<Record>& solves, const std::vector<Record>& failures) {
-  return RecordText({{"rooms", solves}, {"failures", failures}, {"memory_peak_mib", PeakMemory_MiB()}});
 }
 
 }  // namespace flair::cli

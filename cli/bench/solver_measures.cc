@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 #include "cli/bench/bench.h"
 #include "fmt/format.h"
@@ -14,7 +12,6 @@
 #include "renderer_worker/service/handlers.h"
 #include "room/geometry/pose.h"
 #include "worker_runtime/status/status_macros.h"
-#include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
 namespace {
@@ -68,30 +65,6 @@ std::vector<std::string> EditsOf(const v1::SolvedLayout& layout, int per_kind) {
     lines.push_back(fmt::format("drop {}", layout.graph().edges(e).id()));
   }
   return lines;
-}
-
-TextTable Table(const std::vector<Record>& edits) {
-  size_t width = 12;
-  for (const Record& edit : edits) width = std::max(width, edit["room"].get<std::string>().size());
-  return TextTable({"edits of", "edits", "CPU ms", "95 %", "most", "moved", "held", "after", "deep mm"}, width, 7);
-}
-
-std::vector<std::string> Cells(const std::string& name, const std::vector<Record>& edits) {
-  std::vector<std::string> cells = {name, fmt::format("{}", edits.size())};
-  for (const double share : {0.5, 0.95, 1.0}) {
-    cells.push_back(fmt::format("{:.1f}", Quantile(NumbersAt(edits, "/cpu_s", 1e3), share)));
-  }
-  for (const char* at : {"/moved", "/held_before", "/held_after"}) {
-    cells.push_back(fmt::format("{:.2f}", Mean(NumbersAt(edits, at))));
-  }
-  cells.push_back(fmt::format("{:.3f}", Quantile(NumbersAt(edits, "/deepest_overlap_m", 1e3), 1)));
-  return cells;
-}
-
-double MeanHitShare(const std::vector<RestartsMeasure>& measures) {
-  std::vector<double> shares;
-  for (const RestartsMeasure& room : measures) shares.push_back(room.HitShare());
-  return Mean(shares);
 }
 
 constexpr int64_t kAnyAnswer = int64_t{1} << 40;
@@ -148,39 +121,7 @@ absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem,
   return edits;
 }
 
-std::string ResolveTable(const std::vector<Record>& edits) {
-  std::map<std::string, std::vector<Record>> rooms, kinds;
-  for (const Record& edit : edits) {
-    const std::string line = edit["edit"];
-    rooms[edit["room"]].push_back(edit);
-    kinds[line.substr(0, line.find(' '))].push_back(edit);
-  }
-  const TextTable table = Table(edits);
-  std::string text =
-      "CPU ms    of one edit: median, 95th percentile, most\n"
-      "moved     objects; held, after: constraints that hold before and after it; means\n"
-      "deep mm   deepest overlap; what a person moves or pins into something stays there\n\n" +
-      table.Header();
-  for (const auto& [name, list] : rooms) text += table.Row(Cells(name, list));
-  text += "\n" + table.Header();
-  for (const auto& [name, list] : kinds) text += table.Row(Cells("all: " + name, list));
-  return text + table.Row(Cells("all", edits));
-}
-
-double RestartsMeasure::Best() const { return *std::ranges::min_element(scores); }
-
-bool RestartsMeasure::Hits(size_t k) const {
-  const double best = Best();
-  return scores[k] <= best + std::max(1e-3, 0.01 * std::abs(best));
-}
-
-double RestartsMeasure::HitShare() const {
-  size_t hits = 0;
-  for (size_t k = 0; k < scores.size(); ++k) hits += Hits(k);
-  return static_cast<double>(hits) / static_cast<double>(scores.size());
-}
-
-absl::StatusOr<RestartsMeasure> MeasureRestarts(const BenchProblem& problem, v1::SolveOptions options, int count) {
+absl::StatusOr<Record> MeasureRestarts(const BenchProblem& problem, v1::SolveOptions options, int count) {
   options.set_thread_count(1);
   const optimizer::NloptSolver solver;
   const absl::StatusOr<optimizer::SolveInput> input =
@@ -188,58 +129,16 @@ absl::StatusOr<RestartsMeasure> MeasureRestarts(const BenchProblem& problem, v1:
   if (!input.ok()) return input.status();
   const optimizer::StageSpec stage = optimizer::MakeStage(input->scene, optimizer::StageKind::kPrimary);
   if (stage.objects.empty()) return absl::NotFoundError("the room has no primary objects");
-  RestartsMeasure measure{problem.name, {}, {}};
+  Record measure{{"name", problem.name}, {"scores", Record::array()}, {"cpu_s", Record::array()}};
   for (int k = 0; k < count; ++k) {
     const double started = ThreadCpu_s();
     const absl::StatusOr<std::vector<optimizer::RestartResult>> results =
         optimizer::RunRestarts(*input, stage, optimizer::PartialLayout(input->scene), k, 1);
     if (!results.ok()) return results.status();
-    measure.cpu_s.push_back(ThreadCpu_s() - started);
-    measure.scores.push_back(results->front().score);
+    measure["cpu_s"].push_back(ThreadCpu_s() - started);
+    measure["scores"].push_back(results->front().score);
   }
   return measure;
-}
-
-std::string RestartsTable(const std::vector<RestartsMeasure>& measures) {
-  const TextTable rooms({"room", "best", "first hit", "hits %", "ms each"}, 28, 9);
-  std::string text =
-      "best       least cost of the primary stage over all restarts; first hit: number of the first one within 1 % of "
-      "it\n"
-      "hits       share of the restarts within 1 % of it; ms each: CPU time of one restart, mean\n\n" +
-      rooms.Header();
-  for (const RestartsMeasure& room : measures) {
-    size_t first = 0;
-    while (!room.Hits(first)) ++first;
-    text += rooms.Row({room.name, fmt::format("{:.4f}", room.Best()), fmt::format("{}", first),
-                       fmt::format("{:.1f}", 100 * room.HitShare()), fmt::format("{:.2f}", 1e3 * Mean(room.cpu_s))});
-  }
-  const TextTable curve({"restarts", "rooms at their best %", "mean cost above it", "median CPU ms"}, 8, 9);
-  text += fmt::format("\n{}; {:.1f} % of single restarts reach the best\n\n", Counted(std::ssize(measures), "room"),
-                      100 * MeanHitShare(measures));
-  text += curve.Header();
-  size_t most = 0;
-  for (const RestartsMeasure& room : measures) most = std::max(most, room.scores.size());
-  for (size_t count = 1; count / 2 < most; count *= 2) {
-    // Of each room after its first restarts: whether one of them hit, and how far the best of them is above the best.
-    std::vector<double> found, gaps, cpu_s;
-    for (const RestartsMeasure& room : measures) {
-      const auto end = static_cast<ptrdiff_t>(std::min(count, room.scores.size()));
-      const auto best = std::min_element(room.scores.begin(), room.scores.begin() + end);
-      found.push_back(room.Hits(static_cast<size_t>(best - room.scores.begin())) ? 1 : 0);
-      gaps.push_back(*best - room.Best());
-      cpu_s.push_back(std::accumulate(room.cpu_s.begin(), room.cpu_s.begin() + end, 0.0));
-    }
-    text += curve.Row({fmt::format("{}", std::min(count, most)), fmt::format("{:.1f}", 100 * Mean(found)),
-                       fmt::format("{:.4f}", Mean(gaps)), fmt::format("{:.1f}", 1e3 * Quantile(cpu_s, 0.5))});
-  }
-  return text;
-}
-
-std::vector<std::string> RenderKinds() {
-  std::vector<std::string> kinds;
-  for (const Picture& picture : kPictures) kinds.emplace_back(picture.name);
-  kinds.emplace_back(kScene);
-  return kinds;
 }
 
 absl::StatusOr<Record> MeasureRenders(const std::string& room, const v1::SolvedLayout& layout, const RenderBench& bench,
@@ -275,31 +174,6 @@ absl::StatusOr<Record> MeasureRenders(const std::string& room, const v1::SolvedL
                      return response.scene().size();
                    }));
   return record;
-}
-
-std::string RenderTable(const std::vector<Record>& rooms) {
-  std::string text =
-      fmt::format("{:<12}{:>14}{:>14}{:>14}{:>12}  {}\n", "CPU", "median ms", "p95 ms", "most ms", "KiB", "slowest");
-  for (const std::string& kind : RenderKinds()) {
-    const std::string time = fmt::format("/{}/cpu_s", kind);
-    const std::vector<double> cpu_ms = NumbersAt(rooms, time, 1e3);
-    if (cpu_ms.empty()) continue;
-    const auto slowest =
-        std::ranges::max_element(rooms, {}, [&time](const Record& room) { return NumberAt(room, time).value_or(-1); });
-    text += fmt::format("{:<12}{:>14.1f}{:>14.1f}{:>14.1f}{:>12.0f}  {}\n", kind, Quantile(cpu_ms, 0.5),
-                        Quantile(cpu_ms, 0.95), Quantile(cpu_ms, 1),
-                        Quantile(NumbersAt(rooms, fmt::format("/{}/bytes", kind), 1.0 / 1024), 0.5),
-                        (*slowest)["room"].get<std::string>());
-  }
-  return text;
-}
-
-std::string RenderJson(const std::vector<Record>& rooms, const RenderBench& bench) {
-  return RecordText({{"repeat_count", bench.repeat_count},
-                     {"view_size_px", bench.view_size_px},
-                     {"sample_count", bench.sample_count},
-                     {"thread_count", bench.thread_count},
-                     {"rooms", rooms}});
 }
 
 }  // namespace flair::cli

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// flair-dev bench: measures solver, renderer and translator on folders of problems.
+// flair-dev bench: measures solver, renderer and translator on folders of problems. Prints a JSON object a line, of
+// which evaluation/bench makes tables for people.
 #include "cli/bench/bench.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,7 +9,6 @@
 #include <memory>
 
 #include "absl/time/clock.h"
-#include "cli/bench/translate_bench.h"
 #include "cli/commands/commands.h"
 #include "cli/embedded/embedded_services.h"
 #include "cli/exit_code.h"
@@ -20,10 +18,11 @@
 #include "cli/input/service_flags.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
+#include "cli/output/text.h"
 #include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
-#include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/registry.h"
 #include "renderer_worker/images/image_files.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/grpc/channel.h"
@@ -39,27 +38,29 @@ struct BenchArguments : Options {
   std::string& problems = Required("DIR", "Folder (or file) of graphs, layouts or recorded FlairGPT problems");
 };
 
-// Measures every problem. Those that cannot be read or measured are named and returned.
-std::vector<Record> MeasureEach(const std::vector<ProblemFile>& files,
-                                const std::function<absl::Status(BenchProblem&)>& measure) {
-  // The lines on standard output show how far it is, unless they go elsewhere.
-  const bool show_progress = isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
-  const char* const clear_line = show_progress ? "\r\033[K" : "";
-  std::vector<Record> failures;
-  for (size_t i = 0; i < files.size(); ++i) {
-    if (show_progress) fmt::print(stderr, "{}{}/{} {}", clear_line, i + 1, files.size(), files[i].name);
-    absl::StatusOr<BenchProblem> problem = ReadBenchProblem(files[i]);
-    const absl::Status status = problem.ok() ? measure(*problem) : problem.status();
-    if (status.ok()) continue;
-    const std::string file = files[i].path.string(), reason(status.message());
-    failures.push_back({{"file", file}, {"reason", reason}});
-    fmt::print(stderr, "{}{}: {}\n", clear_line, file, reason);
-  }
-  fmt::print(stderr, "{}", clear_line);
-  return failures;
-}
+using Measure = std::function<absl::StatusOr<std::vector<Record>>(BenchProblem&)>;
 
-absl::Status AllMeasured(const std::vector<Record>& failures, const std::vector<ProblemFile>& files) {
+// Measures every problem and prints each record on a line of its own; with `json`, all of them also go into that file.
+// Problems that cannot be read or measured are named, and the others measured all the same.
+absl::Status MeasureEach(const std::vector<ProblemFile>& files, const std::string& json, const Measure& measure) {
+  std::vector<Record> records, failures;
+  for (const ProblemFile& file : files) {
+    absl::StatusOr<BenchProblem> problem = ReadBenchProblem(file);
+    const auto measured = problem.ok() ? measure(*problem) : problem.status();
+    if (!measured.ok()) {
+      const std::string reason(measured.status().message());
+      failures.push_back({{"file", file.path.string()}, {"reason", reason}});
+      fmt::print(stderr, "{}: {}\n", file.path.string(), reason);
+      continue;
+    }
+    for (const Record& record : *measured) fmt::print("{}\n", JsonText(record));
+    std::fflush(stdout);
+    records.insert(records.end(), measured->begin(), measured->end());
+  }
+  if (!json.empty()) {
+    const Record all = {{"rooms", records}, {"failures", failures}};
+    RETURN_IF_ERROR(WriteOutputFile(json, JsonText(all, 1) + "\n"));
+  }
   if (failures.empty()) return absl::OkStatus();
   return absl::UnknownError(
       fmt::format("{} of {} could not be measured", failures.size(), Counted(std::ssize(files), "problem")));
@@ -119,55 +120,31 @@ absl::Status BenchSolve(const BenchSolveArguments& arguments) {
   options.set_seed(arguments.seed);
   options.set_thread_count(arguments.threads);
   if (arguments.restarts) options.set_max_restart_count(*arguments.restarts);
-  size_t name_width = 0;
-  for (const ProblemFile& file : files) name_width = std::max(name_width, file.name.size());
-  const TextTable table = SolveTable(name_width);
-  fmt::print("{}{}", SolveLegend(), table.Header());
-  const double memory_before_MiB = Memory_MiB();
-  std::vector<Record> solves;
-  const std::vector<Record> failures = MeasureEach(files, [&](BenchProblem& problem) {
+  const auto measure_one = [&](BenchProblem& problem) -> absl::StatusOr<std::vector<Record>> {
     if (arguments.complete) RETURN_IF_ERROR(CompleteGraph(problem.graph));
     ASSIGN_OR_RETURN(const SolveMeasure measure, MeasureSolve(problem, options, arguments.repeats));
-    fmt::print("{}", table.Row(SolveCells(measure.record)));
-    std::fflush(stdout);
-    solves.push_back(measure.record);
-    return WriteLayout(measure, arguments.out);
-  });
-  if (!solves.empty()) fmt::print("{}", SolveSummary(solves, memory_before_MiB));
-  std::fflush(stdout);
-  if (!arguments.json.empty()) RETURN_IF_ERROR(WriteOutputFile(arguments.json, SolvesToJson(solves, failures)));
-  if (!arguments.out.empty() && !solves.empty()) {
-    fmt::print("layouts are in {0}: NAME.json for the judge, NAME.pb for flair render {0}/NAME.pb --out NAME.png\n",
-               arguments.out);
+    RETURN_IF_ERROR(WriteLayout(measure, arguments.out));
+    return std::vector<Record>{measure.record};
+  };
+  const absl::Status status = MeasureEach(files, arguments.json, measure_one);
+  if (!arguments.out.empty()) {
+    fmt::print(stderr, "layouts are in {0}: NAME.json for the judge, NAME.pb for flair render\n", arguments.out);
   }
-  return AllMeasured(failures, files);
+  return status;
 }
 
 struct BenchResolveArguments : BenchArguments {
   using BenchArguments::BenchArguments;
   int& per_kind =
       Whole("--per-kind N", 1, 1000, 4, "Objects and constraints of a room to edit in each way, 1 to 1000 (4)");
-  bool& list = Flag("--list", "List every edit");
 };
 
 absl::Status BenchResolve(const BenchResolveArguments& arguments) {
   ASSIGN_OR_RETURN(const std::vector<ProblemFile> files, ListProblemFiles(arguments.problems));
   v1::SolveOptions options;
   options.set_thread_count(1);
-  std::vector<Record> all;
-  const std::vector<Record> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
-    ASSIGN_OR_RETURN(const std::vector<Record> edits, MeasureResolves(problem, options, arguments.per_kind));
-    all.insert(all.end(), edits.begin(), edits.end());
-    if (!arguments.list) return absl::OkStatus();
-    for (const Record& edit : edits) {
-      fmt::print("{:<28}{:<60}{:>8.1f} ms {:>3} moved, {} -> {}\n", edit["room"].get<std::string>(),
-                 edit["edit"].get<std::string>(), 1e3 * edit["cpu_s"].get<double>(), edit["moved"].dump(),
-                 edit["held_before"].dump(), edit["held_after"].dump());
-    }
-    return absl::OkStatus();
-  });
-  if (!all.empty()) fmt::print("{}", ResolveTable(all));
-  return AllMeasured(failures, files);
+  return MeasureEach(
+      files, "", [&](const BenchProblem& problem) { return MeasureResolves(problem, options, arguments.per_kind); });
 }
 
 struct BenchRestartsArguments : BenchArguments {
@@ -180,14 +157,10 @@ absl::Status BenchRestarts(const BenchRestartsArguments& arguments) {
   ASSIGN_OR_RETURN(const std::vector<ProblemFile> files, ListProblemFiles(arguments.problems));
   v1::SolveOptions options;
   options.set_seed(arguments.seed);
-  std::vector<RestartsMeasure> measures;
-  const std::vector<Record> failures = MeasureEach(files, [&](const BenchProblem& problem) -> absl::Status {
-    ASSIGN_OR_RETURN(RestartsMeasure measure, MeasureRestarts(problem, options, arguments.restarts));
-    measures.push_back(std::move(measure));
-    return absl::OkStatus();
+  return MeasureEach(files, "", [&](const BenchProblem& problem) -> absl::StatusOr<std::vector<Record>> {
+    ASSIGN_OR_RETURN(Record measure, MeasureRestarts(problem, options, arguments.restarts));
+    return std::vector<Record>{std::move(measure)};
   });
-  if (!measures.empty()) fmt::print("{}", RestartsTable(measures));
-  return AllMeasured(failures, files);
 }
 
 constexpr size_t kMostRooms = 10000;
@@ -202,7 +175,6 @@ struct BenchRenderArguments : Options {
   int& samples = Whole("--samples N", 1, 4096, RenderBench().sample_count, "Its light paths per pixel, 1 to 4096 (16)");
   int& threads = Whole("--threads N", 1, 256, RenderBench().thread_count, "Its threads, 1 to 256 (2)");
   bool& no_views = Flag("--no-views", "Skip the views");
-  bool& list = Flag("--list", "List every room");
   std::string& json = Text("--json FILE", "Write all figures as JSON");
 };
 
@@ -230,30 +202,18 @@ absl::Status BenchRender(const BenchRenderArguments& arguments) {
     }
     const absl::StatusOr<Record> measure = MeasureRenders(room, solved, bench, *writer);
     if (!measure.ok()) return About(folder.string(), measure.status());
-    if (arguments.list) {
-      fmt::print("{:<34}{:>4} objects", room, (*measure)["object_count"].dump());
-      for (const std::string& kind : RenderKinds()) {
-        const std::optional<double> cpu_s = NumberAt(*measure, fmt::format("/{}/cpu_s", kind));
-        if (cpu_s.has_value()) fmt::print("{:>9.1f} ms", 1e3 * *cpu_s);
-      }
-      fmt::print("\n");
-    }
+    fmt::print("{}\n", JsonText(*measure));
+    std::fflush(stdout);
     rooms.push_back(*measure);
   }
-  fmt::print("{}, {}, views of {} px with {} per pixel on {}\n{}", Counted(std::ssize(rooms), "room"),
-             Counted(bench.repeat_count, "repeat"), bench.view_size_px, Counted(bench.sample_count, "path"),
-             Counted(bench.thread_count, "thread"), RenderTable(rooms));
   if (arguments.json.empty()) return absl::OkStatus();
-  return WriteOutputFile(arguments.json, RenderJson(rooms, bench));
+  return WriteOutputFile(arguments.json, JsonText(Record{{"rooms", rooms}}, 1) + "\n");
 }
 
 constexpr absl::Duration kRoomWithin = absl::Minutes(10);
 
-struct BenchTranslateArguments : Options {
-  using Options::Options;
-  std::string& labels = Required("DIR", "Folder of .jsonl labels, or one file of them");
-  std::string& rooms = Text("--rooms DIR", "Folder of the recorded rooms; by default in DIR or beside it");
-  bool& misses = Flag("--misses", "List every sentence with a mistake");
+struct BenchTranslateArguments : BenchArguments {
+  using BenchArguments::BenchArguments;
   std::string& address = Text("--translator HOST:PORT", "Use this server instead of the built-in translator");
   LlmFlags llm{command()};
 };
@@ -267,56 +227,63 @@ absl::StatusOr<OptionalLlm> ReadModel(const BenchTranslateArguments& arguments) 
                          given, arguments.address);
 }
 
-absl::StatusOr<TranslateScore> Measure(const std::vector<LabelledRoom>& rooms, const v1::ConstraintCatalog& catalog,
-                                       const std::string& address, const OptionalLlm& model) {
+// The types of our catalogue that the reference library knows by their name or an alias: labels speak of no others.
+v1::ConstraintCatalog TypesOfTheReference() {
+  v1::ConstraintCatalog known = optimizer::MakeCatalog();
+  const auto is_other = [](const v1::ConstraintType& type) {
+    const auto is_known = [](const std::string& name) {
+      return evaluation::FindFlairGptFunction(evaluation::CanonicalFlairGptName(name)) != nullptr;
+    };
+    return !type.built_in() && !is_known(type.name()) && std::ranges::none_of(type.aliases(), is_known);
+  };
+  auto& types = *known.mutable_types();
+  types.erase(std::remove_if(types.begin(), types.end(), is_other), types.end());
+  return known;
+}
+
+absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
+  ASSIGN_OR_RETURN(const std::vector<ProblemFile> files, ListProblemFiles(arguments.problems));
+  ASSIGN_OR_RETURN(const OptionalLlm model, ReadModel(arguments));
   std::unique_ptr<EmbeddedServices> services;
   std::shared_ptr<grpc::Channel> channel;
-  if (address.empty()) {
+  if (arguments.address.empty()) {
     ASSIGN_OR_RETURN(services, EmbeddedServices::StartStages(model));
     channel = services->stages().translator.channel;
   } else {
     ASSIGN_OR_RETURN(const runtime::ChannelOptions options, StageConnection());
-    ASSIGN_OR_RETURN(channel, runtime::MakeChannel(address, v1::TranslatorService::service_full_name(), options));
+    ASSIGN_OR_RETURN(channel,
+                     runtime::MakeChannel(arguments.address, v1::TranslatorService::service_full_name(), options));
   }
   const auto stub = v1::TranslatorService::NewStub(channel);
-  size_t asked = 0;
-  return MeasureTranslation(rooms, catalog, [&](const v1::TranslateRequest& request) {
-    // The grammar is through with all rooms at once, a model takes its time for each.
-    if (model.has_value()) fmt::print(stderr, "{} of {}: {}\n", asked + 1, rooms.size(), rooms[asked].name);
-    ++asked;
+  return MeasureEach(files, "", [&](const BenchProblem& problem) -> absl::StatusOr<std::vector<Record>> {
+    v1::TranslateRequest request;
+    request.set_request_id("bench-" + problem.name);
+    *request.mutable_catalog() = TypesOfTheReference();
+    *request.mutable_room() = problem.graph.room();
+    *request.mutable_zone_plan() = problem.graph.zone_plan();
+    *request.mutable_object_list() = problem.graph.object_list();
+    *request.mutable_constraint_list() = problem.graph.constraint_list();
     runtime::CallContext call;
-    return runtime::UnaryRequest(*stub, &v1::TranslatorService::StubInterface::Translate, request, call,
-                                 absl::Now() + kRoomWithin);
+    const double started = ProcessCpu_s();
+    ASSIGN_OR_RETURN(const v1::TranslateResponse response,
+                     runtime::UnaryRequest(*stub, &v1::TranslatorService::StubInterface::Translate, request, call,
+                                           absl::Now() + kRoomWithin));
+    return std::vector<Record>{{{"name", problem.name},
+                                {"cpu_s", ProcessCpu_s() - started},
+                                {"graph", Record::parse(ToJsonLine(response.layout_graph()))}}};
   });
-}
-
-absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
-  ASSIGN_OR_RETURN(const TranslateLabels labels, ReadTranslateLabels(arguments.labels, arguments.rooms));
-  for (const std::string& failure : labels.failures) fmt::print(stderr, "{}\n", failure);
-  ASSIGN_OR_RETURN(const OptionalLlm model, ReadModel(arguments));
-  const double started = ProcessCpu_s();
-  ASSIGN_OR_RETURN(const TranslateScore score,
-                   Measure(labels.rooms, TypesOfTheReference(optimizer::MakeCatalog()), arguments.address, model));
-  const double cpu_ms = 1e3 * (ProcessCpu_s() - started);
-  if (arguments.misses) fmt::print("{}\n", score.misses);
-  fmt::print("{}", TranslateScoreText(score, cpu_ms));
-  std::fflush(stdout);
-  if (labels.failures.empty()) return absl::OkStatus();
-  return InvalidArgument("{} could not be measured",
-                         Counted(std::ssize(labels.failures), "line of labels", "lines of labels"));
 }
 
 }  // namespace
 
 void AddBench(const Commands& program) {
-  const Commands bench = program.Group("bench", "Measure the solver.");
+  const Commands bench = program.Group("bench", "Measure; prints JSON, of which ./flair-dev makes tables.");
   bench.Add("solve", "Solve every problem of a folder: times, costs, measures.", BenchSolve);
   bench.Add("render", "Draw the layouts of a folder: CPU of plans, bird's-eye views and scenes.", BenchRender);
   bench.Add("resolve", "Edit solved layouts of a folder's problems: times, moves, constraints that hold.",
             BenchResolve);
   bench.Add("restarts", "Measure how many restarts it takes to find the best primary layout.", BenchRestarts);
-  bench.Add("translate", "Translate labelled sentences of recorded rooms: correct, wrong, missed, wrongly refused.",
-            BenchTranslate);
+  bench.Add("translate", "Translate the sentences of a folder's graphs.", BenchTranslate);
 }
 
 }  // namespace flair::cli

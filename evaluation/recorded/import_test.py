@@ -18,8 +18,7 @@ class Imported:
 
     def __init__(self, name: str, folder: Path) -> None:
         self.answers = folder / "answers"
-        self._run(sys.executable, HERE / "import_answers", "--programs", PROGRAMS, HERE / f"testdata/{name}.json", "--out",
-                  self.answers)
+        self._run(sys.executable, HERE / "import_answers", HERE / f"testdata/{name}.json", "--out", self.answers)
         self._run(PROGRAMS / "flair", "design", "--brief", self.answers / "brief.json", "--replay", self.answers, "--out",
                   folder / "design", "--restarts", 1, "--size", 256, home=folder / "home")
         self.remarks = (self.answers / "remarks.txt").read_text(encoding="utf-8")

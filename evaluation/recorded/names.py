@@ -182,7 +182,7 @@ class Names:
             chosen = [i for i in chosen if of_size(self.things[i])] or chosen
         if zone:
             chosen = [i for i in chosen if self.things[i].zone == zone] or chosen
-        number = re.match(r"[ (#]*(\d{1,2})(?![\w.])", behind)
+        number = re.match(r"[ (#]*(\d{1,2})(?!\w|\.\d)", behind)
         if number and 1 <= int(number[1]) <= len(chosen):
             return [chosen[int(number[1]) - 1]]
         return chosen

@@ -5,12 +5,11 @@ objects as numbers, its calls, and the texts that it wrote."""
 import hashlib
 import json
 import re
-import subprocess
-import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from names import LISTS, Thing, keys_of
+from programs import BadProblem, read_graph
 
 _LARGEST_FILE = 10_000_000
 
@@ -70,18 +69,6 @@ def _values(value: dict) -> list[str]:
     return ["true" if value["flag"] else "false"] if "flag" in value else [value.get("text", "")]
 
 
-def read_graph(flair: Path, path: Path) -> dict:
-    """The layout graph that `flair-dev import flairgpt` makes of the file."""
-    with tempfile.TemporaryDirectory(prefix="flair-recorded-") as scratch:
-        graph = Path(scratch) / "graph.pb"
-        for command in ([flair / "flair-dev", "import", "flairgpt", path, "--out", graph],
-                        [flair / "flair", "inspect", graph, "--out", graph.with_suffix(".json")]):
-            ended = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
-            if ended.returncode != 0:
-                raise BadRoom(ended.stderr.strip().splitlines()[-1].removeprefix(f"flair-dev: {path}: "))
-        return json.loads(graph.with_suffix(".json").read_text(encoding="utf-8"))["layout_graph"]
-
-
 def _things(graph: dict) -> list[Thing]:
     return [Thing(made["id"], made["name"], made["role"].removeprefix("OBJECT_ROLE_").lower(),
                   made["kind"].removeprefix("OBJECT_KIND_").lower(), made.get("zone_id", ""), made["width_m"],
@@ -115,7 +102,10 @@ def read_room(flair: Path, path: Path) -> Room:
     """`flair` is the folder of the programs."""
     content = path.read_bytes()
     problem = read_problem(content)
-    graph = read_graph(flair, path)
+    try:
+        graph = read_graph(flair, path)
+    except BadProblem as error:
+        raise BadRoom(str(error).removeprefix(f"{path}: ")) from error
     far = graph["room"]["floor"]["vertices"][2]
     room = Room(re.sub(r"\s", " ", problem["prompt"]).strip(), hashlib.sha256(content).hexdigest()[:8], far["x_m"],
                 far["y_m"], graph["room"].get("openings", []), graph["room"].get("sockets", []),

@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string kLabels = FLAIR_SOURCE_DIR "/cli/bench/testdata/translate";
+const std::string kLabels = FLAIR_SOURCE_DIR "/evaluation/bench/testdata/translate";
 
 class BenchTranslate : public ::testing::Test {
  protected:

@@ -17,10 +17,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// As ./flair-dev import answers runs it.
 Finished ImportAnswers(const std::filesystem::path& room, const std::filesystem::path& out) {
-  return RunProgram("/usr/bin/python3", {FLAIR_SOURCE_DIR "/evaluation/recorded/import_answers", "--programs",
-                                         ProgramPath("flair").parent_path(), room, "--out", out});
+  return RunProgram("flair-dev", {"import", "answers", room, "--out", out});
 }
 
 std::filesystem::path RoomFile(const std::string& name) {

@@ -153,7 +153,7 @@ TEST_F(SolverCommands, BenchSolveGivesTheLayoutsThatSolveGives) {
     }
   }
   EXPECT_THAT(run.out, HasSubstr("2 rooms: CPU median"));
-  EXPECT_THAT(run.out, HasSubstr("layouts are in " + Path("layouts")));
+  EXPECT_THAT(run.err, HasSubstr("layouts are in " + Path("layouts")));
 }
 
 // Every line of a table between its rule and the next empty line is as long as its titles.
