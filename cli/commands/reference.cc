@@ -57,12 +57,11 @@ absl::Status Catalog(const CatalogArguments& arguments) {
 struct ProtocolArguments : Options {
   using Options::Options;
   std::string& name = Text("NAME", "One entry in full: a service, call, message or enum");
-  bool& markdown = Flag("--markdown", "All of them in full, as docs/protocol.md", {"NAME"});
 };
 
 absl::Status Protocol(const ProtocolArguments& arguments) {
   if (arguments.name.empty()) {
-    fmt::print("{}", arguments.markdown ? ProtocolMarkdown() : ProtocolOverview());
+    fmt::print("{}", ProtocolOverview());
     return absl::OkStatus();
   }
   ASSIGN_OR_RETURN(const std::string entry, ProtocolEntryText(arguments.name));

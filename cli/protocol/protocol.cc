@@ -2,9 +2,7 @@
 #include "cli/protocol/protocol.h"
 
 #include <algorithm>
-#include <cctype>
 
-#include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
 #include "absl/strings/str_cat.h"
 #include "absl/strings/str_join.h"
@@ -30,6 +28,7 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::FileDescriptor;
 using google::protobuf::FileDescriptorProto;
 using google::protobuf::FileDescriptorSet;
+using google::protobuf::MethodDescriptor;
 using google::protobuf::ServiceDescriptor;
 
 constexpr std::string_view kPackage = "flair.v1";
@@ -52,6 +51,13 @@ const DescriptorPool& Pool() {
   return *pool;
 }
 
+struct ProtocolFile {
+  // What it is about, such as "The furnished room".
+  std::string title;
+  const FileDescriptor* file;
+};
+
+// All files of the package in reading order: services as a brief meets them, then artifacts, then their parts.
 std::vector<ProtocolFile> ReadFiles() {
   std::vector<ProtocolFile> files;
   for (const auto& [name, title] :
@@ -67,36 +73,49 @@ std::vector<ProtocolFile> ReadFiles() {
   return files;
 }
 
-using google::protobuf::MethodDescriptor;
-using google::protobuf::OneofDescriptor;
+// Calls `visit` with every service, then every message, then every enum of a file.
+template <typename Visit>
+void ForEachDeclaration(const FileDescriptor& file, const Visit& visit) {
+  for (int i = 0; i < file.service_count(); ++i) visit(*file.service(i));
+  for (int i = 0; i < file.message_type_count(); ++i) visit(*file.message_type(i));
+  for (int i = 0; i < file.enum_type_count(); ++i) visit(*file.enum_type(i));
+}
 
 constexpr size_t kLineLength = 100;
+
+// The comment before a declaration, on one line.
+template <typename Declaration>
+std::string CommentOf(const Declaration& declaration) {
+  google::protobuf::SourceLocation location;
+  if (!declaration.GetSourceLocation(&location)) return "";
+  return absl::StrJoin(absl::StrSplit(location.leading_comments, absl::ByAnyChar(" \n"), absl::SkipEmpty()), " ");
+}
 
 template <typename Declaration>
 std::string Comment(const Declaration& declaration, size_t indent) {
   const std::string margin(indent, ' ');
-  const std::string text = Wrapped(absl::StrJoin(CommentOf(declaration), " "), kLineLength, margin, indent);
+  const std::string text = Wrapped(CommentOf(declaration), kLineLength, margin, indent);
   return text.empty() ? "" : absl::StrCat(margin, text, "\n");
 }
 
-template <typename Declaration>
-std::string FirstSentence(const Declaration& declaration) {
-  const std::string all = absl::StrJoin(CommentOf(declaration), " ");
-  const size_t end = all.find(". ");
-  return end == std::string::npos ? all : all.substr(0, end + 1);
+// What a field holds, such as "list of Wall", "optional double".
+std::string TypeOf(const FieldDescriptor& field) {
+  const std::string prefix = field.is_repeated() ? "list of " : field.has_optional_keyword() ? "optional " : "";
+  if (field.enum_type() != nullptr) return prefix + field.enum_type()->name();
+  const Descriptor* const message = field.message_type();
+  if (message == nullptr) return prefix + field.type_name();
+  return prefix + (message->file()->package() == kPackage ? message->name() : message->full_name());
 }
 
 std::string MessageText(const Descriptor& message) {
   std::string text = absl::StrCat("message ", message.name(), "\n", Comment(message, 2));
   for (int i = 0; i < message.field_count(); ++i) {
     const FieldDescriptor& field = *message.field(i);
-    const FieldType type = TypeOf(field);
     const auto* const oneof = field.real_containing_oneof();
-    absl::StrAppend(
-        &text, "\n",
-        fmt::format("  {} = {}: {}{}{}{}\n", field.name(), field.number(), type.prefix, type.prefix.empty() ? "" : " ",
-                    type.name, oneof == nullptr ? "" : absl::StrCat(", one of ", oneof->name())),
-        Comment(field, 6));
+    absl::StrAppend(&text, "\n",
+                    fmt::format("  {} = {}: {}{}\n", field.name(), field.number(), TypeOf(field),
+                                oneof == nullptr ? "" : absl::StrCat(", one of ", oneof->name())),
+                    Comment(field, 6));
   }
   return text;
 }
@@ -124,167 +143,20 @@ std::string ServiceText(const ServiceDescriptor& service) {
 
 template <typename Declaration>
 std::string OverviewLine(const Declaration& declaration) {
-  return fmt::format("  {:<28} {}\n", declaration.name(), FirstSentence(declaration));
+  const std::string all = CommentOf(declaration);
+  const size_t end = all.find(". ");
+  return fmt::format("  {:<28} {}\n", declaration.name(), end == std::string::npos ? all : all.substr(0, end + 1));
 }
 
-constexpr std::string_view kIntroduction =
-    "# Protocol\n\n"
-    "Package `flair.v1`: what the servers are asked, what they answer, and the artifacts between them. Written from "
-    "the\n"
-    "comments in [protos/flair/v1](../protos/flair/v1) by `flair protocol --markdown`; a test fails when it is stale.\n"
-    "`flair protocol NAME` prints one entry. How a server is put in a stage's place: "
-    "[replace-a-stage.md](replace-a-stage.md).\n\n"
-    "Metres and radians; x east, y north, z up. A field without \"optional\" that is not sent has its zero value; a "
-    "field of\n"
-    "message type may always be absent. In JSON and text the names are those given here.\n\n";
+// One of these, or nothing.
+struct ProtocolEntry {
+  const Descriptor* message = nullptr;
+  const EnumDescriptor* enumeration = nullptr;
+  const ServiceDescriptor* service = nullptr;
+  const MethodDescriptor* method = nullptr;
+};
 
-// As GitHub makes it from a heading.
-std::string AnchorOf(std::string_view heading) {
-  std::string anchor;
-  for (const char c : heading) {
-    if (c == ' ') anchor += '-';
-    if (absl::ascii_isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_') {
-      anchor += absl::ascii_tolower(static_cast<unsigned char>(c));
-    }
-  }
-  return anchor;
-}
-
-std::string LinkTo(std::string_view text, std::string_view name) {
-  return fmt::format("[{}](#{})", text, AnchorOf(name));
-}
-
-// Whether a word of a comment means a declaration, "SolveRequest", "Producer.build", rather than the thing, "Room".
-bool IsReference(std::string_view word) {
-  const std::string_view name = word.substr(0, word.find('.'));
-  const ProtocolEntry entry = FindInProtocol(name);
-  const std::string* exact = entry.message != nullptr       ? &entry.message->name()
-                             : entry.enumeration != nullptr ? &entry.enumeration->name()
-                             : entry.service != nullptr     ? &entry.service->name()
-                                                            : nullptr;
-  if (exact == nullptr || *exact != name) return false;
-  return name.size() < word.size() ||
-         std::ranges::count_if(name, [](unsigned char c) { return std::isupper(c) != 0; }) > 1;
-}
-
-// A comment's words with links, and with what Markdown would take for its own escaped.
-std::string Inline(std::string_view comment) {
-  std::string text;
-  bool is_code = false;
-  for (size_t i = 0; i < comment.size();) {
-    size_t end = i;
-    while (end < comment.size() && (absl::ascii_isalnum(static_cast<unsigned char>(comment[end])) ||
-                                    comment[end] == '_' || comment[end] == '.')) {
-      ++end;
-    }
-    while (end > i && comment[end - 1] == '.') --end;
-    if (end > i) {
-      const std::string_view word = comment.substr(i, end - i);
-      text += !is_code && IsReference(word) ? LinkTo(word, word.substr(0, word.find('.'))) : std::string(word);
-      i = end;
-      continue;
-    }
-    const char c = comment[i++];
-    if (c == '`') is_code = !is_code;
-    if (c == '|' || (!is_code && (c == '*' || c == '<' || c == '_'))) text += '\\';
-    text += c;
-  }
-  return text;
-}
-
-template <typename Declaration>
-std::string Paragraphs(const Declaration& declaration) {
-  std::string text;
-  for (const std::string& paragraph : CommentOf(declaration)) absl::StrAppend(&text, Inline(paragraph), "\n\n");
-  return text;
-}
-
-template <typename Declaration>
-std::string OneLine(const Declaration& declaration) {
-  return Inline(absl::StrJoin(CommentOf(declaration), " "));
-}
-
-std::string TypeCell(const FieldDescriptor& field) {
-  const FieldType type = TypeOf(field);
-  return absl::StrCat(type.prefix, type.prefix.empty() ? "" : " ",
-                      type.is_ours ? LinkTo(type.name, type.name) : absl::StrCat("`", type.name, "`"));
-}
-
-std::string OneofText(const OneofDescriptor& oneof) {
-  std::vector<std::string> names;
-  for (int i = 0; i < oneof.field_count(); ++i) names.push_back(absl::StrCat("`", oneof.field(i)->name(), "`"));
-  return fmt::format("\nAt most one of {} (`{}`): {}\n", absl::StrJoin(names, ", "), oneof.name(), OneLine(oneof));
-}
-
-std::string Section(const Descriptor& message) {
-  std::string text = fmt::format("### {}\n\n{}", message.name(), Paragraphs(message));
-  if (message.field_count() == 0) return text + "Has no fields.\n\n";
-  text += "| field | type | number | meaning |\n| --- | --- | --- | --- |\n";
-  for (int i = 0; i < message.field_count(); ++i) {
-    const FieldDescriptor& field = *message.field(i);
-    absl::StrAppend(
-        &text, fmt::format("| `{}` | {} | {} | {} |\n", field.name(), TypeCell(field), field.number(), OneLine(field)));
-  }
-  for (int i = 0; i < message.real_oneof_decl_count(); ++i) text += OneofText(*message.oneof_decl(i));
-  return text + "\n";
-}
-
-std::string Section(const EnumDescriptor& enumeration) {
-  std::string text = fmt::format("### {}\n\n{}| value | number | meaning |\n| --- | --- | --- |\n", enumeration.name(),
-                                 Paragraphs(enumeration));
-  for (int i = 0; i < enumeration.value_count(); ++i) {
-    const auto& value = *enumeration.value(i);
-    absl::StrAppend(&text, fmt::format("| `{}` | {} | {} |\n", value.name(), value.number(), OneLine(value)));
-  }
-  return text + "\n";
-}
-
-std::string Section(const ServiceDescriptor& service) {
-  std::string text = fmt::format("### {}\n\n{}", service.name(), Paragraphs(service));
-  for (int i = 0; i < service.method_count(); ++i) {
-    const MethodDescriptor& method = *service.method(i);
-    const std::string& request = method.input_type()->name();
-    const std::string& response = method.output_type()->name();
-    absl::StrAppend(
-        &text, fmt::format("- **{}**: {} → {}{}<br>{}\n", method.name(), LinkTo(request, request),
-                           method.server_streaming() ? "stream of " : "", LinkTo(response, response), OneLine(method)));
-  }
-  return text + "\n";
-}
-
-}  // namespace
-
-std::span<const ProtocolFile> ProtocolFiles() {
-  static const std::vector<ProtocolFile> files = ReadFiles();
-  return files;
-}
-
-std::vector<std::string> ParagraphsOf(const std::string& comment) {
-  std::vector<std::string> paragraphs;
-  bool goes_on = false;
-  for (absl::string_view line : absl::StrSplit(comment, '\n')) {
-    line = absl::StripAsciiWhitespace(line);
-    if (!line.empty() && goes_on) absl::StrAppend(&paragraphs.back(), " ", line);
-    if (!line.empty() && !goes_on) paragraphs.emplace_back(line);
-    goes_on = !line.empty();
-  }
-  return paragraphs;
-}
-
-FieldType TypeOf(const FieldDescriptor& field) {
-  FieldType type;
-  if (field.is_repeated()) type.prefix = "list of";
-  if (field.has_optional_keyword()) type.prefix = "optional";
-  const Descriptor* const message = field.message_type();
-  const EnumDescriptor* const enumeration = field.enum_type();
-  type.is_ours = enumeration != nullptr || (message != nullptr && message->file()->package() == kPackage);
-  type.name = enumeration != nullptr ? enumeration->name()
-              : message == nullptr   ? field.type_name()
-              : type.is_ours         ? message->name()
-                                     : message->full_name();
-  return type;
-}
-
+// By its name without the package, in any case: "Room", "SolveOptions", "OptimizerService", "Solve".
 ProtocolEntry FindInProtocol(std::string_view any_case) {
   struct {
     const absl::string_view name;
@@ -302,15 +174,17 @@ ProtocolEntry FindInProtocol(std::string_view any_case) {
       }
     }
   } search{{any_case.data(), any_case.size()}, {}};
-  for (const auto& [title, file] : ProtocolFiles()) {
+  for (const auto& [title, file] : ReadFiles()) {
     ForEachDeclaration(*file, [&search](const auto& declaration) { search(declaration); });
   }
   return search.found;
 }
 
+}  // namespace
+
 std::string ProtocolOverview() {
   std::string text;
-  for (const auto& [title, file] : ProtocolFiles()) {
+  for (const auto& [title, file] : ReadFiles()) {
     absl::StrAppend(&text, text.empty() ? "" : "\n", title, " (", file->name(), ")\n");
     ForEachDeclaration(*file, [&text](const auto& declaration) {
       text += OverviewLine(declaration);
@@ -332,25 +206,6 @@ absl::StatusOr<std::string> ProtocolEntryText(std::string_view name) {
   }
   return absl::StrCat("call of ", entry.method->service()->name(), "\n  ", MethodText(*entry.method), "\n",
                       MessageText(*entry.method->input_type()), "\n", MessageText(*entry.method->output_type()));
-}
-
-std::string ProtocolMarkdown() {
-  std::string text(kIntroduction);
-  text += "| chapter | what is in it |\n| --- | --- |\n";
-  for (const auto& [title, file] : ProtocolFiles()) {
-    std::vector<std::string> links;
-    ForEachDeclaration(
-        *file, [&links](const auto& declaration) { links.push_back(LinkTo(declaration.name(), declaration.name())); });
-    absl::StrAppend(&text, fmt::format("| {} | {} |\n", LinkTo(title, title), absl::StrJoin(links, ", ")));
-  }
-  text += "\n";
-  for (const auto& [title, file] : ProtocolFiles()) {
-    const std::string name = file->name().substr(file->name().rfind('/') + 1);
-    absl::StrAppend(&text, fmt::format("## {}\n\n[{}](../protos/{})\n\n", title, name, file->name()));
-    ForEachDeclaration(*file, [&text](const auto& declaration) { text += Section(declaration); });
-  }
-  text.pop_back();
-  return text;
 }
 
 }  // namespace flair::cli
