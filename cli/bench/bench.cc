@@ -12,7 +12,6 @@
 #include "absl/strings/str_replace.h"
 #include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
-#include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/translator_service.pb.h"
 #include "fmt/format.h"
 #include "language_worker/handbook/completion/complete_constraints.h"
@@ -89,27 +88,12 @@ absl::StatusOr<std::vector<ProblemFile>> ListProblemFiles(const fs::path& path) 
 }
 
 absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file) {
-  ASSIGN_OR_RETURN(std::string text, ReadFile(file.path));
-  BenchProblem problem{file.name, {}, std::nullopt};
-  const absl::StatusOr<v1::Artifact> artifact = ReadArtifact(file.path);
-  if (artifact.ok() && artifact->has_layout_graph()) {
-    problem.graph = artifact->layout_graph();
-    return problem;
+  ASSIGN_OR_RETURN(const v1::Artifact artifact, ReadArtifact(file.path));
+  if (artifact.has_layout_graph()) return BenchProblem{file.name, artifact.layout_graph(), std::nullopt};
+  if (artifact.has_solved_layout()) {
+    return BenchProblem{file.name, artifact.solved_layout().graph(), artifact.solved_layout()};
   }
-  if (artifact.ok() && artifact->has_solved_layout()) {
-    problem.graph = artifact->solved_layout().graph();
-    problem.recorded = artifact->solved_layout();
-    return problem;
-  }
-  if (artifact.ok()) return absl::InvalidArgumentError("an artifact, but neither a graph nor a layout");
-  absl::StatusOr<v1::LayoutGraph> recorded = evaluation::ReadFlairGptRoom(text);
-  if (!recorded.ok()) {
-    return InvalidArgument("neither a graph, nor a layout, nor a recorded problem: {}", recorded.status().message());
-  }
-  problem.graph = *std::move(recorded);
-  absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(text, problem.graph);
-  if (solution.ok()) problem.recorded = *std::move(solution);
-  return problem;
+  return absl::InvalidArgumentError("an artifact, but neither a graph nor a layout");
 }
 
 double ProcessCpu_s() { return Seconds(CLOCK_PROCESS_CPUTIME_ID); }

@@ -37,8 +37,8 @@ struct BenchProblem {
 // `flair design --out` writes). `path` itself when it is a file. NOT_FOUND when there are none.
 absl::StatusOr<std::vector<ProblemFile>> ListProblemFiles(const std::filesystem::path& path);
 
-// A graph of ours, the graph of a layout of ours (.pb or .json), or a recorded FlairGPT problem (.json).
-// INVALID_ARGUMENT when it is none of these.
+// A graph, or the graph of a layout, .pb or .json; INVALID_ARGUMENT when it is neither. ./flair-dev import flairgpt
+// makes them of recorded problems.
 absl::StatusOr<BenchProblem> ReadBenchProblem(const ProblemFile& file);
 
 // CPU time that this process has used, all threads, seconds.

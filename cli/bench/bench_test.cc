@@ -18,7 +18,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const fs::path kStudy = FLAIR_SOURCE_DIR "/evaluation/readers/testdata/small_study.json";
+const fs::path kStudy = FLAIR_SOURCE_DIR "/cli/bench/testdata/small_study.json";
 
 class BenchTest : public testing::Test {
  protected:
@@ -88,7 +88,7 @@ TEST_F(BenchTest, FilesOfAnotherKindAreRefusedWithAReason) {
   Write("bad.json", "{\"a\":");
   const absl::StatusOr<BenchProblem> problem = ReadBenchProblem({"bad", folder_ / "bad.json"});
   EXPECT_EQ(problem.status().code(), absl::StatusCode::kInvalidArgument);
-  EXPECT_THAT(std::string(problem.status().message()), HasSubstr("neither a graph, nor a layout"));
+  EXPECT_THAT(std::string(problem.status().message()), HasSubstr("bad.json:1: "));
 }
 
 TEST(SolveMeasureTest, CountsTheWorkOfEveryStage) {

@@ -19,7 +19,6 @@
 #include "cli/output/artifact_text.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/text.h"
-#include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/registry.h"
@@ -35,7 +34,7 @@ namespace {
 
 struct BenchArguments : Options {
   using Options::Options;
-  std::string& problems = Required("DIR", "Folder (or file) of graphs, layouts or recorded FlairGPT problems");
+  std::string& problems = Required("DIR", "Folder (or file) of graphs or layouts");
 };
 
 using Measure = std::function<absl::StatusOr<std::vector<Record>>(BenchProblem&)>;
@@ -50,7 +49,8 @@ absl::Status MeasureEach(const std::vector<ProblemFile>& files, const std::strin
     if (!measured.ok()) {
       const std::string reason(measured.status().message());
       failures.push_back({{"file", file.path.string()}, {"reason", reason}});
-      fmt::print(stderr, "{}: {}\n", file.path.string(), reason);
+      // A file that cannot be read is named already.
+      fmt::print(stderr, "{}{}\n", problem.ok() ? file.path.string() + ": " : "", reason);
       continue;
     }
     for (const Record& record : *measured) fmt::print("{}\n", JsonText(record));
@@ -68,7 +68,8 @@ absl::Status MeasureEach(const std::vector<ProblemFile>& files, const std::strin
 
 struct BenchSolveArguments : BenchArguments {
   using BenchArguments::BenchArguments;
-  std::string& out = Text("-o,--out DIR", "Folder for the layouts, as .pb and in the FlairGPT format");
+  std::string& out =
+      Text("-o,--out DIR", "Folder for the layouts, as .pb and, from ./flair-dev, in the FlairGPT format");
   std::string& json = Text("--json FILE", "Write all figures as JSON");
   std::vector<std::string>& only = List("--only NAME", "Only these problems, by file name without extension");
   int& threads = Whole("--threads N", 1, 256, 1, "Threads of the solver, 1 to 256 (1); changes no result");
@@ -79,13 +80,10 @@ struct BenchSolveArguments : BenchArguments {
   bool& complete = Flag("--complete", "Add relations that follow from use, as a design does");
 };
 
-// NAME.json for the judge of the reference data, NAME.pb for flair render and flair inspect.
+// NAME.pb for flair render and flair inspect.
 absl::Status WriteLayout(const SolveMeasure& measure, const std::filesystem::path& folder) {
   if (folder.empty()) return absl::OkStatus();
-  const std::string name = measure.record["name"];
-  RETURN_IF_ERROR(WriteOutputFile(folder / (name + ".json"),
-                                  evaluation::WriteFlairGptLayout(measure.layout, name, measure.record["cpu_s"])));
-  return WriteOutputFile(folder / (name + ".pb"),
+  return WriteOutputFile(folder / (measure.record["name"].get<std::string>() + ".pb"),
                          LayoutArtifactBytes(measure.layout, "bench solve", runtime::BuildName()));
 }
 
@@ -214,6 +212,7 @@ constexpr absl::Duration kRoomWithin = absl::Minutes(10);
 
 struct BenchTranslateArguments : BenchArguments {
   using BenchArguments::BenchArguments;
+  std::vector<std::string>& types = Commas("--types A,B", "Only these types of constraints, by name or alias");
   std::string& address = Text("--translator HOST:PORT", "Use this server instead of the built-in translator");
   LlmFlags llm{command()};
 };
@@ -227,17 +226,15 @@ absl::StatusOr<OptionalLlm> ReadModel(const BenchTranslateArguments& arguments) 
                          given, arguments.address);
 }
 
-// The types of our catalogue that the reference library knows by their name or an alias: labels speak of no others.
-v1::ConstraintCatalog TypesOfTheReference() {
+// The types of our catalogue that have one of these names, as their own or as an alias, or are built in; all without.
+v1::ConstraintCatalog CatalogOf(const std::vector<std::string>& names) {
   v1::ConstraintCatalog known = optimizer::MakeCatalog();
-  const auto is_other = [](const v1::ConstraintType& type) {
-    const auto is_known = [](const std::string& name) {
-      return evaluation::FindFlairGptFunction(evaluation::CanonicalFlairGptName(name)) != nullptr;
-    };
-    return !type.built_in() && !is_known(type.name()) && std::ranges::none_of(type.aliases(), is_known);
+  const auto is_other = [&](const v1::ConstraintType& type) {
+    const auto is_named = [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); };
+    return !type.built_in() && !is_named(type.name()) && std::ranges::none_of(type.aliases(), is_named);
   };
   auto& types = *known.mutable_types();
-  types.erase(std::remove_if(types.begin(), types.end(), is_other), types.end());
+  if (!names.empty()) types.erase(std::remove_if(types.begin(), types.end(), is_other), types.end());
   return known;
 }
 
@@ -258,7 +255,7 @@ absl::Status BenchTranslate(const BenchTranslateArguments& arguments) {
   return MeasureEach(files, "", [&](const BenchProblem& problem) -> absl::StatusOr<std::vector<Record>> {
     v1::TranslateRequest request;
     request.set_request_id("bench-" + problem.name);
-    *request.mutable_catalog() = TypesOfTheReference();
+    *request.mutable_catalog() = CatalogOf(arguments.types);
     *request.mutable_room() = problem.graph.room();
     *request.mutable_zone_plan() = problem.graph.zone_plan();
     *request.mutable_object_list() = problem.graph.object_list();

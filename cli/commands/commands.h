@@ -64,8 +64,6 @@ void AddHealth(const Commands& program);
 void AddToken(const Commands& program);
 
 // Of flair-dev.
-void AddImport(const Commands& program);
-void AddExportFlairGpt(const Commands& program);
 void AddBench(const Commands& program);
 
 // The programs: inline, so that each links only its own commands.
@@ -102,9 +100,8 @@ inline Program DesignCommands() {
 // flair-dev: what only Flair's own developers do.
 inline Program DevCommands() {
   return {.name = "flair-dev",
-          .description = "Measures Flair, and exchanges problems with the paper's released implementation.",
-          .groups = {{"Measure", {AddBench}},
-                     {"Exchange with the released implementation", {AddImport, AddExportFlairGpt}}},
+          .description = "Measures Flair; ./flair-dev also exchanges problems with the released implementation.",
+          .groups = {{"Measure", {AddBench}}},
           .footer = "flair-dev COMMAND --help says more.",
           .prepare = UseOurModels};
 }

@@ -103,8 +103,9 @@ class Page:
         text = ""
         for i, method in enumerate(service.method):
             request, response = (name.rpartition(".")[2] for name in (method.input_type, method.output_type))
-            text += (f"- **{method.name}**: {link(request, request)} → {'stream of ' if method.server_streaming else ''}"
-                     f"{link(response, response)}<br>{self.one_line(*path, MEMBER, i)}\n")
+            stream = "stream of " if method.server_streaming else ""
+            text += (f"- **{method.name}**: {link(request, request)} → {stream}{link(response, response)}<br>"
+                     f"{self.one_line(*path, MEMBER, i)}\n")
         return text + "\n"
 
     def text(self) -> str:

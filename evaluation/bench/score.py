@@ -6,9 +6,9 @@ from collections import Counter
 from labels import Bullet, Call
 from tables import Table, counted
 
-# Correct: all calls of an alternative are made and none besides, or none where nothing is wanted. Wrong: a call is made that
-# no alternative names. Missed: other clauses of the sentence gave calls, or a part of this one's. Refused: the sentence gave
-# no call at all.
+# Correct: all calls of an alternative are made and none besides, or none where nothing is wanted. Wrong: a call is made
+# that no alternative names. Missed: other clauses of the sentence gave calls, or a part of this one's. Refused: the
+# sentence gave no call at all.
 OUTCOMES = ("correct", "wrong", "missed", "refused")
 
 # Labels give centimetres; readers of feet come within this.
@@ -44,9 +44,9 @@ def _same_arguments(made: dict, gold: dict) -> bool:
 
 
 def meets(made: Call, gold: Call) -> bool:
-    """The same type, and each labelled argument the same. Types that mean the same both ways may swap their objects with
-    their sides; sides and surrounding objects are sets; against_wall and near_wall without a labelled side mean the back,
-    accessible without sides the front."""
+    """The same type, and each labelled argument the same. Types that mean the same both ways may swap their objects
+    with their sides; sides and surrounding objects are sets; against_wall and near_wall without a labelled side mean
+    the back, accessible without sides the front."""
     if made.type != gold.type:
         return False
     if made.type in ("against_wall", "near_wall") and "side" not in gold.arguments:
@@ -59,8 +59,8 @@ def meets(made: Call, gold: Call) -> bool:
 
 
 def outcomes_of(bullet: Bullet, made: list[Call]) -> list[str]:
-    """One for each label. A call that no label of the bullet names counts once: against the first clause that is not met,
-    else against the last one to be refused, else against the last."""
+    """One for each label. A call that no label of the bullet names counts once: against the first clause that is not
+    met, else against the last one to be refused, else against the last."""
     def met(alternatives: list[list[Call]]) -> bool:
         return not alternatives or any(all(any(meets(one, gold) for one in made) for gold in calls)
                                        for calls in alternatives)
@@ -75,7 +75,8 @@ def outcomes_of(bullet: Bullet, made: list[Call]) -> list[str]:
 
 
 class Score:
-    """By kind of table: "function", "room", "list"; functions are the reference's, "refuse" for what is to be refused."""
+    """By kind of table: "function", "room", "list"; functions are the reference's, "refuse" for what is to be
+    refused."""
 
     def __init__(self) -> None:
         self.by: dict[str, dict[str, Counter]] = {"function": {}, "room": {}, "list": {}}

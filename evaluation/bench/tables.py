@@ -119,7 +119,8 @@ def _stages(solves: list[dict]) -> str:
         cpu_s, runs, evaluations = (mean(numbers(solves, f"stages/{name}/{of}"))
                                     for of in ("cpu_s", "restarts", "evaluations"))
         share = cpu_s / max(1e-9, mean(numbers(solves, "cpu_s")))
-        text += table.row([name, f"{1e3 * cpu_s:.1f}", f"{100 * share:.0f} %", f"{runs:.1f}", f"{1e-3 * evaluations:.0f}"])
+        text += table.row([name, f"{1e3 * cpu_s:.1f}", f"{100 * share:.0f} %", f"{runs:.1f}",
+                           f"{1e-3 * evaluations:.0f}"])
     return text
 
 
@@ -128,8 +129,8 @@ def solve_summary(solves: list[dict]) -> str:
     held = int(sum(numbers(solves, "ours/held")))
     judged = held + int(sum(numbers(solves, "ours/missed")))
     memory = [solves[0]["memory_mib"]["before"], solves[-1]["memory_mib"]["after"]]
-    return (f"\n{counted(len(solves), 'room')}: CPU median {quantile(cpu_s, 0.5):.3f} s, mean {mean(cpu_s):.3f} s, 95th "
-            f"percentile {quantile(cpu_s, 0.95):.3f} s, most {quantile(cpu_s, 1):.3f} s\n"
+    return (f"\n{counted(len(solves), 'room')}: CPU median {quantile(cpu_s, 0.5):.3f} s, mean {mean(cpu_s):.3f} s, "
+            f"95th percentile {quantile(cpu_s, 0.95):.3f} s, most {quantile(cpu_s, 1):.3f} s\n"
             f"restarts {mean(numbers(solves, 'restarts')):.1f}, evaluations "
             f"{mean(numbers(solves, 'evaluations', 1e-3)):.0f} k a room; {held} of {judged} constraints hold "
             f"({100 * held / max(1, judged):.1f} %)\n"
@@ -206,8 +207,9 @@ def show_restarts(records: Iterator[dict], _: bool) -> Iterator[str]:
     table, rooms = Table(["room", "best", "first hit", "hits %", "ms each"], 28, 9), []
     for room in records:
         if not rooms:
-            yield ("best       least cost of the primary stage over all restarts; first hit: number of the first one within "
-                   "1 % of it\nhits       share of the restarts within 1 % of it; ms each: CPU time of one restart, mean\n\n"
+            yield ("best       least cost of the primary stage over all restarts; first hit: number of the first one "
+                   "within 1 % of it\n"
+                   "hits       share of the restarts within 1 % of it; ms each: CPU time of one restart, mean\n\n"
                    + table.header())
         rooms.append(room)
         yield table.row([room["name"], f"{min(room['scores']):.4f}", str(hits(room).index(True)),

@@ -10,15 +10,16 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 from tables import SHOW, Table, hits, mean, quantile, restarts_curve  # noqa: E402
 
-QUALITY = {"held": 3, "missed": 1, "oob_percent": 0, "oor_percent": 0.5, "deepest_overlap_m": 0.002, "oob_3d_percent": 0,
-           "oor_3d_percent": 0, "reachable_floor_share": 0.9, "reachable_front_share": 1, "pathway_cost_m3": 0.01}
+QUALITY = {"held": 3, "missed": 1, "oob_percent": 0, "oor_percent": 0.5, "deepest_overlap_m": 0.002,
+           "oob_3d_percent": 0, "oor_3d_percent": 0, "reachable_floor_share": 0.9, "reachable_front_share": 1,
+           "pathway_cost_m3": 0.01}
 
 
 def solve(name: str, cpu_s: float, recorded: dict | None = None) -> dict:
     stage = {"cost": 1.5, "restarts": 4, "evaluations": 2000, "cpu_s": cpu_s / 2}
     return {"name": name, "objects": 5, "cpu_s": cpu_s, "restarts": 8, "evaluations": 4000,
-            "stages": {"primary": stage, "secondary": stage}, "memory_mib": {"before": 10, "after": 12}, "ours": QUALITY,
-            **({"recorded": recorded} if recorded else {})}
+            "stages": {"primary": stage, "secondary": stage}, "memory_mib": {"before": 10, "after": 12},
+            "ours": QUALITY, **({"recorded": recorded} if recorded else {})}
 
 
 def shown(kind: str, records: list[dict], each: bool = False) -> str:
@@ -39,7 +40,8 @@ class Statistics(unittest.TestCase):
 
 class Solves(unittest.TestCase):
     def test_the_summary_compares_with_the_recorded_layout(self) -> None:
-        text = shown("solve", [solve("hall", 0.2, QUALITY | {"held": 2, "missed": 2, "oor_percent": 1}), solve("den", 0.4)])
+        recorded = QUALITY | {"held": 2, "missed": 2, "oor_percent": 1}
+        text = shown("solve", [solve("hall", 0.2, recorded), solve("den", 0.4)])
         self.assertRegex(text, r"\nhall +5 +200 +8 +4 +1\.500 ")
         self.assertRegex(text, r"\nden .* 3 +1 +- +-\n")
         self.assertIn("2 rooms: CPU median 0.400 s, mean 0.300 s", text)
@@ -56,8 +58,9 @@ class Solves(unittest.TestCase):
 
 class Edits(unittest.TestCase):
     def test_rooms_and_kinds_have_a_line_each(self) -> None:
-        edit = {"room": "hall", "cpu_s": 0.01, "moved": 2, "held_before": 4, "held_after": 3, "deepest_overlap_m": 0.001}
-        text = shown("resolve", [edit | {"edit": "pin desk"}, edit | {"edit": "move desk 1 2", "cpu_s": 0.03}], each=True)
+        edit = {"room": "hall", "edit": "pin desk", "cpu_s": 0.01, "moved": 2, "held_before": 4, "held_after": 3,
+                "deepest_overlap_m": 0.001}
+        text = shown("resolve", [edit, edit | {"edit": "move desk 1 2", "cpu_s": 0.03}], each=True)
         self.assertRegex(text, r"^hall +pin desk +10\.0 ms   2 moved, 4 -> 3\n")
         self.assertRegex(text, r"\nall: move +1 +30\.0 +30\.0 +30\.0 +2\.00 +4\.00 +3\.00 +1\.000\n")
         self.assertRegex(text, r"\nall +2 +30\.0 ")

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A recorded room as typed answers to the questions of a design.
 
-What the recording has no figure for (heights) is the handbook's, and so is the style: an answer without looks is completed
-by the design. Nothing else is added."""
+What the recording has no figure for (heights) is the handbook's, and so is the style: an answer without looks is
+completed by the design. Nothing else is added."""
 
-from calls import find_calls, pass_of_prompt
+from call_sentences import find_calls, pass_of_prompt
 from handbook import height_of, kind_of_room, turned
 from lists import Conversion, Place, Sentence, read_constraints, read_places
 from names import Names, Thing, singular
@@ -134,11 +134,11 @@ class Answers:
                 conversion.unconvert("intra", sentence.text, "its object was left out")
             for name in names:
                 kind = "must" if sentence.must else "should"
-                entry = next((one for one in objects if one["object"] == name and len(one[kind]) < _MOST_PER_OBJECT), None)
-                if entry is None:
-                    entry = {"object": name, "must": [], "should": []}
-                    objects.append(entry)
-                entry[kind].append(sentence.text)
+                free = [one for one in objects if one["object"] == name and len(one[kind]) < _MOST_PER_OBJECT]
+                if not free:
+                    free = [{"object": name, "must": [], "should": []}]
+                    objects += free
+                free[0][kind].append(sentence.text)
         return {"objects": objects}
 
     def _inter_answer(self, prompt: str) -> dict:

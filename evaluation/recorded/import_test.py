@@ -19,8 +19,8 @@ class Imported:
     def __init__(self, name: str, folder: Path) -> None:
         self.answers = folder / "answers"
         self._run(sys.executable, HERE / "import_answers", HERE / f"testdata/{name}.json", "--out", self.answers)
-        self._run(PROGRAMS / "flair", "design", "--brief", self.answers / "brief.json", "--replay", self.answers, "--out",
-                  folder / "design", "--restarts", 1, "--size", 256, home=folder / "home")
+        self._run(PROGRAMS / "flair", "design", "--brief", self.answers / "brief.json", "--replay", self.answers,
+                  "--out", folder / "design", "--restarts", 1, "--size", 256, home=folder / "home")
         self.remarks = (self.answers / "remarks.txt").read_text(encoding="utf-8")
         self.room, objects, constraints = (self._artifact(folder, name) for name in ("room", "objects", "constraints"))
         self.objects = {made["id"]: made for made in objects["objects"]}
@@ -29,7 +29,8 @@ class Imported:
     @staticmethod
     def _run(*command: object, home: Path | None = None) -> None:
         environment = os.environ | ({"FLAIR_HOME": str(home)} if home else {})
-        ended = subprocess.run([str(part) for part in command], env=environment, capture_output=True, text=True, check=False)
+        parts = [str(part) for part in command]
+        ended = subprocess.run(parts, env=environment, capture_output=True, text=True, check=False)
         if ended.returncode != 0:
             raise AssertionError(ended.stderr)
 
@@ -49,8 +50,8 @@ class Rooms(unittest.TestCase):
 
     def test_a_study_comes_through_with_hosts_sizes_and_sentences(self) -> None:
         study = self.imported("study")
-        self.assertEqual(list(study.objects), ["desk", "armchair", "desk_chair", "bookshelf", "bookshelf_2", "desk_lamp",
-                                               "painting", "rug", "books_1", "books_2"])
+        self.assertEqual(list(study.objects), ["desk", "armchair", "desk_chair", "bookshelf", "bookshelf_2",
+                                               "desk_lamp", "painting", "rug", "books_1", "books_2"])
         self.assertEqual(study.objects["bookshelf"]["width_m"], 1)
         self.assertGreater(study.objects["bookshelf"]["height_m"], 1, "the handbook knows how high")
         self.assertEqual(study.objects["desk_lamp"]["host_id"], "desk")

@@ -15,7 +15,8 @@ _TITLE, _TEXT, _ITEM = 7, 8, 12
 
 @dataclass
 class Conversion:
-    """What becomes of the lines of recorded texts: a line is converted, frames the others, or is kept with the reason."""
+    """What becomes of the lines of recorded texts: a line is converted, frames the others, or is kept with the
+    reason."""
 
     lines: int = 0
     converted: int = 0

@@ -47,7 +47,8 @@ def keys_of(text: str) -> list[str]:
 
 
 def name_key(name: str) -> str:
-    """Equal for "Nightstands", "nightstand_2" and "night stand": a number behind a name only tells equal things apart."""
+    """Equal for "Nightstands", "nightstand_2" and "night stand": a number behind a name only tells equal things
+    apart."""
     keys = keys_of(name)
     return "".join(key for i, key in enumerate(keys) if i == 0 or not key.isdigit())
 

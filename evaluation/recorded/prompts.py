@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the prompts of a design list, read back: who answers from a recording has to name objects and sentences by the ids
-that the prompts use."""
+"""What the prompts of a design list, read back: who answers from a recording has to name objects and sentences by the
+ids that the prompts use."""
 
 import json
 import re

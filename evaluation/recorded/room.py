@@ -6,10 +6,9 @@ import hashlib
 import json
 import re
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from names import LISTS, Thing, keys_of
-from programs import BadProblem, read_graph
+from problem import BadProblem, read_graph
 
 _LARGEST_FILE = 10_000_000
 
@@ -98,14 +97,13 @@ def read_problem(content: bytes) -> dict:
     return problem
 
 
-def read_room(flair: Path, path: Path) -> Room:
-    """`flair` is the folder of the programs."""
-    content = path.read_bytes()
+def read_room(content: bytes) -> Room:
+    """The room that a file holds."""
     problem = read_problem(content)
     try:
-        graph = read_graph(flair, path)
+        graph = read_graph(content.decode("utf-8", "replace"))
     except BadProblem as error:
-        raise BadRoom(str(error).removeprefix(f"{path}: ")) from error
+        raise BadRoom(error.args[0]) from error
     far = graph["room"]["floor"]["vertices"][2]
     room = Room(re.sub(r"\s", " ", problem["prompt"]).strip(), hashlib.sha256(content).hexdigest()[:8], far["x_m"],
                 far["y_m"], graph["room"].get("openings", []), graph["room"].get("sockets", []),

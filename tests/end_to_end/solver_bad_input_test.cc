@@ -27,11 +27,11 @@ class SolverBadInput : public ::testing::Test {
     std::filesystem::copy(std::string(FLAIR_SOURCE_DIR) + "/tests/end_to_end/rooms/hall.json", Path("hall.json"));
     std::filesystem::create_directory(Path("empty"));
     std::filesystem::create_directory(Path("problems"));
-    std::filesystem::copy(Path("hall.json"), Path("problems/hall.json"));
     WriteAll(Path("text.json"), "{\n\"room\": nothing\n}");
     WriteAll(Path("options.txt"), "seed: 1\nrestarts: 3\n");
     WriteAll(Path("edits.txt"), "edits { pin: 3 }\n");
     ASSERT_EQ(Flair({"import", "flairgpt", Path("hall.json"), "--out", Path("graph.pb")}).exit_code, 0);
+    std::filesystem::copy(Path("graph.pb"), Path("problems/hall.pb"));
     ASSERT_EQ(Flair({"solve", Path("graph.pb"), "--out", Path("layout.pb")}).exit_code, 0);
   }
   static void TearDownTestSuite() { folder_.reset(); }
@@ -79,7 +79,7 @@ TEST_F(SolverBadInput, Import) {
     ExpectRefused({"import", "flairgpt", in, "--out", out}, exit_code, message);
   };
   refused("@nothing.json", "@new.pb", cli::kExitBadInput, "@nothing.json: no such file");
-  refused("@empty", "@new.pb", cli::kExitFiles, "@empty: is a folder");
+  refused("@empty", "@new", cli::kExitBadInput, "@empty: no .json files in it");
   refused("@text.json", "@new.pb", cli::kExitBadInput,
           "@text.json: not a recorded FlairGPT problem: not JSON: parse error at line 2");
   refused("@graph.pb", "@new.pb", cli::kExitBadInput, "@graph.pb: not a recorded FlairGPT problem: not JSON");

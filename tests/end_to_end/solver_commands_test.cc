@@ -24,7 +24,7 @@ using ::testing::StartsWith;
 class SolverCommands : public ::testing::Test {
  protected:
   static std::string Room(const std::string& name) {
-    return fmt::format("{}/tests/end_to_end/rooms{}", FLAIR_SOURCE_DIR, name.empty() ? "" : "/" + name + ".json");
+    return fmt::format("{}/tests/end_to_end/rooms/{}.json", FLAIR_SOURCE_DIR, name);
   }
   std::string Path(const std::string& name) const { return (folder_ / name).string(); }
   Finished Flair(const std::vector<std::string>& arguments) const {
@@ -38,6 +38,11 @@ class SolverCommands : public ::testing::Test {
   }
   void Import(const std::string& room, const std::string& out) const {
     Good({"import", "flairgpt", Room(room), "--out", Path(out)});
+  }
+  // The folder with both rooms, imported.
+  std::string Problems() const {
+    Good({"import", "flairgpt", FLAIR_SOURCE_DIR "/tests/end_to_end/rooms", "--out", Path("problems")});
+    return Path("problems");
   }
   // The poses of a layout file by role and index.
   std::map<std::string, json> Poses(const std::string& layout) const {
@@ -134,7 +139,7 @@ TEST_F(SolverCommands, ExportKeepsRolesIndicesNamesAndSizes) {
 
 TEST_F(SolverCommands, BenchSolveGivesTheLayoutsThatSolveGives) {
   const Finished run =
-      Good({"bench", "solve", Room(""), "--out", Path("layouts"), "--json", Path("bench.json"), "--seed", "2"});
+      Good({"bench", "solve", Problems(), "--out", Path("layouts"), "--json", Path("bench.json"), "--seed", "2"});
   const json figures = json::parse(ReadAll(Path("bench.json")));
   ASSERT_EQ(figures["rooms"].size(), 2u);
   EXPECT_TRUE(figures["failures"].empty());
@@ -177,9 +182,10 @@ void ExpectAligned(const std::string& text) {
 }
 
 TEST_F(SolverCommands, BenchTablesAreAlignedAndHoldEveryRoom) {
-  const Finished resolve = Good({"bench", "resolve", Room(""), "--per-kind", "1"});
-  const Finished restarts = Good({"bench", "restarts", Room(""), "--restarts", "8"});
-  const Finished solve = Good({"bench", "solve", Room("")});
+  const std::string problems = Problems();
+  const Finished resolve = Good({"bench", "resolve", problems, "--per-kind", "1"});
+  const Finished restarts = Good({"bench", "restarts", problems, "--restarts", "8"});
+  const Finished solve = Good({"bench", "solve", problems});
   for (const Finished* run : {&resolve, &restarts, &solve}) {
     EXPECT_THAT(run->out, AllOf(HasSubstr("\nhall "), HasSubstr("\ntea_room ")));
     ExpectAligned(run->out);
@@ -188,17 +194,22 @@ TEST_F(SolverCommands, BenchTablesAreAlignedAndHoldEveryRoom) {
   EXPECT_THAT(restarts.out, HasSubstr("\n8 "));
 }
 
-TEST_F(SolverCommands, BenchListsWhatItCannotReadMeasuresTheRestAndEndsWithAnError) {
+TEST_F(SolverCommands, AFolderIsImportedAndMeasuredWithoutWhatCannotBeRead) {
   std::filesystem::create_directory(folder_ / "mixed");
   std::filesystem::copy(Room("hall"), folder_ / "mixed" / "hall.json");
   json broken = json::parse(ReadAll(Room("hall")));
   broken["primary"][0]["width"] = "wide";
   WriteAll(folder_ / "mixed" / "broken.json", broken.dump());
+  const Finished import = Flair({"import", "flairgpt", Path("mixed"), "--out", Path("imported")});
+  EXPECT_EQ(import.exit_code, 2);
+  EXPECT_THAT(import.err, HasSubstr(Path("mixed/broken.json") + ": not a recorded FlairGPT problem: "));
+  EXPECT_THAT(import.err, HasSubstr("primary[0].width: \"wide\" should be a number in [0, 20], metres"));
+  EXPECT_THAT(import.err, HasSubstr("1 of 2 problems could not be imported"));
+  WriteAll(folder_ / "imported" / "broken.pb", "not an artifact");
   for (const char* kind : {"solve", "resolve", "restarts"}) {
-    const Finished run = Flair({"bench", kind, Path("mixed")});
+    const Finished run = Flair({"bench", kind, Path("imported")});
     EXPECT_EQ(run.exit_code, 1) << kind;
-    EXPECT_THAT(run.err, HasSubstr(Path("mixed/broken.json") + ": ")) << kind;
-    EXPECT_THAT(run.err, HasSubstr("primary[0].width: \"wide\" should be a number in [0, 20], metres")) << kind;
+    EXPECT_THAT(run.err, HasSubstr(Path("imported/broken.pb") + ": ")) << kind;
     EXPECT_THAT(run.err, HasSubstr("flair: 1 of 2 problems could not be measured")) << kind;
     EXPECT_THAT(run.out, HasSubstr("\nhall ")) << kind;
   }
@@ -221,7 +232,7 @@ TEST_F(SolverCommands, TheCatalogueDescribesEveryTypeItListsAlsoUnderItsAliases)
 
 TEST_F(SolverCommands, AReaderThatGoesAwayIsNoCrash) {
   // As `flair-dev bench solve DIR | head -1`: nobody reads what it prints, and nobody is told so.
-  Process process(ProgramPath("flair-dev"), {"bench", "solve", Room("")}, {{"FLAIR_HOME", Path("home")}});
+  Process process(ProgramPath("flair-dev"), {"bench", "solve", Problems()}, {{"FLAIR_HOME", Path("home")}});
   process.CloseOutput();
   const Finished run = process.Wait();
   EXPECT_EQ(run.exit_code, 4) << run.err;

@@ -19,12 +19,11 @@ struct Target {
   void (*run)(std::string_view bytes);
 };
 
-constexpr Target kTargets[] = {{"read_graph", ReadGraph},          {"solve_problem", SolveProblem},
-                               {"edit_layout", EditLayout},        {"read_reference_room", ReadReferenceRoom},
-                               {"read_scene_text", ReadSceneText}, {"read_model_answer", ReadModelAnswer},
-                               {"read_reply", ReadReply},          {"model_step", ModelStep},
-                               {"read_artifact", ReadArtifact},    {"select_field", SelectField},
-                               {"read_asset", ReadAsset},          {"read_manifest", ReadManifest}};
+constexpr Target kTargets[] = {
+    {"read_graph", ReadGraph},          {"solve_problem", SolveProblem},        {"edit_layout", EditLayout},
+    {"read_scene_text", ReadSceneText}, {"read_model_answer", ReadModelAnswer}, {"read_reply", ReadReply},
+    {"model_step", ModelStep},          {"read_artifact", ReadArtifact},        {"select_field", SelectField},
+    {"read_asset", ReadAsset},          {"read_manifest", ReadManifest}};
 
 std::vector<std::filesystem::path> FilesOf(std::string_view target) {
   std::vector<std::filesystem::path> files;

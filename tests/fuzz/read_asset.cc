@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that users bring: models and manifests. Whatever they hold, what is read of them must be sound.
-#include "renderer_worker/gltf/gltf.h"
-
 #include <cmath>
 #include <set>
 
 #include "renderer_worker/assets/asset_library.h"
+#include "renderer_worker/gltf/gltf.h"
 #include "tests/fuzz/targets.h"
 
 namespace flair::fuzz {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readers: graphs, recorded rooms, scene texts.
+// The readers: graphs, scene texts.
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/stubs/logging.h>
 #include <google/protobuf/text_format.h>
@@ -8,7 +8,6 @@
 #include <cmath>
 #include <string>
 
-#include "evaluation/readers/flairgpt_calls.h"
 #include "flair/v1/artifact.pb.h"
 #include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
@@ -52,18 +51,6 @@ void ReadGraph(std::string_view bytes) {
   parser.RecordErrorsTo(&quiet);
   parser.SetRecursionLimit(100);
   if (parser.ParseFromString(text, &graph)) UseGraph(graph);
-}
-
-void ReadReferenceRoom(std::string_view bytes) {
-  const std::string json(bytes);
-  const absl::StatusOr<v1::LayoutGraph> graph = evaluation::ReadFlairGptRoom(json);
-  if (!graph.ok()) {
-    Require(!graph.status().message().empty(), "a refusal says why");
-    return;
-  }
-  UseGraph(*graph);
-  const absl::StatusOr<v1::SolvedLayout> solution = evaluation::ReadFlairGptSolution(json, *graph);
-  if (solution.ok()) evaluation::WriteFlairGptLayout(*solution, "name", 1);
 }
 
 void ReadSceneText(std::string_view bytes) {

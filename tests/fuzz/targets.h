@@ -20,9 +20,6 @@ void SolveProblem(std::string_view bytes);
 // them; any others are choices that make edits and, at times, spoil the layout. See edit_layout.cc for what must hold.
 void EditLayout(std::string_view bytes);
 
-// A recorded problem in the reference implementation's JSON.
-void ReadReferenceRoom(std::string_view bytes);
-
 // The short text form of scenes.
 void ReadSceneText(std::string_view bytes);
 
