@@ -27,6 +27,8 @@ Lead LeadAt(const BriefText& words, std::size_t i, bool any) {
   if (words.Is(at, "before_other_rooms") && known(at + 1)) ++at;
   // "a door to the side wall" is none that leads to a side.
   if (words.Is(at, "sides_of_a_house") || words.Is(at, "wall_sides")) return {};
+  // "On the street side."
+  if (words.Is(at, "street_walls") && (words.Is(at + 1, "wall_nouns") || words.Is(at + 1, "wall_ends"))) return {};
   const bool roomy = words.IsWord(at) && words.Is(at + 1, "room_endings");
   const bool unknown = any && article && words.IsWord(at) && !words.Is(at, "wall_nouns") &&
                        !words.Is(at, "wall_ends") && !words.Is(at, "corners") && !words.Is(at, "openings") &&

@@ -76,7 +76,9 @@ class NounReader {
     const std::string_view head = words_.At(noun_);
     const bool window = IsIn("windows", head), glass = IsIn("glazing", head);
     const bool overhead = IsIn("skylights", head) || (window && words_.At(noun_ - 1) == "roof");
-    if (things_[noun_] || !(overhead || window || glass || IsIn("doors", head))) return {};
+    // "A full glass front": of the room the wall where one comes in.
+    const bool front = IsIn("glazed", head) && words_.Is(noun_ + 1, "house_fronts");
+    if (things_[noun_] || !(overhead || window || glass || front || IsIn("doors", head))) return {};
     const bool stage = words_.Is(noun_ + 1, "stages") && words_.Is(noun_ + 2, "sides_from_the_door");
     if (noun_ + 1 < words_.size() && !stage && (things_[noun_ + 1] || words_.Is(noun_ + 1, "not_openings"))) return {};
     if (noun_ > 0 && words_.Is(noun_ - 1, "doors_of_other_kinds")) return {};
@@ -85,11 +87,16 @@ class NounReader {
     found_.glass = glass;
     OpeningWish& wish = found_.wish;
     // French windows are doors.
-    wish.door = !(window || glass) || words_.At(noun_ - 1) == "french";
-    if (glass) wish.width_m = kWholeWallM;
+    wish.door = !(window || glass || front) || words_.At(noun_ - 1) == "french";
+    if (glass || front) wish.width_m = kWholeWallM;
     found_.bare = !ReadBack();
     ReadDenial();
-    if (IsOfAPiece()) {
+    if (front) {
+      ++found_.end;
+      found_.wish.sill_m = found_.wish.sill_m.value_or(0);
+    }
+    if ((front || IsIn("house_fronts", head)) && wish.side.empty()) wish.side = "near";
+    if (IsOfAPiece(front)) {
       found_.kind = OpeningNoun::Kind::kOfAPiece;
       return found_;
     }
@@ -115,8 +122,8 @@ class NounReader {
       const std::string_view word = words_.At(at - 1);
       if (TakeMeasure() || TakeFloorToCeiling()) continue;
       if (word == "of" && TakeQuantity()) return true;
-      const bool told = IsIn("inner_rooms", word) || IsIn("shop_windows", word) || IsIn("ways_in", word) ||
-                        IsIn("swinging", word);
+      const bool told =
+          IsIn("inner_rooms", word) || IsIn("shop_windows", word) || IsIn("ways_in", word) || IsIn("swinging", word);
       // "The slaves' entrance".
       const bool owner = words_.Says(at - 1, {"'", "'s"}) && at < noun_ + 1 && at > 1 && words_.IsWord(at - 2);
       if ((words_.IsSign(at - 1) && !owner) || (things_[at - 1] && !told)) return false;
@@ -235,10 +242,10 @@ class NounReader {
     found_.begin = before - 1;
   }
 
-  // "a wardrobe with two sliding doors", "a wardrobe without doors".
-  bool IsOfAPiece() {
+  // "a wardrobe with two sliding doors", "a wardrobe without doors", "a cabinet with a glass front".
+  bool IsOfAPiece(bool front) {
     const std::size_t at = found_.begin;
-    if (!found_.wish.door || at == 0) return false;
+    if (!(found_.wish.door || front) || at == 0) return false;
     // "Nothing should block the wardrobe doors."
     if (found_.plural && things_[noun_ - 1]) return true;
     if (found_.none) return things_[at - 1];

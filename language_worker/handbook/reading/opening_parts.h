@@ -50,6 +50,7 @@ struct OpeningSite {
   AlongWall along;
   bool pair = false;     // "either side of the door": there are two
   bool fills = false;    // "all along", "full width"
+  bool that = false;     // "in the middle of it": of the wall that was spoken of
   std::size_t end = 0;   // behind its last token
   std::string not_read;  // words that stand where a place is told and tell none: "above the sink"
 };

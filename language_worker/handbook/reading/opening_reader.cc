@@ -203,6 +203,8 @@ class OpeningReader {
       if (before.sides.empty() && last_ && Joins(begin)) site.sides = listed = last_->sides;
     }
     if (site.sides.empty() && !wish.side.empty()) site.sides = {wish.side};
+    if (site.sides.empty() && site.that && last_ && !openings_.wishes.empty())
+      site.sides = {openings_.wishes.back().side};
     wish.side.clear();
     if (site.along.at != AlongWall::At::kAny) wish.along = site.along;
     wish.fills = site.fills;
@@ -269,6 +271,12 @@ class OpeningReader {
   // A place that goes by furniture, or words for a wall of which nothing was made.
   void NoteUnread(const OpeningNoun& noun, const OpeningSite& site, std::size_t end) {
     constexpr std::size_t kMostWords = 6;
+    // "A window over the sink": the sink goes under it.
+    const bool taken =
+        !noun.wish.door && words_.Says(noun.end, {"over", "above"}) &&
+        std::any_of(things_.begin() + static_cast<std::ptrdiff_t>(noun.end),
+                    things_.begin() + static_cast<std::ptrdiff_t>(end), [](bool thing) { return thing; });
+    if (taken) return;
     if (!site.not_read.empty()) {
       openings_.not_read.push_back(
           fmt::format("\"{}\": openings can be placed by walls, corners, doors and windows, not by furniture or "

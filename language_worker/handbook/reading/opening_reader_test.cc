@@ -173,6 +173,22 @@ TEST(OpeningReader, LeavesWordsThatOnlyTellWhereSomethingElseIs) {
             "door@south w1.5 outside to:garden");
 }
 
+TEST(OpeningReader, ReadsGlassFrontsAndDoorsByWhatIsBehindThem) {
+  const OpeningCase kCases[] = {
+      {"A coffee shop with a full glass front and the entrance in the middle of it.",
+       "window@near w100 sill0; door@near middle"},
+      {"Bar, glazed shopfront on the street with the door at its left end.",
+       "window@near w100 sill0; door@near end:left"},
+      {"A salon with a glazed front.", "window@near w100 sill0"},
+      {"A shop with a glass facade on the south wall.", "window@south w100 sill0"},
+      {"The door from the hall is on the north side.", "door@north"},
+      {"A reading room with tall windows down one long side.", "2 window@long h2 sill0.4"},
+      {"One large window in front of the door.", "window@far large"},
+      {"A dressing table on the right wall beside the window.", "window@right"},
+  };
+  for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
+}
+
 TEST(OpeningReader, ReadsThatThereAreNone) {
   for (const char* text : {"A room with no windows.", "A windowless room.", "A room without any windows.",
                            "A cellar without a window.", "A gym with no natural light.", "There are no windows."}) {

@@ -98,6 +98,7 @@ class SiteReader {
       if (sides.empty() && !that) return false;
       if (sides.empty()) at = *that;
       if (!sides.empty()) site_.sides = sides;
+      site_.that = sides.empty();
     }
     site_.along.at = At::kMiddle;
     i_ = at;
@@ -134,8 +135,10 @@ class SiteReader {
     const bool named = target.corner || target.end_of_wall || !target.sides.empty();
     if (of_wall && !named) return false;
     if (!of_wall) {
-      // The wall itself, or "a window at the north end" of a room.
-      if (!target.corner && !(target.end_of_wall && !target.wall && !site_.sides.empty())) return false;
+      // The wall itself, or "a window at the north end" of a room; "a glass front with the door at its left end".
+      const bool its = words_.At(at) == "its" && site_.sides.empty();
+      if (!target.corner && !(target.end_of_wall && !target.wall && (its || !site_.sides.empty()))) return false;
+      site_.that = its && target.end_of_wall;
       if (target.corner && target.sides.size() == 2 && site_.sides.empty()) {
         site_.sides = {target.sides[0]};
         target.sides.erase(target.sides.begin());
@@ -286,7 +289,6 @@ std::string WallBefore(const BriefText& words, std::size_t begin) {
     const WallTarget target = WallTargetAt(words, start);
     if (!target.wall || target.sides.size() != 1 || target.end >= begin) continue;
     const std::string& side = target.sides[0];
-    if (!IsIn("compass", side) && !IsIn("long_or_short", side)) continue;
     // An article of the opening stands between.
     const auto across = words.BehindPhrase(target.end, "opposite_openings");
     const auto beside = words.BehindPhrase(target.end, "walls_of_openings");

@@ -87,6 +87,15 @@ class RoomKindReader {
         found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(i - 2));
       }
     }
+    // "A flat with a 5.5 x 4.2 m living room": a room with a size of its own is meant, not the dwelling.
+    const auto sized = [&](const Found& one) {
+      const std::size_t at = one.room.begin;
+      return at > 1 && words_.IsNumber(at - 2) && words_.Is(at - 1, "unit_words");
+    };
+    for (Found& one : found_) {
+      const bool dwelling = words_.Is(one.room.begin, "houses") && one.room.end == one.room.begin + 1;
+      one.outside = one.outside || (dwelling && std::ranges::any_of(found_, sized));
+    }
     // A use alone is none: "living" of "living plants".
     std::erase_if(found_, [&](const Found& one) {
       return one.use && (!one.closed || std::ranges::count(found_, one.list, &Found::list) < 2);
@@ -112,10 +121,10 @@ class RoomKindReader {
     return found;
   }
 
-  // "The entrance is on the south wall."
+  // "The entrance is on the south wall", "a bookshop with the entrance at the front".
   bool IsADoor(const NamedRoom& room) const {
     return words_.Says(room.begin, {"entrance", "entry", "entryway"}) && room.end == room.begin + 1 && room.begin > 0 &&
-           words_.Says(room.begin - 1, {"the", "an", "its"}) && words_.Is(room.end, "door_verbs");
+           words_.Says(room.begin - 1, {"the", "an", "its"}) && (!found_.empty() || words_.Is(room.end, "door_verbs"));
   }
 
   // The kitchen door, next to the kitchen.
@@ -350,7 +359,8 @@ class ShapeReader {
     std::size_t told = start;
     while (told > 0 && (text_.Is(told - 1, "articles") || text_.Says(told - 1, {"in", "of"}))) --told;
     // "A metre of space all round", "floor to turn round": how, not what the floor is.
-    if (told == start && start > 0 && !EndsClause(start - 1) && !text_.Says(start - 1, {"is", "be", "was"})) return noun;
+    if (told == start && start > 0 && !EndsClause(start - 1) && !text_.Says(start - 1, {"is", "be", "was"}))
+      return noun;
     for (i = start > kReach ? start - kReach : 0; i < start; ++i) {
       if (EndsClause(i) && i < told) noun.reset();
       i += ReadNoun(i, noun);

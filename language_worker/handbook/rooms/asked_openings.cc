@@ -26,12 +26,6 @@ int CountOf(v1::OpeningKind kind, const v1::Room& room) {
   return static_cast<int>(std::ranges::count_if(room.openings(), [&](const auto& one) { return one.kind() == kind; }));
 }
 
-bool GoesByTheDoor(const std::string& side) {
-  return side.find("near") != side.npos || side.find("far") != side.npos || side.find("left") != side.npos ||
-         side.find("right") != side.npos || side.find("back") != side.npos || side.find("rear") != side.npos ||
-         side.find("front") != side.npos || side.find("opposite") != side.npos || side.find("entrance") != side.npos;
-}
-
 // To a larder or a bathroom, by which nobody comes in.
 bool LeadsNowhere(const OpeningWish& door) {
   const std::vector<Token> words = TokensOf(door.leads_to);

@@ -13,6 +13,7 @@
 #include "language_worker/handbook/reading/words.h"
 #include "language_worker/handbook/rooms/openings.h"
 #include "language_worker/handbook/rooms/room_floor.h"
+#include "language_worker/handbook/rooms/walls.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
@@ -39,10 +40,24 @@ OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype
   plan.rules.set_door_height_m(std::max(plan.rules.door_height_m(), std::min(2.05 * plan.door_width_m / 0.9, 3.0)));
   plan.asked = facts.openings;
   plan.room_type = archetype.name();
+  const auto seen = [&](const std::string& side) {
+    plan.seen_from_the_door = plan.seen_from_the_door || GoesByTheDoor(side);
+    plan.left_and_right = plan.left_and_right || side.find("left") != side.npos || side.find("right") != side.npos;
+  };
   for (const Place& place : facts.places) {
     const std::string& text = place.asked->relation().text();
-    if (text.find("door") == text.npos && text.find("window") == text.npos && IsIn("compass", place.side))
-      plan.sides_of_pieces.push_back(place.side);
+    plan.worktop_at_window = plan.worktop_at_window || (text.find("under the window") != text.npos &&
+                                                        place.furniture->run() != hb::RUN_PART_UNSPECIFIED);
+    if (text.find("door") != text.npos || text.find("window") != text.npos || place.side.empty() ||
+        place.side == "opposite")
+      continue;
+    // What is "blank" else is known when the openings are made.
+    const std::string side = place.side.starts_with("blank ") ? place.side.substr(6) : place.side;
+    if (text.find("{wall}") != text.npos && !side.starts_with("window")) plan.sides_of_pieces.push_back(side);
+    seen(place.side);
+  }
+  for (const OpeningWish& wish : plan.asked.wishes) {
+    if (wish.side != "near") seen(wish.side);
   }
   // "By the window": there is one, unless the brief speaks of several.
   if (plan.asked.window_meant && !plan.asked.windows_meant) plan.window_count = 1;

@@ -19,6 +19,7 @@ namespace {
 constexpr double kCornerGapM = 0.3;  // of windows
 constexpr double kSocketGapM = 0.35;
 constexpr double kShortWallM = 2.4;
+constexpr double kLongRoom = 1.3;  // longer by shorter side
 
 double Or(double value, double fallback) { return value > 0 ? value : fallback; }
 double RoundDown(double length_m) { return std::floor(length_m * 20 + 1e-9) / 20; }
@@ -51,6 +52,10 @@ class OpeningMaker {
     for (int wall = 0; wall < static_cast<int>(lengths_.size()); ++wall) {
       if (asked_.HasPiece(wall)) taken.insert(wall);
     }
+    // A long room is entered by a short wall, but for left and right.
+    const bool broad = !plan_.left_and_right && lengths_.size() == 4 && lengths_[0] > kLongRoom * lengths_[1];
+    const std::optional<int> below = plan_.seen_from_the_door && !broad ? WallOf(room_, "south") : std::nullopt;
+    if (below && !taken.contains(*below)) return static_cast<std::size_t>(*below);
     for (const std::size_t turn : {0u, 2u, 1u, 3u}) {
       const std::size_t wall = (usual + turn) % lengths_.size();
       const bool long_enough = turn == 0 || lengths_[wall] >= plan_.door_width_m + 0.4;
@@ -64,8 +69,8 @@ class OpeningMaker {
     if (lengths_.size() != 4) return DoorWallOfPolygon();
     const double ratio = lengths_[0] / lengths_[1];
     const std::size_t turn = choice_.Index("door.wall", 2) * 2;
-    if (ratio > 1.3) return 1 + turn;
-    if (ratio < 1 / 1.3) return turn;
+    if (ratio > kLongRoom) return 1 + turn;
+    if (ratio < 1 / kLongRoom) return turn;
     return choice_.Index("door.any_wall", 4);
   }
 
@@ -147,7 +152,8 @@ class OpeningMaker {
   // Opposite the door first, then the walls beside it; a wall takes a second window when it is long.
   void AddWindows() {
     const std::size_t beside = choice_.Index("window.beside", 2) == 0 ? 1 : 3;
-    const bool side_first = choice_.Happens("window.side_first", 0.3);
+    const double ratio = lengths_[(door_wall_ + 1) % lengths_.size()] / lengths_[door_wall_];
+    const bool side_first = choice_.Happens("window.side_first", 0.3) || (plan_.worktop_at_window && ratio > kLongRoom);
     std::vector<std::size_t> turns = {2, beside, 4 - beside};
     if (side_first) std::swap(turns[0], turns[1]);
     std::vector<std::size_t> order = WallsInOrder(turns);
@@ -155,7 +161,10 @@ class OpeningMaker {
     // Nobody asked for one behind a piece.
     const auto has_piece = [&](std::size_t wall) { return asked_.HasPiece(static_cast<int>(wall)); };
     if (!WindowWish().counted && !std::ranges::all_of(order, has_piece)) std::erase_if(order, has_piece);
-    if (plan_.asked.one_window_wall && order.size() > 1) order.resize(1);
+    if (plan_.asked.one_window_wall && order.size() > 1) {
+      std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return lengths_[a] > lengths_[b]; });
+      order.resize(1);
+    }
     for (const std::size_t wall : order) {
       // The first wall takes what the two others, with one window each, do not.
       const int room_for = std::max(1, static_cast<int>((lengths_[wall] - kCornerGapM) / 2.4));

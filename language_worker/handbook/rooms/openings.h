@@ -19,9 +19,14 @@ struct OpeningPlan {
   hb::OpeningRules rules;
   int window_count = 1;
   double door_width_m = 0.9;
-  OpeningWishes asked;    // what the brief says of them; where it says nothing the rules decide
+  OpeningWishes asked;  // what the brief says of them; where it says nothing the rules decide
   // Walls that pieces are asked for at: others are better for what nobody asked for.
   std::vector<std::string> sides_of_pieces;
+  // The brief tells walls from the door, perhaps "the left wall": they are those of the drawing where one comes in from
+  // below.
+  bool seen_from_the_door = false, left_and_right = false;
+  // What shares a worktop is to be under a window: in a long room that is in a long wall.
+  bool worktop_at_window = false;
   std::string room_type;  // "kitchen", of which "the kitchen door" is the door by which one comes in
 };
 

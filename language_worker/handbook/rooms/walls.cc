@@ -175,12 +175,24 @@ std::optional<int> WallNamed(const v1::Room& room, std::string_view name) {
   return std::nullopt;
 }
 
+bool GoesByTheDoor(std::string_view words) {
+  const std::vector<std::string> all = SideWords(words);
+  return std::ranges::any_of(all, [](const std::string& word) {
+    return word == "entrance" || std::ranges::find(kFromTheDoor, word, &SideWord::word) != kFromTheDoor.end();
+  });
+}
+
 std::optional<int> WallOf(const v1::Room& room, std::string_view words) {
   if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
   const std::vector<std::string> all = SideWords(words);
   if (all.size() == 2 && all[0] == "across") {
     const std::optional<int> wall = OneWord(room, all[1]);
     return wall ? LongestFacing(room, (HeadingOf(room, *wall) + 2) % 4) : std::nullopt;
+  }
+  // "Blank far": the far one if it is blank.
+  if (all.size() == 2 && all[0] == "blank") {
+    const std::optional<int> wall = OneWord(room, all[1]);
+    if (wall && IsBlank(room, *wall)) return wall;
   }
   for (const std::string& word : all) {
     if (const std::optional<int> wall = OneWord(room, word)) return wall;

@@ -16,6 +16,9 @@ namespace flair::language {
 // several walls that look one way the longest. Nothing when the room has no such wall or the words name none.
 std::optional<int> WallOf(const v1::Room& room, std::string_view words);
 
+// Whether words tell a wall or corner as seen from the door: "far left".
+bool GoesByTheDoor(std::string_view words);
+
 // The door, or window, that words before it mean: by where it leads ("kitchen") or by its wall ("north"), the widest
 // there. Null when the words tell none.
 const v1::Opening* OpeningOf(const v1::Room& room, v1::OpeningKind kind, std::string_view words);
