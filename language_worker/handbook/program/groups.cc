@@ -98,8 +98,8 @@ class Grouper {
     host.seats = kAtEach;
   }
 
-  // How many people, or desks of people, stand without a way between them: nobody climbs over more than one at a desk or
-  // three in seats. 0 for what nobody sits at.
+  // How many people, or desks of people, stand without a way between them: nobody climbs over more than one at a desk
+  // or three in seats. 0 for what nobody sits at.
   int Abreast(const ProgramItem& item) {
     constexpr double kDesksM = 2;
     constexpr int kSeats = 7;
@@ -117,6 +117,8 @@ class Grouper {
     const auto item = std::ranges::find_if(program_.floor_items,
                                            [&](const auto& one) { return one.furniture->name() == rows.furniture(); });
     if (item == program_.floor_items.end() || item->count < std::max(2, rows.min_count())) return;
+    // Pairs are what rows of desks are made of.
+    if (item->in_each == 2) item->in_each = 0;
     if (item->in_each > 1 && !item->in_rows) return;
     const double side_m = std::sqrt(area_m2_), width_m = item->furniture->width_m().typical();
     const double row_m = item->furniture->depth_m().typical() + (SeatsOf(*item) ? kBehindDeskM : kBehindSeatM);

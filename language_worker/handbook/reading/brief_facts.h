@@ -29,7 +29,7 @@ struct Wish {
   PieceSize size = {};    // of each; within what the class can be
   // The word for several classes that it was named by, such as "chair"; null for a class's own name.
   const hb::Noun* noun = nullptr;
-  int in_each = 0;  // "in blocks of four": that many stand together; 0 when it is not said
+  int in_each = 0;       // "in blocks of four": that many stand together; 0 when it is not said
   bool in_rows = false;  // "in rows of four": side by side
 };
 
@@ -42,6 +42,7 @@ struct Place {
   std::string side;                       // of a wall or corner, which: "north", "far left"; empty for any
   int which = -1;                         // of several pieces the first, the second; -1 for all
   double length_m = 0;                    // "at least 1.5 m apart"; for sentences that tell a length
+  int walls = 1;                          // "on three walls": shared out over so many
   std::string said;                       // the words of the brief
   std::string called;                     // its words for the piece
 };

@@ -47,8 +47,9 @@ std::size_t LandmarkReader::BehindDeterminers(std::size_t i) const {
 Landmark LandmarkReader::Pronoun(std::size_t start) const {
   std::size_t at = start;
   while (at < start + kMostDeterminers && IsIn("before_pronouns", text_.At(at))) ++at;
-  bool pronoun = IsIn("pronouns_for_things", text_.At(at)) ||
-                 (text_.At(at) == "other" && at > start && text_.At(at - 1) == "each");
+  const bool each_other = (text_.At(at) == "other" && at > start && text_.At(at - 1) == "each") ||
+                          (text_.At(at) == "one" && text_.At(at + 1) == "another");
+  bool pronoun = each_other || IsIn("pronouns_for_things", text_.At(at));
   // "those chairs".
   if (text_.At(at).starts_with("th") && text_.At(at) != "them" && Noun(at + 1).kind != Landmark::Kind::kNone)
     pronoun = false;
@@ -59,7 +60,8 @@ Landmark LandmarkReader::Pronoun(std::size_t start) const {
   if (!pronoun && !counts) return landmark;
   landmark.kind = Landmark::Kind::kPronoun;
   landmark.plural = text_.At(at) != "it";
-  landmark.end = counts ? at : at + 1;
+  landmark.each_other = each_other;
+  landmark.end = counts ? at : at + (text_.At(at) == "one" ? 2 : 1);
   return landmark;
 }
 
@@ -104,9 +106,17 @@ bool LandmarkReader::Describes(std::size_t i) const {
   // "The row of desks", but not "each side of the bed".
   if (token.text == "of" && i > 0 && !IsFormIn("groups_of_pieces", text_.At(i - 1)) && !NumberWord(text_.At(i - 1)))
     return false;
+  if (JoinsWalls(i)) return true;
   // "Opposite" and "near" relate, but describe walls and corners.
   return token.kind == Token::Kind::kWord &&
          (!IsIn("noun_ends", token.text) || (IsIn("told_sides", token.text) && IsOfTheRoom(FeatureAt(i + 1))));
+}
+
+// "The north and east walls".
+bool LandmarkReader::JoinsWalls(std::size_t i) const {
+  const std::size_t second = i + (text_.At(i + 1) == "the" ? 2 : 1);
+  return text_.At(i) == "and" && i > 0 && text_.Is(i - 1, "told_sides") && text_.Is(second, "told_sides") &&
+         text_.Is(second + 1, "wall_nouns") && text_.At(second + 1).ends_with('s');
 }
 
 Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
@@ -121,11 +131,12 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   const bool side =
       i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && (text_.Is(told, "told_sides") || text_.At(told) == "one");
   const std::size_t the = i - (i > 1 && text_.At(i - 1) == "very" ? 2 : std::min<std::size_t>(i, 1));
-  const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(the, {"the", "your"});
+  const bool alone =
+      i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(the, {"the", "your"}) && !JoinsWalls(i + 1);
   const bool sign = text_.IsSign(i + 1) && !text_.IsHyphen(i + 1);  // "the north-east corner"
   const bool ends = i + 1 >= tokens_.size() || sign || text_.Is(i + 1, "place_ends") ||
-                    text_.Is(i + 1, "thing_articles") || text_.BehindPhrase(i + 1, "of_the_room") ||
-                    text_.BehindPhrase(i + 1, "entering");
+                    text_.Is(i + 1, "thing_articles") || text_.Is(i + 1, "pronouns") ||
+                    text_.BehindPhrase(i + 1, "of_the_room") || text_.BehindPhrase(i + 1, "entering");
   return (side || alone) && ends ? Landmark::Kind::kWall : Landmark::Kind::kNone;
 }
 
@@ -162,6 +173,16 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
   if (landmark.end > 1 && text_.At(landmark.end - 2) == "one" && text_.Is(landmark.end - 1, "ends_of_rooms_or_walls")) {
     add(text_.At(landmark.end - 1) == "end" ? "short" : "long");
   }
+  const auto by = text_.BehindPhrase(landmark.end, "by_openings");
+  const bool as = text_.At(landmark.end) == "as";
+  if ((by || as) && sides.empty() && landmark.kind == Landmark::Kind::kWall) {
+    // "The wall near the entrance" is that with it; "the same wall as the window".
+    const std::size_t at = BehindDeterminers(as ? landmark.end + 1 : *by);
+    const bool door = FeatureAt(at) == Landmark::Kind::kDoor;
+    const bool window = as && FeatureAt(at) == Landmark::Kind::kWindow;
+    if (door || window) add(door ? "door" : "window");
+    if (door || window) landmark.end = at + 1;
+  }
   if (landmark.kind == Landmark::Kind::kCorner) {
     for (std::size_t i = start; i < landmark.end; ++i) {
       if (text_.Is(i, "other_corners")) sides = "opposite";
@@ -169,7 +190,7 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
       if (each) sides = "each";
     }
     // "The corner by the kitchen door".
-    if (const auto by = text_.BehindPhrase(landmark.end, "by_openings"); by && sides.empty()) {
+    if (by && sides.empty()) {
       for (std::size_t at = BehindDeterminers(*by), most = std::min(at + 3, tokens_.size()); at < most; ++at) {
         const Landmark::Kind feature = FeatureAt(at);
         if (feature == Landmark::Kind::kNone && Describes(at)) continue;
@@ -183,7 +204,7 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
   const std::string_view how = text_.At(landmark.end);
   const bool two_words = text_.At(landmark.end + 1) == "from";
   const bool opposite = how == "opposite" || how == "facing" || (how == "across" && two_words);
-  const bool farthest = (how == "farthest" || how == "furthest" || how == "away") && two_words;
+  const bool farthest = text_.Says(landmark.end, {"far", "farthest", "furthest", "away"}) && two_words;
   if (opposite || farthest || how == "with" || how == "without") {
     const std::size_t at = BehindDeterminers(landmark.end + (two_words ? 2 : 1));
     const Landmark::Kind feature = FeatureAt(at);

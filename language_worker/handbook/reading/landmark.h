@@ -22,6 +22,7 @@ struct Landmark {
   const hb::Furniture* second = nullptr;  // "... and the fireplace": another piece behind it, up to `second_end`
   Kind beside = Kind::kNone;              // "... and the window", "the door and ...": behind or before it
   bool plural = false;                    // "them", "the sofas", "both desks"
+  bool each_other = false;                // the subjects themselves
   // Of a wall or corner the words that tell it from others, with spaces: "north", "far left", "at door", of all corners
   // "each"; empty for any of them. Of a door or window those that describe it: "kitchen".
   std::string side;
@@ -50,6 +51,7 @@ class LandmarkReader {
   Landmark Pronoun(std::size_t start) const;
   Landmark Noun(std::size_t start) const;
   bool Describes(std::size_t i) const;
+  bool JoinsWalls(std::size_t i) const;
   void TakeSecond(Landmark& landmark) const;
   void TakeWhichOne(std::size_t start, Landmark& landmark) const;
 

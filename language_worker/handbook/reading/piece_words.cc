@@ -111,7 +111,10 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
   constexpr std::size_t kMostBehind = 8, kMostBack = 8, kMostWords = 4;
   constexpr int kMost = 100, kFewest = 2;
   const auto number = [&](std::size_t k) { return std::min(CountAt(text, k), kMost); };
-  const auto is_group = [&](std::size_t k) { return IsFormIn("groups_of_pieces", text.At(k)); };
+  const auto in_pairs = [&](std::size_t k) {
+    return text.At(k) == "pairs" && k > 0 && (text.Says(k - 1, {"in", "into"}) || number(k - 1) > 0);
+  };
+  const auto is_group = [&](std::size_t k) { return IsFormIn("groups_of_pieces", text.At(k)) || in_pairs(k); };
   const std::size_t end = i + length;
   for (std::size_t at = end; at < end + kMostBehind && !text.EndsSentence(at) && !text.Says(at, {"and", "with"});
        ++at) {
@@ -121,6 +124,7 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
       ++group;
     if (!is_group(group) || number(at + 1) == 1 || (number(at + 1) == 0 && !text.At(group).ends_with('s'))) continue;
     Groups groups{number(at + 1), 0, at, group + 1, IsFormIn("rows_of_pieces", text.At(group))};
+    if (in_pairs(group)) groups.in_each = 2, groups.rows = true;
     if (text.At(group + 1) == "of" && number(group + 2) > 0) groups.in_each = number(group + 2), groups.end = group + 3;
     return groups;
   }

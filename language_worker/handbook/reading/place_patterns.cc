@@ -40,14 +40,17 @@ PlacePatterns::PlacePatterns(const Handbook& handbook, const std::vector<Token>&
 
 std::vector<PlacePatterns::Match> PlacePatterns::MatchesAt(std::size_t i) const {
   std::vector<Match> matches;
+  constexpr std::size_t kMostFillers = 3;
   const bool denied = Denies(i);
-  std::size_t start = i + (denied ? 1 : 0);
-  while (denied && start < i + 4 && IsIn("place_fillers", text_.At(start))) ++start;
-  for (const PlaceWords& words : places_) {
-    if (words.denied != denied) continue;
-    Match match{words.asked, {}, LengthAt(words, start), 0};
-    match.end = start + match.length;
-    if (match.length > 0 && Complete(words, match)) matches.push_back(match);
+  for (std::size_t start = i + (denied ? 1 : 0), last = i + kMostFillers; start <= last; ++start) {
+    for (const PlaceWords& words : places_) {
+      if (words.denied != denied) continue;
+      Match match{words.asked, {}, LengthAt(words, start), 0};
+      match.end = start + match.length;
+      if (match.length > 0 && Complete(words, match)) matches.push_back(match);
+    }
+    // "Should not stand near".
+    if (!denied || !IsIn("place_fillers", text_.At(start))) break;
   }
   std::ranges::stable_sort(matches, [](const Match& a, const Match& b) {
     return a.length != b.length ? a.length > b.length : a.end > b.end;
@@ -148,7 +151,7 @@ void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& p
   place.target = &other;
 }
 
-void TakeWhatHangs(const PlacePatterns& patterns, Place& place) {
+void TakeWhatHangs(const PlacePatterns& patterns, Place& place, bool at_the_front) {
   if (place.target == nullptr || place.furniture->kind() == place.target->kind()) return;
   const hb::FurnitureKind kind = place.target->kind();
   const bool on_wall = kind == hb::FURNITURE_KIND_WALL;
@@ -161,21 +164,26 @@ void TakeWhatHangs(const PlacePatterns& patterns, Place& place) {
                                                                                                       : "";
   const hb::AskedPlace* hanging = converse.empty() ? nullptr : patterns.Find(converse, "target", kind);
   if (hanging == nullptr) return;
+  const hb::AskedPlace* near = patterns.Find("near", "target", hb::FURNITURE_KIND_FLOOR);
+  if (at_the_front && converse == "near" && near != nullptr) {
+    place.asked = near;
+    return;
+  }
   place.asked = hanging;
   std::swap(place.furniture, place.target);
 }
 
-void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts) {
+void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts, bool at_the_front) {
   std::vector<Place> walls;
   for (Place& place : facts.places) {
     if (place.target == nullptr || place.target->kind() != hb::FURNITURE_KIND_WALL || !IsOnTheFloor(*place.furniture) ||
-        !AskedNames(*place.asked, "faces the {target}")) {
+        !(AskedNames(*place.asked, "faces the {target}") || at_the_front)) {
       continue;
     }
     const auto own = [&](const Place& one) { return one.furniture == place.target && one.asked->carried() == 0; };
     if (std::ranges::any_of(facts.places, own) || std::ranges::any_of(walls, own)) continue;
     const auto wish = std::ranges::find(facts.wishes, place.furniture, &Wish::furniture);
-    if (wish == facts.wishes.end() || wish->count == 1) {
+    if (!at_the_front && (wish == facts.wishes.end() || wish->count == 1)) {
       const hb::AskedPlace* opposite = patterns.Find("opposite", "target", hb::FURNITURE_KIND_WALL);
       if (opposite == nullptr) continue;
       place.asked = opposite;

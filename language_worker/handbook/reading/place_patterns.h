@@ -67,10 +67,11 @@ bool IsFor(const hb::AskedPlace& asked, const hb::Furniture& furniture, bool oth
 void TakeTwo(const hb::Furniture& other, const PlacePatterns& patterns, Place& place);
 
 // "A dresser under a mirror", "a lectern by the screen": what hangs there is above the other, or near it.
-void TakeWhatHangs(const PlacePatterns& patterns, Place& place);
+// `at_the_front`: it hangs where all look, and the other stands near that wall.
+void TakeWhatHangs(const PlacePatterns& patterns, Place& place, bool at_the_front);
 
 // "Desks facing a screen": what hangs on a wall hangs where they look. One piece looks somewhere; several need a wall
 // that is told.
-void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts);
+void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts, bool at_the_front);
 
 }  // namespace flair::language

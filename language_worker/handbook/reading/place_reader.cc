@@ -2,6 +2,7 @@
 #include "language_worker/handbook/reading/place_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "fmt/format.h"
 #include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/landmark.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/own_classes.h"
@@ -30,7 +32,8 @@ class PlaceReader {
   PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens, const PieceNames& names,
               const std::vector<Mention>& mentions, std::function<int(const hb::Furniture&)> rank,
               std::vector<bool>& used, BriefFacts& facts)
-      : tokens_(tokens),
+      : handbook_(handbook),
+        tokens_(tokens),
         text_(tokens),
         mentions_(mentions),
         used_(used),
@@ -44,10 +47,13 @@ class PlaceReader {
 
   void Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (i < read_to_ || used_[i] || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
+      // "A window over the sink" is the sink's place.
+      const bool used = used_[i] && text_.At(i) != "window";
+      if (i < read_to_ || used || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
-    HangWhatIsFaced(patterns_, facts_);
+    DropRowsAround();
+    HangWhatIsFaced(patterns_, facts_, LooksToTheFront());
   }
 
  private:
@@ -58,6 +64,16 @@ class PlaceReader {
       if (TakePlace(i, otherwise)) return true;
     }
     return false;
+  }
+
+  // "Two beds side by side with a nightstand between" are not flush.
+  void DropRowsAround() {
+    std::erase_if(facts_.places, [&](const Place& row) {
+      return row.asked->relation().text().find("side by side") != std::string::npos &&
+             std::ranges::any_of(facts_.places, [&](const Place& one) {
+               return one.target == row.furniture && one.other == row.furniture;
+             });
+    });
   }
 
   // "Accompanied by four chairs" is no place; "placed by the window" is.
@@ -88,28 +104,89 @@ class PlaceReader {
     const hb::AskedPlace& asked = *match.asked;
     if (asked.target_first()) {
       const std::optional<std::size_t> first = named_.From(match.end);
-      return first ? Together(*first, +1, asked) : std::vector<Subject>();
+      return first ? Together(*first, +1, asked, match.landmark.kind) : std::vector<Subject>();
+    }
+    // "Space to walk round the bed": it is said of the bed alone.
+    const bool alone = match.landmark.kind == Landmark::Kind::kPiece && !AskedNames(asked, "{target}") &&
+                       !AskedNames(asked, "{first}");
+    for (std::size_t k = i; alone && k < match.end; ++k) {
+      if (const std::optional<std::size_t> m = named_.At(k)) return {subjects_.Of(*m)};
+    }
+    if (!asked.category().empty()) {
+      for (std::size_t m = mentions_.size(); m-- > 0;) {
+        if (mentions_[m].end <= i && mentions_[m].furniture->category() == asked.category()) return {subjects_.Of(m)};
+      }
+      return {};
     }
     std::optional<Subject> subject = subjects_.After(i, match.end);
     const bool after = subject.has_value();
     if (!after) subject = subjects_.Before(i, match.landmark.kind == Landmark::Kind::kPronoun);
     if (!subject) return {};
+    if (!otherwise) TakeStand(match, *subject);
     const std::optional<Subject> holder = after ? std::nullopt : subjects_.HolderOf(*subject);
+    // "A basin with a mirror on the right wall": nobody tells the mirror's wall apart from the basin's.
+    const bool of_both = holder && !match.landmark.side.empty() && AskedNames(asked, "{wall}") &&
+                         IsOnTheFloor(*holder->furniture) && !IsOnTheFloor(*subject->furniture);
+    if (of_both && !otherwise && !IsFor(asked, *holder->furniture, false)) return {};
     if (holder && IsFor(asked, *holder->furniture, otherwise) &&
         (!IsFor(asked, *subject->furniture, otherwise) || IsOfTheHolder(match, *subject))) {
       subject = holder;
     }
     if (!IsFor(asked, *subject->furniture, otherwise)) return {};
     if (asked.carried() == hb::CARRIED_ALONG) return {*subject};
-    if (!IsOnATop(*subject->furniture)) {
+    if (after && OpensSentence(i) && IsPartOfTheRoom(match.landmark)) return ListedBehind(*subject, match);
+    if (!GoesAlong(*subject->furniture, match.landmark.kind)) {
       const bool shares = !after && !AskedNames(asked, "{first}") && asked.relation().pairing() != hb::PAIRING_TOGETHER;
       const std::optional<Subject> other = shares ? subjects_.SharerOf(*subject) : std::nullopt;
       if (!other || !IsFor(asked, *other->furniture, otherwise)) return {*subject};
       return {*subject, *other};
     }
-    std::vector<Subject> all = Together(subject->mention, after ? +1 : -1, asked);
+    std::vector<Subject> all = Together(subject->mention, after ? +1 : -1, asked, match.landmark.kind);
     all.front() = *subject;
     return all;
+  }
+
+  bool OpensSentence(std::size_t i) const { return i == 0 || text_.EndsSentence(i - 1); }
+
+  static bool IsPartOfTheRoom(const Landmark& landmark) {
+    using Kind = Landmark::Kind;
+    return landmark.kind == Kind::kWall || landmark.kind == Kind::kWindow || landmark.kind == Kind::kDoor;
+  }
+
+  // Small things, and what shares a worktop.
+  static bool GoesAlong(const hb::Furniture& furniture, Landmark::Kind kind) {
+    return IsOnATop(furniture) || (kind == Landmark::Kind::kWall && furniture.run() != hb::RUN_PART_UNSPECIFIED);
+  }
+
+  // "On the right wall a desk with a chair, a TV and a cabinet": all that stand on the floor and have no place of their
+  // own behind them.
+  std::vector<Subject> ListedBehind(const Subject& first, const Match& match) const {
+    std::vector<Subject> all = {first};
+    for (std::size_t m = first.mention + 1; m < mentions_.size() && named_.AreListed(m - 1, m); ++m) {
+      Subject one = subjects_.Of(m);
+      if (HasOwnPlace(m)) break;
+      TakeStand(match, one);
+      if (!subjects_.HolderOf(one) && IsFor(*match.asked, *one.furniture, false)) all.push_back(one);
+    }
+    return all;
+  }
+
+  bool HasOwnPlace(std::size_t m) const {
+    std::size_t end = mentions_[m].end;
+    while (end < tokens_.size() && text_.Is(end, "place_fillers")) ++end;
+    return end < tokens_.size() && !patterns_.MatchesAt(end).empty();
+  }
+
+  // "The TV opposite the window", "a TV on the east wall": what it comes with stands there. "On the wall" it hangs.
+  void TakeStand(const Match& match, Subject& subject) const {
+    const hb::Furniture& piece = *subject.furniture;
+    if (piece.kind() != hb::FURNITURE_KIND_SURFACE || piece.companions().empty() || match.asked->carried() != 0) return;
+    const std::string& side = match.landmark.side;
+    if (match.landmark.kind == Landmark::Kind::kWall && (side.empty() || side == "opposite")) return;
+    const hb::Furniture* stand = handbook_.FindFurniture(piece.companions(0).furniture());
+    if (stand != nullptr && IsOnTheFloor(*stand) && !IsFor(*match.asked, piece, false) &&
+        IsFor(*match.asked, *stand, false))
+      subject.furniture = stand;
   }
 
   // "A table with a lamp on it by the window", "a bath with a ramp along the back wall": where a thing that comes with
@@ -130,26 +207,24 @@ class PlaceReader {
 
   // Whether the place of what is listed before or behind it is its place, too: small things that have none of their
   // own.
-  bool GoesWithOthers(std::size_t m, int step, const hb::AskedPlace& asked) const {
+  bool GoesWithOthers(std::size_t m, int step, const hb::AskedPlace& asked, Landmark::Kind kind) const {
     const hb::Furniture& furniture = *mentions_[m].furniture;
     const bool carried = asked.carried() != hb::CARRIED_UNSPECIFIED;
     if (!IsFor(asked, furniture, false) && !(carried && IsFor(asked, furniture, true))) return false;
-    if (!carried && !IsOnATop(furniture)) return false;
+    if (!carried && !GoesAlong(furniture, kind)) return false;
     const bool placed = std::ranges::any_of(facts_.places, [&](const Place& place) {
       return place.furniture == &furniture && place.asked->carried() != hb::CARRIED_UNSPECIFIED;
     });
-    // One that its own place follows has that.
-    std::size_t end = mentions_[m].end;
-    while (end < tokens_.size() && text_.Is(end, "place_fillers")) ++end;
-    return !placed && !(step > 0 && end < tokens_.size() && !patterns_.MatchesAt(end).empty());
+    return !placed && !(step > 0 && HasOwnPlace(m));
   }
 
   // The mention and its neighbours to one side that are listed with it: "a vase, a wooden tray and two candles".
-  std::vector<Subject> Together(std::size_t mention, int step, const hb::AskedPlace& asked) const {
+  std::vector<Subject> Together(std::size_t mention, int step, const hb::AskedPlace& asked, Landmark::Kind kind) const {
     std::vector<Subject> all;
     for (std::size_t m = mention; m < mentions_.size(); m += static_cast<std::size_t>(step)) {
       const std::size_t first = step > 0 ? m - 1 : m, second = first + 1;
-      if (m != mention && (by_landmark_[m] || !named_.AreListed(first, second) || !GoesWithOthers(m, step, asked)))
+      if (m != mention &&
+          (by_landmark_[m] || !named_.AreListed(first, second) || !GoesWithOthers(m, step, asked, kind)))
         break;
       all.push_back(subjects_.Of(m));
       if (step < 0 && m == 0) break;
@@ -178,9 +253,11 @@ class PlaceReader {
     if (m > 0 && mentions_[m].count == 1 && named_.AreListed(m - 1, m)) {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
-    TakeWhatHangs(patterns_, place);
-    if (AskedNames(asked, "in a corner")) TakeCorner(match.landmark.kind, place);
+    TakeWhatHangs(patterns_, place, LooksToTheFront());
+    TakeWallAcross(match.landmark.kind, place);
+    if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, place);
     TakeFront(place);
+    if (AskedNames(asked, "{wall}")) place.walls = WallsIn(i, match.end);
     if (asked.length_m() > 0) place.length_m = LengthBeside(i, match.end).value_or(asked.length_m());
     if (subject.further) {
       for (Place& before : facts_.places) {
@@ -192,7 +269,8 @@ class PlaceReader {
     // "A lamp on either side" makes two of one.
     for (Wish& wish : facts_.wishes) {
       const int least = std::max(
-          {place.asked->relation().condition().min_count(), OneForEach(place, i, match.end), subject.further ? 2 : 1});
+          {place.asked->relation().condition().min_count(), OneForEach(place, i, match.end), subject.further ? 2 : 1,
+           wish.counted || !text_.At(mentions_[m].end - 1).ends_with('s') ? 1 : MostAlong(place, i)});
       if (wish.furniture == subject.furniture) wish.count = std::max(wish.count, least);
     }
     return true;
@@ -242,6 +320,11 @@ class PlaceReader {
     if (place.side != "opposite") return;
     for (std::size_t p = facts_.places.size(); p-- > 0;) {
       Place& before = facts_.places[p];
+      // Across from the corner of two walls.
+      if (AskedNames(*before.asked, "{wall}") && before.walls == 2 && before.side.find(' ') != std::string::npos) {
+        place.side = "across " + before.side;
+        return;
+      }
       if (!AskedNames(*before.asked, "in a corner") || before.side == "each") continue;
       if (before.side.empty()) before.side = "far right";
       place.side = "across " + before.side;
@@ -249,14 +332,55 @@ class PlaceReader {
     }
   }
 
+  bool LooksToTheFront() const { return IsIn("look_to_the_front", facts_.archetype->per_person()); }
+
+  // "A TV opposite the window": what belongs to a wall stands against that across from it.
+  void TakeWallAcross(Landmark::Kind kind, Place& place) const {
+    const bool door = kind == Landmark::Kind::kDoor;
+    if (!(door || kind == Landmark::Kind::kWindow) || place.furniture->back() != hb::BACK_RULE_WALL ||
+        !AskedNames(*place.asked, "faces the")) {
+      return;
+    }
+    const hb::AskedPlace* wall = patterns_.Find("against", "wall", hb::FURNITURE_KIND_FLOOR);
+    if (wall == nullptr) return;
+    place.asked = wall;
+    place.side = door ? "far" : "across window";
+  }
+
   // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
   void TakeFront(Place& place) const {
-    if (!IsIn("look_to_the_front", facts_.archetype->per_person())) return;
+    if (!LooksToTheFront()) return;
     if (place.side == "front") {
       place.side = "far";
     } else if (place.side == "back" || place.side == "rear") {
       place.side = "near";
     }
+  }
+
+  // "On three walls", "along both long walls", "on the north and east walls".
+  int WallsIn(std::size_t begin, std::size_t end) const {
+    if (!text_.At(end - 1).ends_with('s')) return 1;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i > begin && text_.Says(i, {"all", "every", "each", "four"})) return 4;
+      if (text_.At(i) == "three") return 3;
+      const bool listed = text_.At(i) == "and" && text_.Is(i - 1, "told_sides");
+      if (listed || text_.Says(i, {"both", "two"})) return 2;
+    }
+    return 1;
+  }
+
+  // "Bookcases all along both side walls": as many as stand there with some room left for openings and corners.
+  int MostAlong(const Place& place, std::size_t begin) const {
+    const bool along = place.walls > 1 || text_.Is(begin, "along_a_wall");
+    if (!along || !AskedNames(*place.asked, "{wall}") || place.furniture->back() != hb::BACK_RULE_WALL) return 1;
+    constexpr double kShare = 0.6;
+    constexpr int kMostOfAWall = 5;
+    const SizeRequest& size = facts_.size;
+    const double area_m2 = size.area_m2.value_or(size.width_m && size.depth_m ? *size.width_m * *size.depth_m
+                                                                              : UsualArea(*facts_.archetype));
+    const double wall_m = std::sqrt(area_m2) * (IsIn("long_or_short", place.side) && place.side[0] == 's' ? 0.8 : 1);
+    const int each = static_cast<int>(kShare * wall_m / place.furniture->width_m().typical());
+    return place.walls * std::clamp(each, 1, kMostOfAWall);
   }
 
   // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners.
@@ -266,9 +390,9 @@ class PlaceReader {
     for (std::size_t i = begin; i < end; ++i) {
       if (place.side == "each" && text_.Says(i, {"each", "every", "all", "four"})) return kCorners;
       each = each || text_.Says(i, {"each", "every"});
-      // "A barre along both long walls".
-      if (text_.At(i) == "both" && AskedNames(*place.asked, "{wall}")) return 2;
     }
+    // "A barre along both long walls".
+    if (place.walls > 1) return place.walls;
     const auto target = std::ranges::find(facts_.wishes, place.target, &Wish::furniture);
     return each && place.target != nullptr && target != facts_.wishes.end() ? target->count : 0;
   }
@@ -350,6 +474,7 @@ class PlaceReader {
     return corner || IsIn("sure_places", text_.At(i));
   }
 
+  const Handbook& handbook_;
   const std::vector<Token>& tokens_;
   const BriefText text_;
   const std::vector<Mention>& mentions_;

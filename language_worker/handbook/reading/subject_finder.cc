@@ -64,9 +64,13 @@ std::optional<Subject> SubjectFinder::Counted(std::size_t at) const {
 
 bool SubjectFinder::IsFiller(std::size_t i) const {
   const std::string_view word = text_.At(i);
-  const bool size = text_.IsNumber(i) || word == "x" || text_.Is(i, "unit_words") || (word[0] >= '0' && word[0] <= '9');
-  return size || text_.Is(i, "place_fillers") || text_.Is(i, "group_fillers") || word.ends_with("ed") ||
-         word.ends_with("ing") || word.ends_with("ly") || text_.Says(i, {"the", "of", "in"}) ||
+  // "At least a metre of".
+  const bool least = word == "least" || (word == "at" && text_.At(i + 1) == "least");
+  const bool metre = text_.Says(i, {"a", "an"}) && text_.Is(i + 1, "metres");
+  const bool size = least || metre || text_.IsNumber(i) || (NumberWord(word) && !text_.Says(i, {"a", "an"})) || word == "x" || text_.Is(i, "unit_words") ||
+                    (word[0] >= '0' && word[0] <= '9');
+  return size || text_.Is(i, "place_fillers") || text_.Is(i, "pronouns") || text_.Is(i, "group_fillers") ||
+         word.ends_with("ed") || word.ends_with("ing") || word.ends_with("ly") || text_.Says(i, {"the", "of", "in"}) ||
          IsFormIn("groups_of_pieces", word);
 }
 

@@ -9,15 +9,21 @@ namespace flair::language {
 
 bool TargetFinder::Find(std::size_t subject, const PlacePatterns::Match& match, Place& place) const {
   place.side = match.landmark.side;
-  if (place.side == "opposite" && AskedNames(*match.asked, "{wall}") && !OppositeOfLast().empty()) place.side = OppositeOfLast();
+  if (place.side == "opposite" && AskedNames(*match.asked, "{wall}") && !OppositeOfLast().empty())
+    place.side = OppositeOfLast();
   if (AskedNames(*match.asked, "{first}")) return FindPair(subject, match.landmark, place);
   if (!AskedNames(*match.asked, "{target}")) return true;
   // "A king bed with a bench at the foot", "a nightstand on the left": of what it usually stands by.
   const hb::Furniture& piece = *mentions_[subject].furniture;
+  if (match.landmark.each_other) {
+    place.target = &piece;
+    return true;
+  }
   if (match.landmark.kind == Landmark::Kind::kNone && IsOnTheFloor(piece)) {
     place.target = Partner(piece);
     if (place.target != nullptr) return true;
-    if (AskedNames(*match.asked, "side of the {target}") && match.asked->relation().condition().min_count() < 2) return false;
+    if (AskedNames(*match.asked, "side of the {target}") && match.asked->relation().condition().min_count() < 2)
+      return false;
   }
   if (match.landmark.kind != Landmark::Kind::kPiece) return FindNamedBefore(subject, match.landmark.plural, place);
   place.target = match.landmark.piece;
@@ -52,6 +58,8 @@ bool TargetFinder::FindPair(std::size_t subject, const Landmark& landmark, Place
       const Mention& mention = mentions_[m];
       if (mention.furniture == piece || mention.furniture == place.other) continue;
       if (by_landmark_[m] && !landmarks_too) continue;
+      // "A basin with a mirror, and the toilet between them".
+      if (IsOnTheFloor(*piece) && !IsOnTheFloor(*mention.furniture)) continue;
       if (place.other == nullptr && mention.count > 1) {
         place.target = place.other = mention.furniture;
         return true;

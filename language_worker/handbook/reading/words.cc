@@ -199,7 +199,9 @@ std::size_t BriefText::PhraseBegin(std::size_t noun) const {
 }
 
 std::optional<double> BriefText::LengthAt(std::size_t i, std::size_t& end) const {
-  if (!IsNumber(i)) return std::nullopt;
+  // "A metre", but not the foot of a bed.
+  const bool article = Says(i, {"a", "an"});
+  if (!IsNumber(i) && (!NumberWord(At(i)) || (article && !Is(i + 1, "metres")))) return std::nullopt;
   const std::optional<english::Measure> measure = english::MeasureAt(tokens_, i);
   if (!measure || measure->unit == 0) return std::nullopt;
   end = measure->end;

@@ -159,6 +159,7 @@ class ConstraintLister {
       if (written.empty()) continue;
       kept_[i] = true;
       topics.insert(place.asked->silences().begin(), place.asked->silences().end());
+      if (place.walls > 1) topics.insert("row");
     }
   }
 
@@ -256,7 +257,7 @@ class ConstraintLister {
   const SentenceWriter writer_;
   const PlaceWriter place_writer_;
   const std::vector<RunPlace> run_;  // of what has a part in one
-  std::vector<bool> kept_;  // of a place: sentences were written
+  std::vector<bool> kept_;           // of a place: sentences were written
   std::vector<v1::Sentence> sentences_;
   std::vector<UseSentence> uses_;
 };

@@ -32,11 +32,17 @@ Slot TheWall(const v1::Room& room, int wall) {
 }
 
 // "Near the kitchen door", "under the north window": names the one that is meant, by its wall where it is alone there.
-void NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation& relation) {
+// Whether it has; facts tell no door from another, so that the sentence is then read as it is written.
+bool NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation& relation) {
+  bool named = false;
   for (const auto& [kind, words] : {std::pair(v1::OPENING_KIND_DOOR, std::string_view("the door")),
                                     std::pair(v1::OPENING_KIND_WINDOW, std::string_view("the window"))}) {
     const std::size_t at = relation.text().find(words);
     const v1::Opening* one = at == std::string::npos || side.empty() ? nullptr : OpeningOf(room, kind, side);
+    // "The door" is that by which one comes in.
+    const auto doors = std::ranges::count(room.openings(), v1::OPENING_KIND_DOOR, &v1::Opening::kind);
+    if (one == nullptr && at != std::string::npos && kind == v1::OPENING_KIND_DOOR && doors > 1)
+      one = &*std::ranges::find(room.openings(), kind, &v1::Opening::kind);
     if (one == nullptr) continue;
     const bool alone = std::ranges::count_if(room.openings(), [&](const v1::Opening& other) {
                          return other.kind() == kind && other.wall() == one->wall();
@@ -44,7 +50,14 @@ void NameTheOpening(const v1::Room& room, const std::string& side, hb::Relation&
     const bool by_wall = alone && !one->wall().starts_with("wall");
     relation.mutable_text()->replace(at, words.size(),
                                      by_wall ? fmt::format("the {} {}", one->wall(), words.substr(4)) : one->id());
+    named = true;
   }
+  return named;
+}
+
+std::vector<v1::Sentence> AsWritten(std::vector<v1::Sentence> sentences) {
+  for (v1::Sentence& sentence : sentences) sentence.clear_meaning();
+  return sentences;
 }
 
 // Where a wall stands for the target.
@@ -60,6 +73,21 @@ bool HasOpenings(const v1::Room& room, int wall) {
                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
 }
 
+// The walls that a place names, or those that are meant where it only counts them.
+std::vector<std::string> SeveralSides(const Place& place) {
+  if (place.walls > 2) {
+    std::vector<std::string> sides = {"far", "left", "right"};
+    if (place.walls > 3) sides.push_back("near");
+    return sides;
+  }
+  const std::size_t space = place.side.find(' ');
+  if (place.said.find(" and ") != std::string::npos && space != std::string::npos)
+    return {place.side.substr(0, space), place.side.substr(space + 1)};
+  const bool told = !place.side.empty() && place.side != "opposite";
+  return told ? std::vector<std::string>{place.side, "across " + place.side}
+              : std::vector<std::string>{"left", "right"};
+}
+
 }  // namespace
 
 std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& group) const {
@@ -68,9 +96,9 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
   if (PlaceNames(place, "{wall}")) subjects = WhatGoesThere(subjects);
   if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
   if (!place.side.empty() && PlaceNames(place, "in a corner")) return WriteCorners(place, subjects);
-  const bool both = place.said.find("both") != std::string::npos ||
-                    (place.said.ends_with("walls") && (subjects.size() == 2 || !place.side.empty()));
-  if (PlaceNames(place, "{wall}") && both && subjects.size() > 1) return WriteOpposite(place, subjects);
+  const bool several =
+      place.walls > 1 || (place.said.ends_with("walls") && (subjects.size() == 2 || !place.side.empty()));
+  if (PlaceNames(place, "{wall}") && several && subjects.size() > 1) return WriteOnWalls(place, subjects);
   if (PlaceNames(place, "central in the room") && subjects.size() > 2) return WriteAlongTheMiddle(place, subjects);
   hb::Relation relation = place.asked->relation();
   Slots further;
@@ -81,6 +109,13 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     const bool hangs = place.furniture->kind() == hb::FURNITURE_KIND_WALL;
     if (hangs && subjects.front()->kind() == v1::OBJECT_KIND_FLOOR) {
       relation.set_text("The {object}'s back is against {wall}.");
+    }
+    // "Tables at the back", "tables along the wall" stand there with their seats, not with their backs to the wall.
+    const bool of_the_room = !place.side.empty() && place.said.find("wall") == std::string::npos;
+    const bool region = of_the_room || subjects.front()->category().ends_with("table");
+    if (region && place.furniture->back() == hb::BACK_RULE_FREE && place.said.find("against") == std::string::npos &&
+        relation.text().find("back is against") != std::string::npos) {
+      relation.set_text("The {object} is within 1.5 m of {wall}.");
     }
     // "A bed along the left wall" stands lengthwise.
     constexpr double kLong = 1.3;
@@ -94,7 +129,7 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     }
     further["wall"] = *wall;
   }
-  NameTheOpening(room_, place.side, relation);
+  const bool named = NameTheOpening(room_, place.side, relation);
   // What stands beside a thing stands on that one's host.
   const hb::Carried carried = place.asked->carried();
   if (place.target != nullptr && carried != hb::CARRIED_ALONG) {
@@ -103,12 +138,19 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
   }
   if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk") {
     const std::vector<v1::Sentence> sentences = WriteOfDesks(place, relation, subjects, further);
-    if (!sentences.empty()) return sentences;
+    if (!sentences.empty()) return named ? AsWritten(sentences) : sentences;
   }
   // What is opened from the front stands across from the foot of a bed, not at it.
   if (PlaceNames(place, "next to the front of") && place.furniture->back() == hb::BACK_RULE_WALL) {
     relation.set_text("The {object} faces the {target}.");
   }
+  // Guests sit across the desk.
+  const auto& relations = place.furniture->relations();
+  const auto across = std::ranges::find_if(relations, [&](const hb::Relation& one) {
+    return one.text().find("is next to the back of the {target}") != std::string::npos && place.target != nullptr &&
+           Includes(one.targets(), place.target->name());
+  });
+  if (across != relations.end() && PlaceNames(place, "is in front of the {target}")) relation.set_text(across->text());
   constexpr std::size_t kMany = 3;
   if (!place.asked->text_of_many().empty() && subjects.size() >= kMany && !place.target->walk_over()) {
     relation.set_text(place.asked->text_of_many());
@@ -131,7 +173,15 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     if (about.empty() && place.target != nullptr) about = WriteHung(relation, place, subjects, further);
     sentences.insert(sentences.end(), about.begin(), about.end());
   }
-  return sentences;
+  // One walks round what does not belong to a wall on all four sides.
+  const bool all_round =
+      relation.text().find("space around the") != std::string::npos && place.said.find("three") == std::string::npos &&
+      place.furniture->back() != hb::BACK_RULE_WALL && place.furniture->back() != hb::BACK_RULE_CORNER;
+  if (all_round && !sentences.empty()) {
+    relation.set_text("There is {length} of clear space behind the {object}.");
+    for (v1::Sentence& sentence : writer_.Write(relation, subjects, further)) sentences.push_back(std::move(sentence));
+  }
+  return named ? AsWritten(std::move(sentences)) : sentences;
 }
 
 // What hangs on a wall belongs to no other piece, but for what the brief says.
@@ -201,7 +251,12 @@ std::string PlaceWriter::StandIn(const Place& place, Slots& further) const {
 }
 
 Group PlaceWriter::SubjectsOf(const Place& place, const Group& group) const {
-  if (place.which < 0) return group;
+  if (place.which < 0) {
+    // Each of them in a zone of its own: all are spoken of with the first.
+    const Group& all = writer_.groups().at(group.front()->name());
+    const bool together = place.asked->relation().pairing() == hb::PAIRING_TOGETHER && group.size() == 1;
+    return together && group.front() == all.front() ? all : group;
+  }
   const Group& all = writer_.groups().at(group.front()->name());
   const auto at = static_cast<std::size_t>(place.which);
   if (at >= all.size() || std::ranges::find(group, all[at]) == group.end()) return {};
@@ -226,17 +281,20 @@ std::vector<v1::Sentence> PlaceWriter::WriteOfDesks(const Place& place, hb::Rela
   return seats.empty() ? std::vector<v1::Sentence>() : writer_.Write(relation, seats, further);
 }
 
-std::vector<v1::Sentence> PlaceWriter::WriteOpposite(const Place& place, const Group& group) const {
+std::vector<v1::Sentence> PlaceWriter::WriteOnWalls(const Place& place, const Group& group) const {
   std::vector<v1::Sentence> sentences;
-  const bool told = !place.side.empty() && place.side != "opposite";
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    const bool first = i < (group.size() + 1) / 2;
-    const std::optional<int> wall = WallOf(room_, first  ? (told ? place.side : "left")
-                                                  : told ? "across " + place.side
-                                                         : "right");
+  const std::vector<std::string> sides = SeveralSides(place);
+  std::vector<Group> shares(sides.size());
+  for (std::size_t i = 0; i < group.size(); ++i) shares[i * sides.size() / group.size()].push_back(group[i]);
+  for (std::size_t w = 0; w < sides.size(); ++w) {
+    const std::optional<int> wall = WallOf(room_, sides[w]);
     if (!wall) return {};
-    sentences.push_back(
-        writer_.WriteOne(place.asked->relation(), {group[i]}, {}, i, {{"wall", TheWall(room_, *wall)}}));
+    for (const v1::Object* one : shares[w])
+      sentences.push_back(writer_.WriteOne(place.asked->relation(), {one}, {}, 0, {{"wall", TheWall(room_, *wall)}}));
+    if (shares[w].size() < 2 || !IsOnTheFloor(*place.furniture)) continue;
+    hb::Relation row = place.asked->relation();
+    row.set_text("The {objects} stand side by side in a row.");
+    sentences.push_back(writer_.WriteOne(row, shares[w], {}, 0));
   }
   return sentences;
 }

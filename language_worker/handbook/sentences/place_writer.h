@@ -46,7 +46,7 @@ class PlaceWriter {
   // What "{wall}" stands for; nothing where the words name a wall that the room does not have.
   std::optional<Slot> WallFor(const std::string& side) const;
   // "Shelves on both long walls", "two beds against opposite walls": one half here, one there.
-  std::vector<v1::Sentence> WriteOpposite(const Place& place, const Group& group) const;
+  std::vector<v1::Sentence> WriteOnWalls(const Place& place, const Group& group) const;
   std::vector<v1::Sentence> WriteAlongTheMiddle(const Place& place, const Group& group) const;
   std::vector<v1::Sentence> WriteBetween(const Place& place, const Group& group) const;
   // Into the corners that are meant: each with its back on one wall, a side on the other.
