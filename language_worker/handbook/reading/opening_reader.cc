@@ -47,7 +47,8 @@ class OpeningReader {
 
   void Read() {
     for (std::size_t i = 0; i < words_.size(); i = std::max(i + 1, read_to_)) {
-      if (!ReadDark(i) && !ReadWindowWall(i) && !ReadAspect(i) && !ReadOneOfThem(i) && !room_[i]) ReadNamed(i);
+      const bool read = ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadOneOfThem(i);
+      if (!read && !room_[i]) ReadNamed(i);
     }
     list_.Settle();
   }
@@ -112,6 +113,22 @@ class OpeningReader {
     wish.side = words_.At(before ? i : i + 1);
     list_.Add(wish);
     Use(i, i + 2);
+    return true;
+  }
+
+  // "You come in from the west", "it is entered on the short side".
+  bool ReadWayIn(std::size_t i) {
+    const auto behind = words_.BehindPhrase(i, "coming_in");
+    if (!behind || !words_.Says(*behind, {"from", "on", "at", "through"})) return false;
+    std::size_t end = *behind + 1;
+    const Sides walls = WallsAt(words_, end, /*alone=*/true, end);
+    if (walls.size() != 1) return false;
+    OpeningWish wish;
+    wish.door = wish.definite = true;
+    wish.side = walls[0];
+    wish.said = Quote(i, end);
+    list_.Add(wish);
+    Use(i, end);
     return true;
   }
 

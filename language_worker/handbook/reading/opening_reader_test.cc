@@ -179,6 +179,8 @@ TEST(OpeningReader, ReadsGlassFrontsAndDoorsByWhatIsBehindThem) {
        "window@near w100 sill0; door@near middle"},
       {"Bar, glazed shopfront on the street with the door at its left end.",
        "window@near w100 sill0; door@near end:left"},
+      {"You come in from the west.", "door@west"},
+      {"It is entered on the short side. As you enter the window is on the left.", "door@short; window@left"},
       {"A salon with a glazed front.", "window@near w100 sill0"},
       {"A shop with a glass facade on the south wall.", "window@south w100 sill0"},
       {"The door from the hall is on the north side.", "door@north"},

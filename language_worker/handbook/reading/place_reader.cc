@@ -2,7 +2,6 @@
 #include "language_worker/handbook/reading/place_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,11 +9,11 @@
 
 #include "fmt/format.h"
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/landmark.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_words.h"
+#include "language_worker/handbook/reading/place_details.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/subject_finder.h"
 #include "language_worker/handbook/reading/target_finder.h"
@@ -52,7 +51,7 @@ class PlaceReader {
       if (i < read_to_ || used || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
-    DropRowsAround();
+    DropRowsAround(facts_.places);
     HangWhatIsFaced(patterns_, facts_, LooksToTheFront());
   }
 
@@ -64,16 +63,6 @@ class PlaceReader {
       if (TakePlace(i, otherwise)) return true;
     }
     return false;
-  }
-
-  // "Two beds side by side with a nightstand between" are not flush.
-  void DropRowsAround() {
-    std::erase_if(facts_.places, [&](const Place& row) {
-      return row.asked->relation().text().find("side by side") != std::string::npos &&
-             std::ranges::any_of(facts_.places, [&](const Place& one) {
-               return one.target == row.furniture && one.other == row.furniture;
-             });
-    });
   }
 
   // "Accompanied by four chairs" is no place; "placed by the window" is.
@@ -254,23 +243,26 @@ class PlaceReader {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
     TakeWhatHangs(patterns_, place, LooksToTheFront());
-    TakeWallAcross(match.landmark.kind, place);
-    if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, place);
-    TakeFront(place);
-    if (AskedNames(asked, "{wall}")) place.walls = WallsIn(i, match.end);
-    if (asked.length_m() > 0) place.length_m = LengthBeside(i, match.end).value_or(asked.length_m());
+    TakeWallAcross(patterns_, match.landmark.kind, place);
+    if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, facts_, place);
+    // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
+    const bool back = place.side == "back" || place.side == "rear";
+    if (LooksToTheFront() && (back || place.side == "front")) place.side = back ? "near" : "far";
+    if (AskedNames(asked, "{wall}")) place.walls = WallsIn(text_, i, match.end);
+    if (asked.length_m() > 0) place.length_m = LengthBeside(text_, i, match.end, used_).value_or(asked.length_m());
     if (subject.further) {
       for (Place& before : facts_.places) {
         if (before.furniture == place.furniture && before.which < 0) before.which = 0;
       }
     }
     Keep(place, subject, i, match.end);
-    NoteLoosely(place, i, i + match.length);
+    NoteLoosely(text_, place, i, i + match.length, facts_);
     // "A lamp on either side" makes two of one.
     for (Wish& wish : facts_.wishes) {
       const int least = std::max(
-          {place.asked->relation().condition().min_count(), OneForEach(place, i, match.end), subject.further ? 2 : 1,
-           wish.counted || !text_.At(mentions_[m].end - 1).ends_with('s') ? 1 : MostAlong(place, i)});
+          {place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),
+           subject.further ? 2 : 1,
+           wish.counted || !text_.At(mentions_[m].end - 1).ends_with('s') ? 1 : MostAlong(text_, facts_, place, i)});
       if (wish.furniture == subject.furniture) wish.count = std::max(wish.count, least);
     }
     return true;
@@ -300,102 +292,7 @@ class PlaceReader {
     return true;
   }
 
-  // "At least 1.5 m apart", "space behind it of 90 cm": the length told right before or behind the words.
-  std::optional<double> LengthBeside(std::size_t begin, std::size_t end) {
-    constexpr std::size_t kMostBefore = 5, kMostBehind = 4;
-    for (std::size_t at = begin - std::min(begin, kMostBefore); at < end + kMostBehind; ++at) {
-      std::size_t behind = at;
-      const std::optional<double> length_m = at >= begin && at < end ? std::nullopt : text_.LengthAt(at, behind);
-      if (!length_m) continue;
-      for (std::size_t k = at; k < behind; ++k) used_[k] = true;
-      return length_m;
-    }
-    return std::nullopt;
-  }
-
-  // "In each corner" is of all of them; "in the opposite corner" of the corner of the piece before.
-  void TakeCorner(Landmark::Kind kind, Place& place) {
-    if (kind == Landmark::Kind::kDoor) place.side = "across at door";
-    if (place.side == "each") place.which = -1;
-    if (place.side != "opposite") return;
-    for (std::size_t p = facts_.places.size(); p-- > 0;) {
-      Place& before = facts_.places[p];
-      // Across from the corner of two walls.
-      if (AskedNames(*before.asked, "{wall}") && before.walls == 2 && before.side.find(' ') != std::string::npos) {
-        place.side = "across " + before.side;
-        return;
-      }
-      if (!AskedNames(*before.asked, "in a corner") || before.side == "each") continue;
-      if (before.side.empty()) before.side = "far right";
-      place.side = "across " + before.side;
-      return;
-    }
-  }
-
   bool LooksToTheFront() const { return IsIn("look_to_the_front", facts_.archetype->per_person()); }
-
-  // "A TV opposite the window": what belongs to a wall stands against that across from it.
-  void TakeWallAcross(Landmark::Kind kind, Place& place) const {
-    const bool door = kind == Landmark::Kind::kDoor;
-    if (!(door || kind == Landmark::Kind::kWindow) || place.furniture->back() != hb::BACK_RULE_WALL ||
-        !AskedNames(*place.asked, "faces the")) {
-      return;
-    }
-    const hb::AskedPlace* wall = patterns_.Find("against", "wall", hb::FURNITURE_KIND_FLOOR);
-    if (wall == nullptr) return;
-    place.asked = wall;
-    place.side = door ? "far" : "across window";
-  }
-
-  // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
-  void TakeFront(Place& place) const {
-    if (!LooksToTheFront()) return;
-    if (place.side == "front") {
-      place.side = "far";
-    } else if (place.side == "back" || place.side == "rear") {
-      place.side = "near";
-    }
-  }
-
-  // "On three walls", "along both long walls", "on the north and east walls".
-  int WallsIn(std::size_t begin, std::size_t end) const {
-    if (!text_.At(end - 1).ends_with('s')) return 1;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i > begin && text_.Says(i, {"all", "every", "each", "four"})) return 4;
-      if (text_.At(i) == "three") return 3;
-      const bool listed = text_.At(i) == "and" && text_.Is(i - 1, "told_sides");
-      if (listed || text_.Says(i, {"both", "two"})) return 2;
-    }
-    return 1;
-  }
-
-  // "Bookcases all along both side walls": as many as stand there with some room left for openings and corners.
-  int MostAlong(const Place& place, std::size_t begin) const {
-    const bool along = place.walls > 1 || text_.Is(begin, "along_a_wall");
-    if (!along || !AskedNames(*place.asked, "{wall}") || place.furniture->back() != hb::BACK_RULE_WALL) return 1;
-    constexpr double kShare = 0.6;
-    constexpr int kMostOfAWall = 5;
-    const SizeRequest& size = facts_.size;
-    const double area_m2 = size.area_m2.value_or(size.width_m && size.depth_m ? *size.width_m * *size.depth_m
-                                                                              : UsualArea(*facts_.archetype));
-    const double wall_m = std::sqrt(area_m2) * (IsIn("long_or_short", place.side) && place.side[0] == 's' ? 0.8 : 1);
-    const int each = static_cast<int>(kShare * wall_m / place.furniture->width_m().typical());
-    return place.walls * std::clamp(each, 1, kMostOfAWall);
-  }
-
-  // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners.
-  int OneForEach(const Place& place, std::size_t begin, std::size_t end) const {
-    bool each = false;
-    constexpr int kCorners = 4;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (place.side == "each" && text_.Says(i, {"each", "every", "all", "four"})) return kCorners;
-      each = each || text_.Says(i, {"each", "every"});
-    }
-    // "A barre along both long walls".
-    if (place.walls > 1) return place.walls;
-    const auto target = std::ranges::find(facts_.wishes, place.target, &Wish::furniture);
-    return each && place.target != nullptr && target != facts_.wishes.end() ? target->count : 0;
-  }
 
   // What stands before "holds": right before it, else the last in the sentence that is no thing on a top itself.
   bool TakeCarrier(std::size_t i, Place& place) const {
@@ -414,25 +311,6 @@ class PlaceReader {
       return place.target != place.furniture;
     }
     return false;
-  }
-
-  // Directions that the sentence does not have: of "to the left of the window" only "near the window" is left.
-  void NoteLoosely(const Place& place, std::size_t begin, std::size_t end) {
-    const std::string& text = place.asked->relation().text();
-    if (place.asked->carried() == hb::CARRIED_ALONG) {
-      facts_.places_loosely_kept.push_back(
-          fmt::format("\"{} {}\": it stands on the same top", place.furniture->name(), place.said));
-      return;
-    }
-    for (std::size_t k = begin; k < end; ++k) {
-      if (!IsIn("exact_directions", text_.At(k)) || text.find(text_.At(k)) != std::string::npos) continue;
-      std::string kept = text.substr(text.find('}') + 2);
-      if (const std::size_t slot = kept.find("{target}"); slot != std::string::npos && place.target != nullptr) {
-        kept.replace(slot, std::string_view("{target}").size(), place.target->name());
-      }
-      facts_.places_loosely_kept.push_back(fmt::format("\"{} {}\": it {}", place.furniture->name(), place.said, kept));
-      return;
-    }
   }
 
   // Words for a place of which nothing could be made, so that they do not go unheard.
