@@ -111,7 +111,7 @@ class PlaceReader {
     const bool after = subject.has_value();
     if (!after) subject = subjects_.Before(i, match.landmark.kind == Landmark::Kind::kPronoun);
     if (!subject) return {};
-    if (!otherwise) TakeStand(match, *subject);
+    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(match, *subject);
     const std::optional<Subject> holder = after ? std::nullopt : subjects_.HolderOf(*subject);
     // "A basin with a mirror on the right wall": nobody tells the mirror's wall apart from the basin's.
     const bool of_both = holder && !match.landmark.side.empty() && AskedNames(asked, "{wall}") &&
@@ -166,7 +166,7 @@ class PlaceReader {
     return end < tokens_.size() && !patterns_.MatchesAt(end).empty();
   }
 
-  // "The TV opposite the window", "a TV on the east wall": what it comes with stands there. "On the wall" it hangs.
+  // "The TV opposite the window": what it comes with stands there. On a wall it hangs, but for one of a list.
   void TakeStand(const Match& match, Subject& subject) const {
     const hb::Furniture& piece = *subject.furniture;
     if (piece.kind() != hb::FURNITURE_KIND_SURFACE || piece.companions().empty() || match.asked->carried() != 0) return;

@@ -237,7 +237,7 @@ TEST(PlaceReader, WhatIsHeldSharesTheWallOfItsHolder) {
       {"Bedroom with a dressing table with a mirror on the north wall.",
        "The vanity table's back is against {wall}. [north]"},
       {"Living room with a TV opposite the window.", "The tv stand's back is against {wall}. [across window]"},
-      {"Living room with a TV on the east wall.", "The tv stand's back is against {wall}. [east]"},
+      {"Living room with a TV on the east wall.", "The television hangs on {wall}. [east]"},
       {"Living room with a TV on the wall.", "The television hangs on {wall}."},
   });
   EXPECT_THAT(PlacesIn("Bathroom with a bathtub, a washbasin with a mirror and a toilet between them."),
