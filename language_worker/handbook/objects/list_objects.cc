@@ -102,7 +102,8 @@ class ObjectLister {
     int places = 0, beds = 0;
     for (const SizedItem& sized : fitting) {
       const hb::Furniture& furniture = *sized.item.furniture;
-      const int each = furniture.name() == name ? std::max(1, PlacesOn(furniture)) : PlacesOn(furniture);
+      const int alone = furniture.name() == name ? std::max(1, PlacesOn(furniture)) : PlacesOn(furniture);
+      const int each = name.empty() ? alone : std::max(alone, sized.item.seats);
       if (name.empty() || furniture.name() == name || each > 1) places += sized.item.count * each;
       if (furniture.category() == "bed") beds += sized.item.count * each;
     }

@@ -40,7 +40,7 @@ void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const s
 
 bool Seats::SitsOtherwise(const hb::Furniture& table) const {
   const auto wish = std::ranges::find(facts_.wishes, &table, &Wish::furniture);
-  if (wish == facts_.wishes.end() || !table.category().ends_with("table")) return false;
+  if (wish == facts_.wishes.end() || !(table.category().ends_with("table") || table.category() == "desk")) return false;
   const auto next =
       std::find_if(wish + 1, facts_.wishes.end(), [](const Wish& other) { return IsFloorPiece(*other.furniture); });
   if (next == facts_.wishes.end()) return false;

@@ -214,7 +214,8 @@ class WishMaker {
         const bool same = item.furniture->category() == furniture.category();
         const bool rival = same || (makes_it && Includes(zone.primaries(), item.furniture->name()));
         // An island stands parallel to the counter, not instead of it.
-        return (rival && !StandsWith(furniture, *item.furniture)) || (makes_it && IsSeat(*item.furniture));
+        const bool seat = IsSeat(*item.furniture) && (item.seat_of == nullptr || !IsWished(*item.seat_of));
+        return (rival && !StandsWith(furniture, *item.furniture)) || (makes_it && seat);
       });
     }
   }

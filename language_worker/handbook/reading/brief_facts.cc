@@ -57,7 +57,7 @@ class BriefReader {
         const bool only = facts_.nothing_else && IsOneOf(tokens_[i].text, {"nothing", "else"});
         used_[i] = used_[i] || size_words[i] || only;
       }
-      facts_.unheard = UnheardWords(tokens_, used_, handbook_.vocabulary());
+      facts_.unheard = UnheardClauses(tokens_, used_, handbook_.vocabulary());
     }
     return std::move(facts_);
   }
@@ -70,6 +70,14 @@ class BriefReader {
   void UseAll(std::string_view phrase) {
     const Phrase words(phrase);
     for (std::size_t i = 0; i < tokens_.size(); ++i) Use(i, words.MatchAt(tokens_, i));
+  }
+
+  // That they are read shows in the room itself.
+  void TellAll(std::string_view phrase) {
+    const Phrase words(phrase);
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      for (std::size_t k = 0; k < words.MatchAt(tokens_, i); ++k) facts_.told.push_back(i + k);
+    }
   }
 
   void ReadArchetype() {
@@ -105,6 +113,7 @@ class BriefReader {
       const hb::Archetype* becomes = handbook_.FindArchetype(need.changes().becomes_room());
       if (becomes == nullptr || need.min_people() > 0 || !Applies(need, people)) continue;
       facts_.archetype = becomes;
+      for (const std::string& keyword : need.keywords()) TellAll(keyword);
       return;
     }
   }

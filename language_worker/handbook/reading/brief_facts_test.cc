@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/brief_facts.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,6 +11,9 @@
 
 namespace flair::language {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 int WishCount(const BriefFacts& facts, const std::string& name) {
   for (const Wish& wish : facts.wishes) {
@@ -131,7 +135,7 @@ TEST(PieceSizes, AreReadBeforeAndBehindTheirPiece) {
 }
 
 // Whatever no reader took: things, colours, materials, numbers and directions that nothing was made of.
-TEST(UnheardWords, AreAllThatAskForSomething) {
+TEST(UnheardClauses, AreAllThatAskForSomething) {
   for (const char* text : {"A bedroom, the zither of my aunt must stay.", "A study where the door is made of oak.",
                            "A living room, so keep furniture off that wall.", "A den for 65 of those.",
                            "A bedroom with a bed, nothing against the windows."}) {
@@ -142,6 +146,13 @@ TEST(UnheardWords, AreAllThatAskForSomething) {
                            "I would like a living room where the door is on the south wall."}) {
     EXPECT_TRUE(FactsOf(text).unheard.empty()) << text << ": " << FactsOf(text).unheard[0];
   }
+}
+
+TEST(UnheardClauses, AreQuotedWholeAndOnce) {
+  EXPECT_THAT(FactsOf("A study with a desk, keep the old zither safe by the bed and a chair.").unheard,
+              ElementsAre("keep the old zither safe by the bed"));
+  EXPECT_THAT(FactsOf("A bedroom with a bed. He does push ups there.").unheard, ElementsAre("he does push ups there"));
+  EXPECT_THAT(FactsOf("A bedroom for twin girls age 6 with two beds.").unheard, IsEmpty());
 }
 
 // Surface, material and colour of all finishes that are read.

@@ -15,9 +15,12 @@
 #include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
+#include "language_worker/handbook/reading/wall_fill.h"
 
 namespace flair::language {
 namespace {
+
+constexpr double kAtADeskM = 0.65;  // of its width for each of several
 
 class FurnitureReader {
  public:
@@ -53,6 +56,12 @@ class FurnitureReader {
       auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
       if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
+      if (named != nullptr && (IsHeld(text_, *named, i) || IsBorne(text_, *named, i))) {
+        Use(i, name_length);
+        continue;
+      }
+      const NounBook::Purpose purpose = nouns_.PurposeOf(tokens_, i, i + std::max<std::size_t>(name_length, 1));
+      if (purpose.furniture != nullptr) named = purpose.furniture, name_length = std::max<std::size_t>(name_length, 1);
       const bool own = named != nullptr && handbook_.IsOwn(*named);
       if (const std::size_t other = TakeOtherThing(i, name_length + (own ? 1 : 0)); other > 0) {
         i += other - 1;
@@ -64,11 +73,12 @@ class FurnitureReader {
         i += name_length - 1;
         continue;
       }
-      const bool refused = IsRefused(text_, i);
+      const bool refused = IsRefused(text_, i) && !TakesTurns(i);
       for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && refused; ++k) {
         if (text_.Is(k, "refusing")) counts_.push_back(k);
       }
-      const hb::Furniture* furniture = own ? named : nouns_.Modified(tokens_, i, name_length, named);
+      const hb::Furniture* furniture =
+          own || purpose.furniture != nullptr ? named : nouns_.Modified(tokens_, i, name_length, named);
       if (furniture != nullptr) furniture = handbook_.FindFurniture(furniture->name());
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
       if (length == 0) {
@@ -81,12 +91,18 @@ class FurnitureReader {
         last_.reset();
       } else if (const std::optional<Mention> meant = MeantBefore(i, length)) {
         mentions_.push_back(*meant);
+        TakeSeatsOfEach(*meant, i, length);
       } else if (!IsSaidTwice(*furniture, i, length)) {
         Wishing(*furniture, i, length);
       }
       if (!text_.Is(i, "places_of_people")) Use(i, length);  // they count people, too
       i += length - 1;
-      if (!mentions_.empty() && mentions_.back().end == i + 1) mentions_.back().end = BehindParts(text_, i + 1);
+      if (mentions_.empty() || mentions_.back().end != i + 1) continue;
+      mentions_.back().end = BehindParts(text_, i + 1);
+      if (purpose.furniture == nullptr) continue;
+      Use(i + 1, purpose.end - i - 1);
+      mentions_.back().end = purpose.end;
+      i = purpose.end - 1;
     }
     MeetLater();
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
@@ -99,6 +115,12 @@ class FurnitureReader {
   }
 
  private:
+  // "A table with six chairs, with a bench instead of chairs on the wall side" has chairs.
+  bool TakesTurns(std::size_t i) const {
+    return i > 1 && text_.At(i - 2) == "instead" && text_.At(i - 1) == "of" && text_.Is(i + 1, "place_prepositions") &&
+           !facts_.wishes.empty();
+  }
+
   // A wish that what follows may belong to: its table, or the chairs that a table follows.
   struct Last {
     std::size_t wish = 0;
@@ -167,15 +189,7 @@ class FurnitureReader {
     if (last_ && !last_->seat && OnlyWordsBetween(last_->end, i, /*around=*/false)) {
       return SeatOf(*facts_.wishes[last_->wish].furniture, handbook_);
     }
-    const hb::Archetype& room = *facts_.archetype;
-    const hb::Furniture* seat = handbook_.FindFurniture(room.per_person());
-    for (const hb::Band& band : room.bands()) {
-      for (const hb::ObjectEntry& entry : band.objects()) {
-        const hb::Furniture* host = handbook_.FindFurniture(entry.furniture());
-        if (host != nullptr && SeatOf(*host, handbook_) == seat) return nullptr;  // it comes with its table
-      }
-    }
-    return seat != nullptr && (IsSeat(*seat) || seat->category() == "armchair") ? seat : nullptr;
+    return SeatOfTheRoom(*facts_.archetype, handbook_);
   }
 
   // "a luggage rack": its last word is a class, but the thing is none.
@@ -241,6 +255,15 @@ class FurnitureReader {
     return std::nullopt;
   }
 
+  // "... six tables, four pupils at each table".
+  void TakeSeatsOfEach(const Mention& mention, std::size_t i, std::size_t length) {
+    const SeatsSaid seats = SeatsAround(text_, i, length);
+    const auto wish = std::ranges::find(facts_.wishes, mention.furniture, &Wish::furniture);
+    if (!seats.of_each || wish == facts_.wishes.end() || mention.furniture->companions().empty()) return;
+    wish->seats = std::min(seats.number, kMostSeats);
+    Use(seats.begin, seats.end - seats.begin);
+  }
+
   void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const PieceCount& count) {
     Mention mention{&furniture, i, i + length, count.number};
     for (const Wish& there : facts_.wishes) {
@@ -277,6 +300,7 @@ class FurnitureReader {
       const int times = TimesForEach(text_, used_, i, i + length, mentions_, facts_.wishes, people_);
       count.number = std::clamp(count.number * times, 1, kMostOfAKind);
     }
+    if (!count.said) count.number = std::max(count.number, CountAlongWalls(text_, furniture, i + length, facts_));
     // "Four chairs facing mirrors".
     if (!count.said && !mentions_.empty() && text_.Is(mentions_.back().end, "facing_it") &&
         text_.BehindPhrase(mentions_.back().end, "facing_it") == text_.PhraseBegin(i)) {
@@ -289,6 +313,8 @@ class FurnitureReader {
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
     if (const SeatsSaid seats = SeatsAround(text_, i, length); !furniture.companions().empty() && seats.number > 0) {
       wish.seats = std::min(seats.number, kMostSeats);
+      wish.counted = wish.counted && !seats.of_each;
+      if (seats.of_each && furniture.category() == "desk") wish.size.width_m = kAtADeskM * seats.number;
       Use(seats.begin, seats.end - seats.begin);  // not the room's
     } else if (PlacesOn(furniture) > 0 && !IsSeat(furniture) && furniture.category() != "bed" && seats.number > 0) {
       const double width_m = furniture.width_m().typical();
@@ -346,6 +372,7 @@ class FurnitureReader {
       if (there.furniture != wish.furniture || other_size) continue;  // "four tables for four, three for two"
       there.count = further ? std::min(there.count + count, most) : std::max(there.count, count);
       there.optional = there.optional && wish.optional;
+      there.counted = there.counted || wish.counted;
       there.seats = std::max(there.seats, wish.seats);
       return i;
     }

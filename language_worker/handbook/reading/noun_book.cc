@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "english/wordnet.h"
+#include "english/words.h"
 
 namespace flair::language {
 namespace {
@@ -106,6 +107,19 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
   }
   return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr
                                                                                                         : named;
+}
+
+NounBook::Purpose NounBook::PurposeOf(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) const {
+  const BriefText text(tokens);
+  if (text.At(end) != "for" || !text.IsWord(begin)) return {};
+  std::size_t at = end + 1;
+  while (text.Is(at, "thing_articles") || text.IsNumber(at) || NumberWord(text.At(at))) ++at;
+  if (!text.IsWord(at) || text.At(at - 1) == "the") return {};
+  std::vector<Token> name = {tokens[at]};
+  name.front().text = english::Singular(name.front().text);
+  for (std::size_t i = begin; i < end; ++i) name.push_back(tokens[i]);
+  const auto [furniture, length] = LongestAt(names_, name, 0, /*plural=*/true);
+  return length == name.size() ? Purpose{furniture, at + 1} : Purpose();
 }
 
 bool NounBook::IsOfTheRoom(const hb::Noun& noun, const hb::Furniture& furniture) const {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/other_words.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "absl/strings/numbers.h"
+#include "english/wordnet.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -115,6 +117,16 @@ bool IsIdle(std::string_view word) {
   return std::ranges::any_of(WordsOf("idle_lists"), [&](const std::string& list) { return IsFormIn(list, word); });
 }
 
+// Where the clause that begins at a token ends.
+std::size_t ClauseEnd(const BriefText& text, std::size_t begin) {
+  std::size_t end = begin;
+  while (end < text.size() && !(text.IsSign(end) && text.Is(end, "clause_signs")) &&
+         !(end > begin && text.Is(end, "clause_links"))) {
+    ++end;
+  }
+  return end;
+}
+
 }  // namespace
 
 bool CountsPeople(std::string_view word) { return IsFormIn("persons", word) || MeansPeople(word); }
@@ -171,31 +183,36 @@ bool IsForeign(const std::vector<Token>& tokens) {
   return has("foreign") && !has("small_words");
 }
 
-std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used,
-                                      const Vocabulary& vocabulary) {
-  constexpr std::size_t kMostAround = 3;
+std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const std::vector<bool>& used,
+                                        const Vocabulary& vocabulary) {
   const BriefText text(tokens);
   const auto names = [&](std::size_t i) {
     return LongestAt(vocabulary.names, tokens, i, true).second > 0 ||
            LongestAt(vocabulary.rooms, tokens, i, true).second > 0 ||
            LongestAt(vocabulary.colours, tokens, i, false).second > 0;
   };
-  const auto asks = [&](std::size_t i) {
-    const bool people = CountsPeople(text.At(i)) && !IsFormIn("seats_and_places", text.At(i));
-    if (people || text.IsNumber(i) || text.Is(i, "asking_words") || IsFormIn("thing_nouns", text.At(i))) return true;
-    const bool idle = text.At(i).size() < kShortestName || IsIdle(text.At(i)) || vocabulary.speller->Knows(text.At(i));
-    return text.IsWord(i) && (names(i) || !idle);
+  const auto says_something = [&](std::size_t i) {
+    return text.IsWord(i) && text.At(i).size() >= kShortestName && !IsIdle(text.At(i)) &&
+           !vocabulary.speller->Knows(text.At(i));
   };
-  const auto ends = [&](std::size_t i) { return text.IsSign(i) && !text.IsHyphen(i); };
+  const auto is_thing = [&](std::size_t i) {
+    return !english::WordNet::Get().Knows(text.At(i)) || vocabulary.meanings->ThingOf(text.At(i)).is_thing;
+  };
+  const auto asks = [&](std::size_t i) {
+    if (text.IsNumber(i) || text.Is(i, "asking_words") || IsFormIn("thing_nouns", text.At(i))) return true;
+    return text.IsWord(i) && (names(i) || (says_something(i) && is_thing(i)));
+  };
   std::vector<std::string> all;
-  std::size_t told_to = 0;
-  for (std::size_t i = 0; i < tokens.size() && all.size() < kMostThings; ++i) {
-    if (used[i] || i < told_to || !asks(i)) continue;
-    std::size_t begin = i, end = i + 1;
-    while (begin > told_to && i - begin < kMostAround && !ends(begin - 1)) --begin;
-    while (end < tokens.size() && end - i <= kMostAround && !ends(end)) ++end;
-    all.push_back(text.Quote(begin, end));
-    told_to = end;
+  for (std::size_t begin = 0, end = 0; begin < tokens.size() && all.size() < kMostThings; begin = end) {
+    end = std::max(ClauseEnd(text, begin), begin + 1);
+    bool heard = false, asked = false, said = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      heard = heard || used[i];
+      asked = asked || (!used[i] && asks(i));
+      said = said || says_something(i);
+    }
+    const std::size_t first = text.Is(begin, "clause_openers") || !text.Is(begin, "clause_links") ? begin : begin + 1;
+    if ((asked || (!heard && said)) && first < end) all.push_back(text.Quote(first, end));
   }
   return all;
 }

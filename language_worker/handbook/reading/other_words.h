@@ -29,10 +29,9 @@ bool ReadsAsEnglish(const std::vector<Token>& tokens);
 // Whether a text has words for rooms, or small words, of another language and none of the small words of English.
 bool IsForeign(const std::vector<Token>& tokens);
 
-// The other words that ask for something and that nobody has used, each with its neighbours: what names a piece, a room
-// or a colour, materials, directions, numbers, "both" and "no", people, and words that nobody knows; in the order of
-// the text, eight at most.
-std::vector<std::string> UnheardWords(const std::vector<Token>& tokens, const std::vector<bool>& used,
-                                      const Vocabulary& vocabulary);
+// The clauses of which nobody has used a word, or not one that asks for something: what names a piece, a room or a
+// colour, things, materials, directions, numbers; in the order of the text, eight at most.
+std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const std::vector<bool>& used,
+                                        const Vocabulary& vocabulary);
 
 }  // namespace flair::language

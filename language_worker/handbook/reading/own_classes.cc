@@ -110,8 +110,15 @@ class OwnFinder {
       return k > phrase.begin && NumberWord(text_.At(i)).value_or(1) > 1 && text_.IsWord(k) &&
              !english::IsPlural(text_.At(k - 1)) && english::IsPlural(text_.At(k));
     };
+    // "A host stand just inside": no verb, which would be "stands"; "display stands, ...": it stands nowhere.
+    const auto is_noun = [&](std::size_t k) {
+      const bool before = k > phrase.begin && text_.IsWord(k - 1) && !english::IsPlural(text_.At(k - 1));
+      if (!before || !IsFormIn("thing_nouns", text_.At(k))) return false;
+      const bool ends = k + 1 >= tokens_.size() || (text_.IsSign(k + 1) && !text_.IsHyphen(k + 1));
+      return !english::IsPlural(text_.At(k)) || ends || text_.Says(k + 1, {"and", "with", "for"});
+    };
     while (phrase.end < tokens_.size() &&
-           (Continues(phrase.end) || goes_on(phrase.end) || is_counted_noun(phrase.end))) {
+           (Continues(phrase.end) || goes_on(phrase.end) || is_counted_noun(phrase.end) || is_noun(phrase.end))) {
       ++phrase.end;
     }
     // "leaning", "neatly placed": said of the thing, not its name.
@@ -153,7 +160,10 @@ class OwnFinder {
     // A "toy organizer" is nobody.
     const bool for_whom = phrase.begin > 1 && text_.Says(phrase.begin - 2, {"for", "of", "by"});
     const bool for_things = last > phrase.begin && noun.ends_with("er") && !IsAdjective(last - 1) && !for_whom;
-    if (thing.known && !for_things ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
+    // A "service station" sells no petrol here.
+    const bool surely = phrase.counted && last > phrase.begin && IsFormIn("thing_nouns", noun);
+    const bool known = thing.known && !for_things && !surely;
+    if (known ? !thing.is_thing : !phrase.counted && !holds_a_piece) return false;
     return !IsFormIn("no_things", noun) && !IsFormIn("no_things", text_.At(phrase.begin)) &&
            (for_things || !CountsPeople(noun)) && !IsIn("openings", noun) && !IsFormIn("wall_nouns", noun) &&
            !IsIn("unit_words", noun) && LongestAt(handbook_.vocabulary().rooms, tokens_, last, true).second == 0;

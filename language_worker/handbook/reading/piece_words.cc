@@ -100,6 +100,16 @@ SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length) 
     if (CountAt(text, at) > 0 && noun < i && text.Is(noun, "seats_of_a_piece"))
       return {CountAt(text, at), at, noun + 1};
   }
+  // "Two to a desk", "two pupils at each table".
+  const std::size_t each = begin > 0 && text.Is(begin - 1, "each_words") ? begin - 1 : begin;
+  if (each > 1 && text.Is(each - 1, "at_each_piece")) {
+    const bool per = text.At(each - 1) == "per";
+    std::size_t at = each - 2;
+    while (at > 0 && CountAt(text, at) == 0 && text.IsWord(at) && CountsPeople(text.At(at))) --at;
+    const bool said = each < begin || per || text.Says(each, {"a", "an"});
+    if (CountAt(text, at) > 0 && said && (at < each - 2 || per || text.At(each - 1) == "to"))
+      return {CountAt(text, at), at, each, true};
+  }
   // "That'll sit ten round one long table."
   if (begin < 2 || !text.Is(begin - 1, "around_a_table")) return {};
   const std::size_t at = begin > 2 && IsFormIn("persons", text.At(begin - 2)) ? begin - 3 : begin - 2;
@@ -143,6 +153,11 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
     }
     groups.in_each = std::max(groups.in_each, kFewest);
     if (number(group - std::min<std::size_t>(group, 1)) > 0) --groups.begin;
+    // Four columns of three are three rows of four.
+    if (IsFormIn("columns_of_pieces", text.At(group))) {
+      groups.rows = true;
+      std::swap(groups.count, groups.in_each);
+    }
     return groups;
   }
   return {};
@@ -255,7 +270,7 @@ bool AsksForNothingElse(const Handbook& handbook, const BriefText& text) {
         if (text.IsSign(k) || text.Says(k, {"with", "for"})) break;
       }
     }
-    if (text.At(i) == "nothing" && text.Says(i + 1, {"but", "else"})) return true;
+    if (text.BehindPhrase(i, "nothing_else_phrases")) return true;
   }
   return false;
 }
@@ -292,7 +307,7 @@ bool IsAVerb(const BriefText& text, std::size_t i) {
 
 bool IsAShape(const BriefText& text, std::size_t i) {
   const std::size_t next = text.IsHyphen(i + 1) ? i + 2 : i + 1;
-  return text.Says(next, {"shaped", "shape"});
+  return text.Says(next, {"shaped", "shape"}) || (text.At(next) == "of" && IsFormIn("groups_of_pieces", text.At(i)));
 }
 
 bool MakesACompound(const BriefText& text, std::size_t end) {
@@ -310,6 +325,17 @@ std::size_t BehindParts(const BriefText& text, std::size_t end) {
   return end;
 }
 
+bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
+  const std::size_t begin = text.PhraseBegin(i);
+  if (begin < 2 || text.At(begin - 1) != "for" || !IsFormIn("thing_nouns", text.At(begin - 2))) return false;
+  return IsFloorPiece(furniture) && PlacesOn(furniture) == 0 && !text.Is(begin, "known_before");
+}
+
+bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
+  return i > 1 && text.At(i - 1) == "with" && CountsPeople(text.At(i - 2)) && text.At(i).ends_with('s') &&
+         furniture.kind() == hb::FURNITURE_KIND_SURFACE;
+}
+
 bool IsOfAPurpose(const BriefText& text, std::size_t i) {
   const std::size_t begin = text.PhraseBegin(i);
   const bool article = begin < i && (text.Is(begin, "thing_articles") || NumberWord(text.At(begin)));
@@ -322,6 +348,17 @@ const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& hand
     if (seat != nullptr && (IsSeat(*seat) || seat->category() == "bench")) return seat;
   }
   return nullptr;
+}
+
+const hb::Furniture* SeatOfTheRoom(const hb::Archetype& room, const Handbook& handbook) {
+  const hb::Furniture* seat = handbook.FindFurniture(room.per_person());
+  for (const hb::Band& band : room.bands()) {
+    for (const hb::ObjectEntry& entry : band.objects()) {
+      const hb::Furniture* host = handbook.FindFurniture(entry.furniture());
+      if (host != nullptr && SeatOf(*host, handbook) == seat) return nullptr;  // it comes with its table
+    }
+  }
+  return seat != nullptr && (IsSeat(*seat) || seat->category() == "armchair") ? seat : nullptr;
 }
 
 bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner) {

@@ -55,11 +55,13 @@ bool AsksForFew(const BriefText& text, std::size_t i);
 // The "poster" of "four-poster" is no picture.
 bool IsMeasure(const BriefText& text, std::size_t i);
 
-// Those who sit at a piece: "a table for eight", "tables of four", "an eight-seater table", "ten round one table".
+// Those who sit at a piece: "a table for eight", "tables of four", "an eight-seater table", "ten round one table", "two
+// to a desk".
 struct SeatsSaid {
   int number = 0;  // 0 where nothing of the kind is said
   std::size_t begin = 0;
   std::size_t end = 0;
+  bool of_each = false;  // "two to a desk": how many desks there are is not said
 };
 SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length);
 
@@ -89,11 +91,17 @@ bool IsAVerb(const BriefText& text, std::size_t i);
 // "Wheel truing station", "doll's house maker": what is named before `end` only says of what kind another thing is.
 bool MakesACompound(const BriefText& text, std::size_t end);
 
-// The boat of a boat-shaped table.
+// The boat of a boat-shaped table, the columns of columns of desks.
 bool IsAShape(const BriefText& text, std::size_t i);
 
 // Where words for a part of the piece before `end` stop: "with sliding doors", "without a headboard"; else `end`.
 std::size_t BehindParts(const BriefText& text, std::size_t end);
+
+// "A rack for eight bikes", "a stand for his piano": what another piece is made to hold.
+bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i);
+
+// The trays of "waiters with trays".
+bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i);
 
 // "Hooks for hats", "a desk for writing letters": small things by which another piece's use is told.
 bool IsOfAPurpose(const BriefText& text, std::size_t i);
@@ -103,6 +111,9 @@ std::string LastWord(const std::string& name);
 
 // The class of the seats that come with a piece; null when none do.
 const hb::Furniture* SeatOf(const hb::Furniture& furniture, const Handbook& handbook);
+
+// The class of seats of which a room has one for each, at no table; null where it has none.
+const hb::Furniture* SeatOfTheRoom(const hb::Archetype& room, const Handbook& handbook);
 
 // Whether a class usually stands at, on or beside the other.
 bool StandsWith(const hb::Furniture& furniture, const hb::Furniture& partner);

@@ -171,6 +171,18 @@ Vocabulary::Vocabulary(const Handbook& handbook)
   for (const hb::Archetype& archetype : handbook.contents().archetypes()) {
     if (!archetype.fallback()) AddSayings(archetype.name(), archetype.synonyms(), archetype, rooms);
   }
+  // A "scribe's room" is the scribe's chamber, too, where that is no other kind of room.
+  for (const hb::Archetype& archetype : handbook.contents().archetypes()) {
+    for (const std::string& said : archetype.synonyms()) {
+      constexpr std::string_view kRoom = "'s room";
+      if (archetype.fallback() || !said.ends_with(kRoom)) continue;
+      for (const std::string& noun : WordsOf("rooms_of_someone")) {
+        const std::string other = said.substr(0, said.size() - kRoom.size() + 3) + noun;
+        if (LongestAt(rooms, TokensOf(other), 0, false).second < TokensOf(other).size())
+          rooms.push_back({Phrase(other), &archetype});
+      }
+    }
+  }
   for (const hb::NamedColour& colour : handbook.contents().colours()) {
     AddSayings(colour.name(), colour.synonyms(), colour, colours);
   }
