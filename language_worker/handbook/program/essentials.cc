@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "language_worker/handbook/parts/furniture_index.h"
 
@@ -88,11 +89,11 @@ void MarkEssentials(RoomProgram& program) {
   }
   for (const hb::Essential* essential : program.essentials) {
     int left = NeededOf(*essential);
-    // The classes themselves before others that will do.
-    for (const bool named : {true, false}) {
+    // What is asked for before the stock: a bathtub will do for a shower; then the classes themselves before others.
+    for (const auto& [requested, named] : {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
       for (auto* items : {&program.floor_items, &program.tertiary_items}) {
         for (ProgramItem& item : *items) {
-          const bool serves = Serves(*essential, *item.furniture, program);
+          const bool serves = item.requested == requested && Serves(*essential, *item.furniture, program);
           if (left <= 0 || !serves || IsNamed(*essential, *item.furniture, program) != named) continue;
           item.essential = std::max(item.essential, std::min(left, item.count));
           left -= item.count;

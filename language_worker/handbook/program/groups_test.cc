@@ -76,7 +76,8 @@ TEST(Groups, AClassroomHasRowsOfDesksThatLookToTheTeacher) {
   EXPECT_EQ(plan.Sentences("is 1 m in front of the"), rows - 1) << "every row behind the one before";
   EXPECT_EQ(plan.Sentences("faces the teacher desk"), rows + 1) << "every row, and whoever teaches";
   EXPECT_EQ(plan.Sentences("The left side of the"), 12) << "two side by side, then a way";
-  EXPECT_EQ(plan.Sentences("faces the same way as the first school desk"), across / 2 - 1 + 1) << "one row, and the teacher";
+  EXPECT_EQ(plan.Sentences("faces the same way as the first school desk"), across / 2 - 1 + 1)
+      << "one row, and the teacher";
   EXPECT_EQ(plan.Sentences("The teacher desk is 2 m in front of the first school desk."), 1);
 }
 
@@ -196,7 +197,8 @@ TEST(Groups, EveryoneHasAPlaceOrItIsSaid) {
 TEST(Groups, WhatIsAskedForInGroupsStandsInZonesOfItsOwn) {
   const Plan office = PlanFor("An office of 10 m x 9 m with sixteen desks in four blocks of four.");
   std::map<std::string, int> in_zone;
-  for (const v1::Object& object : office.objects.objects()) in_zone[object.zone_id()] += object.name() == "desk" ? 1 : 0;
+  for (const v1::Object& object : office.objects.objects())
+    in_zone[object.zone_id()] += object.name() == "desk" ? 1 : 0;
   EXPECT_EQ(std::ranges::count(in_zone, 4, &std::pair<const std::string, int>::second), 4);
   const Plan cafe = PlanFor("A café of 9 m x 8 m with four tables for four and three tables for two.");
   EXPECT_EQ(cafe.Count("dining table"), 7);
@@ -221,6 +223,15 @@ TEST(Groups, WhatIsWantedOnlyIfThereIsRoomGoesFirstAndIsNoComplaint) {
   for (const v1::Omission& omission : tight.objects.omissions()) {
     if (omission.name() == "sofa") EXPECT_FALSE(omission.requested());
   }
+}
+
+TEST(Groups, TheStoolOfADressingTableStays) {
+  constexpr const char* kText =
+      "A bedroom of 4.5 m x 4 m with a king size bed, a wardrobe, a bench and a dressing table with a stool.";
+  EXPECT_EQ(PlanFor(kText).Count("stool"), 1);
+  const Plan desk = PlanFor("A bedroom of 4 m x 5 m with a bed and a desk with a stool.");
+  EXPECT_EQ(desk.Count("stool"), 1);
+  EXPECT_EQ(desk.Count("office chair"), 0);
 }
 
 }  // namespace

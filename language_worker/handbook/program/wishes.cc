@@ -21,6 +21,7 @@ class WishMaker {
   void Apply() {
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
     KeepAskedSeats();
+    KeepSeatsSaidWith();
     RemoveRefusals();
     seats_.SeatPeople();
     KeepCounts();
@@ -125,6 +126,15 @@ class WishMaker {
     }
     if (asked < kEnough) return;
     seats_.EraseUnasked([&](const ProgramItem& item) { return is_easy(*item.furniture); });
+  }
+
+  // "A desk with a stool" has no office chair.
+  void KeepSeatsSaidWith() {
+    for (const Wish& wish : facts_.wishes) {
+      if (wish.furniture->category() != "desk" || !seats_.SitsOtherwise(*wish.furniture)) continue;
+      const hb::Furniture* usual = SeatOf(*wish.furniture, handbook_);
+      seats_.EraseUnasked([&](const ProgramItem& item) { return item.furniture == usual && !IsSeatOfAnother(item); });
+    }
   }
 
   bool IsSeatOfAnother(const ProgramItem& seat) const {

@@ -41,6 +41,7 @@ class BriefReader {
     const std::vector<bool> room_words = used_;
     facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
+    counts_ = pieces.counts;
     ReadPieceSizes(pieces.mentions, size_words);
     ReadOtherRooms(pieces.mentions);
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
@@ -181,7 +182,9 @@ class BriefReader {
     std::size_t end = begin;
     while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
     if (text.Is(end, "rooms_by_head")) ++end;
-    if (!text.Is(begin, "rooms_by_head")) facts_.room_words = text.Quote(begin, end);
+    // "My son is 15 and his room ..." names none.
+    const bool person = end > begin && CountsPeople(text.At(end - 1));
+    if (!text.Is(begin, "rooms_by_head") && !person) facts_.room_words = text.Quote(begin, end);
     // That it is not known is told once.
     bool pieces = false;
     for (std::size_t i = begin; i < end; ++i) pieces = pieces || NamesAPiece(i, i + 1);
@@ -310,6 +313,8 @@ class BriefReader {
   bool IsAWish(std::size_t i, std::size_t length) const {
     if (std::ranges::any_of(facts_.finishes, [&](const auto& one) { return one.begin <= i && i < one.end; }))
       return true;
+    // "Two plants", not "a few plants".
+    if (used_[i] && i > 0 && Includes(counts_, i - 1) && !IsIn("vague_numbers", tokens_[i - 1].text)) return true;
     return used_[i] && std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
              return Phrase(wish.furniture->name()).MatchAt(tokens_, i) == length;
            });
@@ -348,6 +353,7 @@ class BriefReader {
   const std::vector<Token>& tokens_;
   std::vector<bool> used_;
   RoomKind kind_;
+  std::vector<std::size_t> counts_;  // tokens: the numbers of pieces
   BriefFacts facts_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "english/quantities.h"
 #include "language_worker/handbook/reading/for_each.h"
+#include "language_worker/handbook/reading/meet_later.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_looks.h"
@@ -56,7 +57,7 @@ class FurnitureReader {
       auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
       if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
-      if (named != nullptr && (IsHeld(text_, *named, i) || IsBorne(text_, *named, i))) {
+      if (named != nullptr && (IsHeld(text_, *named, i) || IsBorne(text_, *named, i) || IsOfATale(text_, i))) {
         Use(i, name_length);
         continue;
       }
@@ -104,7 +105,7 @@ class FurnitureReader {
       mentions_.back().end = purpose.end;
       i = purpose.end - 1;
     }
-    MeetLater();
+    MeetLater(text_, facts_, mentions_);
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
     std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
       return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
@@ -153,30 +154,6 @@ class FurnitureReader {
     mentions_.pop_back();
     last_.reset();
     return false;
-  }
-
-  // "... on the left of the bed. Hospital bed 100 x 210": what was spoken of is named later.
-  void MeetLater() {
-    for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
-      const hb::Furniture* vague = facts_.wishes[i].furniture;
-      const auto mention = std::ranges::find(mentions_, vague, &Mention::furniture);
-      const bool by_noun = facts_.wishes[i].noun != nullptr && mention != mentions_.end() &&
-                           mention->end == mention->begin + 1 && mention->begin > 0;
-      const bool the = by_noun && text_.At(mention->begin - 1) == "the" && facts_.wishes[i].count == 1;
-      // "Separate beds now. Two twin beds with ..."
-      const bool plural = by_noun && !facts_.wishes[i].counted && facts_.wishes[i].seats == 0;
-      if (!(the || plural) || vague->category() == "box") continue;
-      const auto later = std::ranges::find_if(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                              facts_.wishes.end(), [&](const Wish& wish) {
-                                                return wish.furniture->category() == vague->category() &&
-                                                       (the || (wish.counted && wish.count > 1));
-                                              });
-      if (later == facts_.wishes.end()) continue;
-      for (Mention& one : mentions_) {
-        if (one.furniture == vague) one.furniture = later->furniture;
-      }
-      facts_.wishes.erase(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(i--));
-    }
   }
 
   // "Eighteen seats": what the room has for each; at a table that was spoken of its own. Null for other words.
@@ -373,6 +350,7 @@ class FurnitureReader {
       there.count = further ? std::min(there.count + count, most) : std::max(there.count, count);
       there.optional = there.optional && wish.optional;
       there.counted = there.counted || wish.counted;
+      if (there.in_each == 0) there.in_each = wish.in_each, there.in_rows = wish.in_rows;
       there.seats = std::max(there.seats, wish.seats);
       return i;
     }

@@ -57,14 +57,15 @@ TEST(NounBook, TheWordsBeforeANounTellWhichOne) {
 }
 
 TEST(NounBook, NumbersWithinACompoundAreSizesAndNoCounts) {
-  ExpectWishes({{"A living room with a three-seat sofa.", "1 sofa"},
-                {"A living room with a 2-seater sofa.", "1 loveseat"},
-                {"A living room with a two-seater.", "1 loveseat"},
-                {"A dining room with a ten-foot table.", "1 dining table"},
-                {"A bedroom with a four-poster bed and two four-drawer chests.", "1 four-poster bed, 2 chest of drawers"},
-                {"A bedroom with a 4-poster bed and a two-door wardrobe.", "1 four-poster bed, 1 wardrobe"},
-                {"A living room with a 2 m long sofa and a 65\" tv.", "1 sofa, 1 television"},
-                {"A kitchen with a six-burner cooker.", "1 cooker"}});
+  ExpectWishes(
+      {{"A living room with a three-seat sofa.", "1 sofa"},
+       {"A living room with a 2-seater sofa.", "1 loveseat"},
+       {"A living room with a two-seater.", "1 loveseat"},
+       {"A dining room with a ten-foot table.", "1 dining table"},
+       {"A bedroom with a four-poster bed and two four-drawer chests.", "1 four-poster bed, 2 chest of drawers"},
+       {"A bedroom with a 4-poster bed and a two-door wardrobe.", "1 four-poster bed, 1 wardrobe"},
+       {"A living room with a 2 m long sofa and a 65\" tv.", "1 sofa, 1 television"},
+       {"A kitchen with a six-burner cooker.", "1 cooker"}});
 }
 
 TEST(NounBook, RowsTimesPiecesAreTheirNumber) {
@@ -259,6 +260,40 @@ TEST(FurnitureReader, PlacesAreThoseOfThePieceBeforeThem) {
     EXPECT_EQ(facts.places[0].target == nullptr ? "" : facts.places[0].target->name(), expected.target);
   }
   EXPECT_TRUE(FactsOf("A bedroom with a desk and a bed near a castle.").places.empty());
+}
+
+TEST(FurnitureReader, WhatAPieceIsForNamesItAndIsNoPiece) {
+  ExpectWishes({{"A bicycle workshop with a rack for eight bikes.", "1 bike rack"},
+                {"A hall with a cupboard for linen and a rack for shoes.", "1 linen cabinet, 1 shoe rack"},
+                {"A guest room with a bed for the dog.", "1 double bed"},
+                {"A teenager's room with a keyboard stand for his piano.", "1 keyboard stand"},
+                {"A restaurant with aisles for waiters with trays.", ""},
+                {"A bicycle workshop with a counter where customers drop off bikes.", "1 cash desk"}});
+}
+
+TEST(FurnitureReader, SeatsAreSaidPerDeskAndDesksInColumns) {
+  const BriefFacts columns = FactsOf("A classroom for 24 pupils, two to a desk, in four columns of three desks.");
+  ASSERT_EQ(columns.wishes.size(), 1u);
+  EXPECT_EQ(columns.wishes[0].count, 12);
+  EXPECT_EQ(columns.wishes[0].seats, 2);
+  EXPECT_EQ(columns.wishes[0].in_each, 4) << "of a row";
+  const BriefFacts tables = FactsOf("A classroom with 6 tables, four pupils at each table.");
+  ASSERT_EQ(tables.wishes.size(), 1u);
+  EXPECT_EQ(tables.wishes[0].seats, 4);
+  EXPECT_FALSE(tables.people) << "of each table, not of the room";
+}
+
+TEST(FurnitureReader, AWallOfThemIsMoreThanTwo) {
+  ExpectWishes({{"A library of 8 m x 6 m with bookcases along the long wall.", "6 bookshelf"},
+                {"A library of 8 m x 6 m with bookcases on the wall.", "2 bookshelf"},
+                {"A library of 8 m x 6 m with two bookcases along the wall.", "2 bookshelf"},
+                {"A library of 8 m x 6 m with bookcases on both side walls.", "10 bookshelf"}});
+}
+
+TEST(FurnitureReader, ABenchInsteadOfSomeOfTheChairsRefusesNone) {
+  const char* text = "A kitchen with a farmhouse table with six chairs, a bench instead of chairs on the wall side.";
+  EXPECT_FALSE(Refuses(FactsOf(text), "dining chair"));
+  EXPECT_TRUE(Refuses(FactsOf("A dining room with a bench instead of chairs."), "dining chair"));
 }
 
 }  // namespace

@@ -117,6 +117,14 @@ bool IsIdle(std::string_view word) {
   return std::ranges::any_of(WordsOf("idle_lists"), [&](const std::string& list) { return IsFormIn(list, word); });
 }
 
+// "Aged 9", "he's 15", "our son (4)".
+bool IsAge(const BriefText& text, std::size_t i) {
+  if (text.BehindPhrase(text.IsHyphen(i + 1) ? i + 2 : i + 1, "years_of_age")) return true;
+  std::size_t before = i - std::min<std::size_t>(i, 1);
+  if (text.Says(before, {"is", "am", "'s", "'m", "are", "(", ","}) && before > 0) --before;
+  return text.Is(before, "ages") || (before + 1 < i && (text.Is(before, "pronouns") || CountsPeople(text.At(before))));
+}
+
 // Where the clause that begins at a token ends.
 std::size_t ClauseEnd(const BriefText& text, std::size_t begin) {
   std::size_t end = begin;
@@ -185,12 +193,8 @@ bool IsForeign(const std::vector<Token>& tokens) {
 
 std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const std::vector<bool>& used,
                                         const Vocabulary& vocabulary) {
+  constexpr std::size_t kFewest = 3, kFewestSaying = 2;  // fewer make no sense without the others of their clause
   const BriefText text(tokens);
-  const auto names = [&](std::size_t i) {
-    return LongestAt(vocabulary.names, tokens, i, true).second > 0 ||
-           LongestAt(vocabulary.rooms, tokens, i, true).second > 0 ||
-           LongestAt(vocabulary.colours, tokens, i, false).second > 0;
-  };
   const auto says_something = [&](std::size_t i) {
     return text.IsWord(i) && text.At(i).size() >= kShortestName && !IsIdle(text.At(i)) &&
            !vocabulary.speller->Knows(text.At(i));
@@ -199,20 +203,38 @@ std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const 
     return !english::WordNet::Get().Knows(text.At(i)) || vocabulary.meanings->ThingOf(text.At(i)).is_thing;
   };
   const auto asks = [&](std::size_t i) {
-    if (text.IsNumber(i) || text.Is(i, "asking_words") || IsFormIn("thing_nouns", text.At(i))) return true;
-    return text.IsWord(i) && (names(i) || (says_something(i) && is_thing(i)));
+    if (text.IsNumber(i)) return !IsAge(text, i);
+    if (text.Is(i, "asking_words") || IsFormIn("thing_nouns", text.At(i))) return true;
+    if (LongestAt(vocabulary.rooms, tokens, i, true).second > 0) return false;  // where the room is, or whose
+    return text.IsWord(i) &&
+           (LongestAt(vocabulary.names, tokens, i, true).second > 0 ||
+            LongestAt(vocabulary.colours, tokens, i, false).second > 0 || (says_something(i) && is_thing(i)));
   };
   std::vector<std::string> all;
+  const auto tell = [&](std::size_t begin, std::size_t end) {
+    const bool link = text.Is(begin, "clause_links") && !text.Is(begin, "clause_openers");
+    if (begin += link ? 1 : 0; begin < end) all.push_back(text.Quote(begin, end));
+  };
   for (std::size_t begin = 0, end = 0; begin < tokens.size() && all.size() < kMostThings; begin = end) {
     end = std::max(ClauseEnd(text, begin), begin + 1);
-    bool heard = false, asked = false, said = false;
-    for (std::size_t i = begin; i < end; ++i) {
-      heard = heard || used[i];
-      asked = asked || (!used[i] && asks(i));
-      said = said || says_something(i);
+    const auto first = used.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = used.begin() + static_cast<std::ptrdiff_t>(end);
+    if (std::find(first, last, true) == last) {
+      bool said = false;
+      for (std::size_t i = begin; i < end; ++i) said = said || asks(i) || says_something(i);
+      if (said) tell(begin, end);
+      continue;
     }
-    const std::size_t first = text.Is(begin, "clause_openers") || !text.Is(begin, "clause_links") ? begin : begin + 1;
-    if ((asked || (!heard && said)) && first < end) all.push_back(text.Quote(first, end));
+    // What is left of a clause that was heard in part.
+    for (std::size_t i = begin, stop = begin; i < end; i = stop + 1) {
+      bool asked = false;
+      std::size_t saying = 0;
+      for (stop = i; stop < end && !used[stop]; ++stop) {
+        asked = asked || asks(stop);
+        saying += !asks(stop) ? (says_something(stop) ? 1 : 0) : text.IsNumber(stop) ? 2 : 1;
+      }
+      if (asked && stop - i >= kFewest && saying >= kFewestSaying) tell(i, stop);
+    }
   }
   return all;
 }

@@ -83,5 +83,11 @@ TEST(OwnClasses, PiecesAreCarriedAsTheBriefSays) {
               Not(Contains("potted plant")));
 }
 
+TEST(OwnClasses, AStandIsAThingWhereItIsNoVerb) {
+  EXPECT_THAT(OwnOf("A bakery with an oven, merchandise stands and a table."), ElementsAre("merchandise stand"));
+  EXPECT_THAT(OwnOf("A shop with a sample stand by the door."), ElementsAre("sample stand"));
+  EXPECT_THAT(OwnOf("A bedroom where the bed stands by the door."), IsEmpty());
+}
+
 }  // namespace
 }  // namespace flair::language

@@ -125,6 +125,13 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
     return text.At(k) == "pairs" && k > 0 && (text.Says(k - 1, {"in", "into"}) || number(k - 1) > 0);
   };
   const auto is_group = [&](std::size_t k) { return IsFormIn("groups_of_pieces", text.At(k)) || in_pairs(k); };
+  // Four columns of three are three rows of four.
+  const auto turned = [&](Groups groups, std::size_t group) {
+    if (!IsFormIn("columns_of_pieces", text.At(group))) return groups;
+    groups.rows = true;
+    std::swap(groups.count, groups.in_each);
+    return groups;
+  };
   const std::size_t end = i + length;
   for (std::size_t at = end; at < end + kMostBehind && !text.EndsSentence(at) && !text.Says(at, {"and", "with"});
        ++at) {
@@ -136,7 +143,7 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
     Groups groups{number(at + 1), 0, at, group + 1, IsFormIn("rows_of_pieces", text.At(group))};
     if (in_pairs(group)) groups.in_each = 2, groups.rows = true;
     if (text.At(group + 1) == "of" && number(group + 2) > 0) groups.in_each = number(group + 2), groups.end = group + 3;
-    return groups;
+    return turned(groups, group);
   }
   for (std::size_t at = i; at > 0 && at + kMostBack > i && text.PhraseBegin(i) <= at; --at) {
     const std::size_t group = at - 1;
@@ -153,12 +160,7 @@ Groups GroupsAround(const BriefText& text, std::size_t i, std::size_t length) {
     }
     groups.in_each = std::max(groups.in_each, kFewest);
     if (number(group - std::min<std::size_t>(group, 1)) > 0) --groups.begin;
-    // Four columns of three are three rows of four.
-    if (IsFormIn("columns_of_pieces", text.At(group))) {
-      groups.rows = true;
-      std::swap(groups.count, groups.in_each);
-    }
-    return groups;
+    return turned(groups, group);
   }
   return {};
 }
@@ -334,6 +336,20 @@ bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i
 bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
   return i > 1 && text.At(i - 1) == "with" && CountsPeople(text.At(i - 2)) && text.At(i).ends_with('s') &&
          furniture.kind() == hb::FURNITURE_KIND_SURFACE;
+}
+
+bool IsOfATale(const BriefText& text, std::size_t i) {
+  constexpr std::size_t kMostBack = 6;
+  if (!text.At(i).ends_with('s') || text.PhraseBegin(i) == 0) return false;
+  bool people = false;
+  for (std::size_t at = i; at > 0 && i - at < kMostBack; --at) {
+    const std::size_t k = at - 1;
+    if (text.IsSign(k) || text.IsNumber(k) || NumberWord(text.At(k)) || text.Is(k, "articles")) return false;
+    if (text.Is(k, "having") || text.Is(k, "have") || text.Is(k, "verbs_of_being")) return false;
+    people = people || CountsPeople(text.At(k));
+    if (text.Is(k, "clause_openers")) return people;
+  }
+  return false;
 }
 
 bool IsOfAPurpose(const BriefText& text, std::size_t i) {

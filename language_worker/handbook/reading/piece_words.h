@@ -103,6 +103,9 @@ bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i
 // The trays of "waiters with trays".
 bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i);
 
+// The bikes of "where customers drop off bikes".
+bool IsOfATale(const BriefText& text, std::size_t i);
+
 // "Hooks for hats", "a desk for writing letters": small things by which another piece's use is told.
 bool IsOfAPurpose(const BriefText& text, std::size_t i);
 

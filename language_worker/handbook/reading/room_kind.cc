@@ -67,8 +67,8 @@ class RoomKindReader {
       }
       if (found.room.archetype == nullptr || IsADoor(found.room)) continue;
       found.within = within;
-      found.outside = IsOutside(found.room) || IsOfAPiece(found.room) || BecomesAnother(found.room.end) ||
-                      IsTheHome(found.room);
+      found.outside =
+          IsOutside(found.room) || IsOfAPiece(found.room) || BecomesAnother(found.room.end) || IsTheHome(found.room);
       const bool became = !found_.empty() && BecomesAnother(found_.back().room.end) && i < found_.back().room.end + 6;
       if (became) found.outside = IsOfAPiece(found.room);
       found.closed = Closes(found.room.end);
@@ -139,13 +139,9 @@ class RoomKindReader {
 
   // "A bathroom in an old flat", "we rent a flat with a living room": where the room is.
   bool IsTheHome(const NamedRoom& room) const {
-    constexpr std::size_t kMostLooks = 4;
     if (room.end != room.begin + 1 || !IsFormIn("houses", words_.At(room.begin))) return false;
-    for (std::size_t i = room.begin; i > 0 && room.begin - i < kMostLooks; --i) {
-      if (words_.Is(i - 1, "before_the_home")) return true;
-      if (words_.IsSign(i - 1) && !words_.IsHyphen(i - 1)) return false;
-    }
-    return false;
+    const std::size_t begin = words_.PhraseBegin(room.begin);
+    return begin > 0 && words_.Is(begin - 1, "before_the_home");
   }
 
   // "Turning the garage into a bedroom", "a barn converted to a studio": what it was.

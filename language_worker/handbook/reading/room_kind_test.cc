@@ -146,5 +146,26 @@ TEST(RoomKind, IsLinear) {
   EXPECT_LT(seconds(1000), 40 * seconds(100) + 0.05);
 }
 
+TEST(RoomKind, IsNotTheHomeThatItIsIn) {
+  const KindCase kCases[] = {
+      {"We rent a flat with a 5.5 x 4.2 m living room.", "living room"},
+      {"Bathroom in an old flat, about 2.2 x 2.6 m.", "bathroom"},
+      {"A flat of 28 m2 with a sofa bed.", "studio flat"},
+      {"A bookshop with the entrance and a display window at the front.", "bookshop"},
+      {"A medieval scribe's chamber with a writing desk.", "scriptorium"},
+  };
+  for (const auto& [text, kind] : kCases) EXPECT_EQ(KindIn(text), kind) << text;
+}
+
+TEST(RoomKind, FollowsWhomItIsFor) {
+  const KindCase kCases[] = {
+      {"My son is 15 and his room is 3.2 m by 4 m.", "teenager's room"},
+      {"A room for our six-year-old girl.", "child's bedroom"},
+      {"Standard twin room for a three-star hotel.", "hotel bedroom"},
+      {"Physiotherapy treatment room in our clinic.", "physiotherapy room"},
+  };
+  for (const auto& [text, kind] : kCases) EXPECT_EQ(RoomOf(text).room_type(), kind) << text;
+}
+
 }  // namespace
 }  // namespace flair::language
