@@ -35,6 +35,13 @@ const hb::Furniture* ToBring(const hb::Essential& essential, const BriefFacts& f
   return refused ? nullptr : first;
 }
 
+// Whether the stock has one of the essential's classes of that category: an island is no kitchen's only worktop.
+bool StockHas(const hb::Essential& essential, const std::string& category, const RoomProgram& program) {
+  return std::ranges::any_of(program.floor_items, [&](const ProgramItem& item) {
+    return !item.requested && item.furniture->category() == category && IsNamed(essential, *item.furniture, program);
+  });
+}
+
 void Bring(const hb::Essential& essential, const hb::Furniture& furniture, int count, RoomProgram& program) {
   if (!IsFloorPiece(furniture)) {
     program.tertiary_items.push_back({&furniture, nullptr, count, ""});
@@ -95,6 +102,7 @@ void MarkEssentials(RoomProgram& program) {
         for (ProgramItem& item : *items) {
           const bool serves = item.requested == requested && Serves(*essential, *item.furniture, program);
           if (left <= 0 || !serves || IsNamed(*essential, *item.furniture, program) != named) continue;
+          if (requested && !named && StockHas(*essential, item.furniture->category(), program)) continue;
           item.essential = std::max(item.essential, std::min(left, item.count));
           left -= item.count;
         }

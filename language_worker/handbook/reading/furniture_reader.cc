@@ -44,13 +44,12 @@ class FurnitureReader {
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
       const bool seats = SeatsFollow(text_, i + 1);
-      const bool between = text_.Says(i + 1, {"between", "in"});
       const auto rank = [&](const hb::Furniture& furniture) {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
         const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
         // Between two seats stands something small.
         constexpr double kSmallM = 0.6;
-        const bool small = beside && between && furniture.width_m().typical() <= kSmallM;
+        const bool small = beside && text_.Says(i + 1, {"between", "in"}) && furniture.width_m().typical() <= kSmallM;
         return (handbook_.IsOwn(furniture) ? 4096 : 0) + nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) +
                (small ? 32 : 0) + (table ? 128 : 0);
       };
@@ -210,6 +209,8 @@ class FurnitureReader {
     const bool counted = i > 1 && NumberWord(text_.At(i - 1)) && !text_.Says(i - 1, {"a", "an", "the"});
     const std::size_t before = i - std::min<std::size_t>(i, counted ? 2 : 1);
     const bool bare = text_.PhraseBegin(i) == i && !text_.At(i).ends_with('s') && text_.Is(before, "before_known");
+    const Wish* own = NamedAgain(text_, i, LongestAt(names_, tokens_, i, /*plural=*/true).first, facts_, handbook_);
+    if (own != nullptr) return Mention{own->furniture, i, i + length, own->count};
     if (length != 1 || i == 0 || !(text_.Is(before, "known_before") || bare)) return std::nullopt;
     const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
     const auto is_meant = [&](const hb::Furniture& furniture) {

@@ -296,6 +296,12 @@ TEST(FurnitureReader, ABenchInsteadOfSomeOfTheChairsRefusesNone) {
   EXPECT_TRUE(Refuses(FactsOf("A dining room with a bench instead of chairs."), "dining chair"));
 }
 
+TEST(FurnitureReader, TheTubIsTheOneThatWasAskedFor) {
+  ExpectWishes(
+      {{"A bathroom with a freestanding bathtub and a shower opposite the tub.", "1 freestanding bathtub, 1 shower"},
+       {"A bedroom with a bed. Keep 1.5 m free for turning.", "1 double bed"}});
+}
+
 }  // namespace
 
 }  // namespace flair::language

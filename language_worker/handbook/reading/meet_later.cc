@@ -27,4 +27,14 @@ void MeetLater(const BriefText& text, BriefFacts& facts, std::vector<Mention>& m
   }
 }
 
+const Wish* NamedAgain(const BriefText& text, std::size_t i, const hb::Furniture* named, const BriefFacts& facts,
+                       const Handbook& handbook) {
+  if (named == nullptr || i == 0 || text.At(i - 1) != "the" || named->category() == "box") return nullptr;
+  const auto own = std::ranges::find_if(facts.wishes, [&](const Wish& wish) {
+    return wish.furniture != named && handbook.IsOwn(*wish.furniture) && !named->category().empty() &&
+           wish.furniture->category() == named->category();
+  });
+  return own == facts.wishes.end() ? nullptr : &*own;
+}
+
 }  // namespace flair::language

@@ -213,7 +213,7 @@ std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const 
   std::vector<std::string> all;
   const auto tell = [&](std::size_t begin, std::size_t end) {
     const bool link = text.Is(begin, "clause_links") && !text.Is(begin, "clause_openers");
-    if (begin += link ? 1 : 0; begin < end) all.push_back(text.Quote(begin, end));
+    if (begin += link ? 1 : 0; begin + 1 < end) all.push_back(text.Quote(begin, end));
   };
   for (std::size_t begin = 0, end = 0; begin < tokens.size() && all.size() < kMostThings; begin = end) {
     end = std::max(ClauseEnd(text, begin), begin + 1);

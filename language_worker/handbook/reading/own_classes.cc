@@ -99,7 +99,7 @@ class OwnFinder {
     const bool bare = (text_.Is(i, "listing") || text_.Is(i, "holding_words") || text_.Is(i, "having") ||
                        text_.At(i) == ":" || (text_.EndsSentence(i) && i + 1 < tokens_.size())) &&
                       text_.IsWord(i + 1) && !opens(i + 1);
-    if (!opens(i) && !bare) return std::nullopt;
+    if ((!opens(i) && !bare) || (bare && text_.Is(i + 1, "thing_verbs"))) return std::nullopt;  // "keep 1.5 m free"
     NounPhrase phrase{i + 1, i + 1, opens(i)};
     const auto goes_on = [&](std::size_t k) {
       if (!text_.IsWord(k) || !text_.IsWord(k + 1) || text_.Is(k + 1, "thing_ends")) return false;

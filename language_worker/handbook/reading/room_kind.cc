@@ -69,7 +69,7 @@ class RoomKindReader {
       found.within = within;
       found.outside =
           IsOutside(found.room) || IsOfAPiece(found.room) || BecomesAnother(found.room.end) || IsTheHome(found.room);
-      const bool became = !found_.empty() && BecomesAnother(found_.back().room.end) && i < found_.back().room.end + 6;
+      const bool became = !found_.empty() && BecomesAnother(found_.back().room.end) && i < found_.back().room.end + 12;
       if (became) found.outside = IsOfAPiece(found.room);
       found.closed = Closes(found.room.end);
       found.had = found.within && IsHad(i);
@@ -146,8 +146,10 @@ class RoomKindReader {
 
   // "Turning the garage into a bedroom", "a barn converted to a studio": what it was.
   bool BecomesAnother(std::size_t end) const {
-    constexpr std::size_t kMostBetween = 3;
-    for (std::size_t i = end; i < end + kMostBetween && !words_.EndsSentence(i); ++i) {
+    // "Converting the garage (5.5 x 3 m) into a gym".
+    constexpr std::size_t kUsual = 3, kBehindBrackets = 9;
+    const std::size_t most = words_.At(end) == "(" ? kBehindBrackets : kUsual;
+    for (std::size_t i = end; i < end + most && !words_.EndsSentence(i); ++i) {
       if (words_.Is(i, "becoming")) return true;
     }
     return false;

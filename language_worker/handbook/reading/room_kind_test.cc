@@ -152,6 +152,7 @@ TEST(RoomKind, IsNotTheHomeThatItIsIn) {
       {"Bathroom in an old flat, about 2.2 x 2.6 m.", "bathroom"},
       {"A flat of 28 m2 with a sofa bed.", "studio flat"},
       {"A bookshop with the entrance and a display window at the front.", "bookshop"},
+      {"Converting the garage (5.5 x 3 m) into a home gym.", "home gym"},
       {"A medieval scribe's chamber with a writing desk.", "scriptorium"},
   };
   for (const auto& [text, kind] : kCases) EXPECT_EQ(KindIn(text), kind) << text;
