@@ -232,6 +232,7 @@ TEST(Groups, TheStoolOfADressingTableStays) {
   const Plan desk = PlanFor("A bedroom of 4 m x 5 m with a bed and a desk with a stool.");
   EXPECT_EQ(desk.Count("stool"), 1);
   EXPECT_EQ(desk.Count("office chair"), 0);
+  EXPECT_EQ(PlanFor("A classroom of 9 m x 7.5 m for 24 pupils, desks, and three beanbags.").Count("school chair"), 24);
 }
 
 }  // namespace

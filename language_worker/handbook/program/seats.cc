@@ -45,7 +45,9 @@ bool Seats::SitsOtherwise(const hb::Furniture& table) const {
       std::find_if(wish + 1, facts_.wishes.end(), [](const Wish& other) { return IsFloorPiece(*other.furniture); });
   if (next == facts_.wishes.end()) return false;
   const std::string& category = next->furniture->category();
-  return category == "stool" || category == "bench";
+  if (table.category() != "desk") return category == "stool" || category == "bench";
+  // Nobody works from a bean bag, nor from what is named further on.
+  return category == "stool" && next->furniture->has_seat_height_m() && next == wish + 1 && next->count == wish->count;
 }
 
 void Seats::EraseUnasked(const std::function<bool(const ProgramItem&)>& goes) {
