@@ -2,6 +2,7 @@
 #include "cli/output/report_text.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "cli/output/artifact_text.h"
@@ -120,8 +121,10 @@ std::string SentenceOutcome(const v1::Sentence& sentence, const v1::SolvedLayout
     if (outcome.status() == v1::OUTCOME_STATUS_SATISFIED) {
       ++held;
     } else {
-      const char* word = outcome.status() == v1::OUTCOME_STATUS_DROPPED ? "dropped" : "does not hold";
-      problems.push_back(outcome.reason().empty() ? word : fmt::format("{}: {}", word, outcome.reason()));
+      const bool dropped = outcome.status() == v1::OUTCOME_STATUS_DROPPED;
+      const std::string& why = outcome.reason();
+      if (dropped) problems.push_back(why.empty() ? "dropped" : "dropped: " + why);
+      if (!dropped) problems.push_back(why.empty() ? "does not hold" : why);
     }
   }
   if (!problems.empty()) return "✗ " + problems.front();
@@ -209,12 +212,13 @@ std::vector<std::string> NotAsAsked(const v1::SolvedLayout& layout) {
   for (const v1::Omission& omission : graph.object_list().omissions()) {
     if (omission.requested()) lines.push_back(fmt::format("{} is left out: {}", omission.name(), omission.reason()));
   }
-  // Places that the brief itself asks for; the handbook says so in their reason.
-  constexpr std::string_view kAskedFor = "the brief asks for it";
+  // Places that the brief itself asks for, once for all the pieces that it asks it of.
+  std::set<std::string> told;
   for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
-    if (!sentence.reason().ends_with(kAskedFor)) continue;
+    if (sentence.origin() != v1::SENTENCE_ORIGIN_BRIEF) continue;
     const std::string outcome = SentenceOutcome(sentence, layout);
-    if (!outcome.starts_with("✓")) lines.push_back(fmt::format("{} ({})", sentence.text(), outcome));
+    if (outcome == "✓" || !told.insert(sentence.reason()).second) continue;
+    lines.push_back(fmt::format("{}; {}", sentence.reason(), outcome.substr(outcome.find(' ') + 1)));
   }
   return lines;
 }

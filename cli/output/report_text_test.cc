@@ -68,6 +68,23 @@ TEST(WriteReport, GivesNoTickToWhatIsWhereItCannotBe) {
   EXPECT_THAT(report, HasSubstr("| uses met | 3 of 3 |"));
 }
 
+TEST(NotAsAsked, TellsEachWishOnceInTheWordsOfTheBrief) {
+  v1::SolvedLayout layout;
+  for (const char* id : {"s1", "s2"}) {
+    v1::Sentence& sentence = *layout.mutable_graph()->mutable_constraint_list()->add_sentences();
+    sentence.set_id(id);
+    sentence.set_text("The pet bed is under the work table.");
+    sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
+    sentence.set_reason("the brief asks for \"cat baskets under the table\"");
+    layout.mutable_graph()->add_edges()->set_sentence_id(id);
+    v1::EdgeOutcome& outcome = *layout.add_edge_outcomes();
+    outcome.set_status(v1::OUTCOME_STATUS_VIOLATED);
+    outcome.set_reason("the pet bed is 1.10 m off the work table");
+  }
+  EXPECT_THAT(NotAsAsked(layout), ElementsAre("the brief asks for \"cat baskets under the table\"; the pet bed is "
+                                              "1.10 m off the work table"));
+}
+
 TEST(WriteReport, SaysWhenNobodyMeasuredHeights) {
   EXPECT_THAT(WriteReport({}, RailNearShower({})), HasSubstr("| in three dimensions | not measured |"));
   v1::LayoutMetrics metrics;

@@ -154,16 +154,15 @@ def _pieces(layout: dict) -> list[Piece]:
 
 # Said of nearly every brief, and of no wish in particular.
 _OF_NO_WISH = {"size_assumed"}
-ASKED_FOR = "the brief asks for it"
 
 
 def _remarks(layout: dict, report: dict) -> list[str]:
-    """Sentences that the brief itself asks for and that do not hold are told in report.md with the reason."""
+    """Sentences that the brief itself asks for and that do not hold are told in report.md in the brief's words."""
     graph = layout["graph"]
     remarks = [one["message"] for one in report.get("diagnostics", []) if one.get("code") not in _OF_NO_WISH]
     remarks += [f"{one['name']}: {one['reason']}" for one in graph["object_list"].get("omissions", [])]
-    asked = {one["id"]: one["text"] for one in graph["constraint_list"].get("sentences", [])
-             if one.get("reason", "").endswith(ASKED_FOR)}
+    asked = {one["id"]: f"{one['text']} ({one['reason']})" for one in graph["constraint_list"].get("sentences", [])
+             if one.get("origin") == "SENTENCE_ORIGIN_BRIEF"}
     sentences = {edge["id"]: asked.get(edge.get("sentence_id")) for edge in graph.get("edges", [])}
     return remarks + [sentences[one["edge_id"]] for one in layout.get("edge_outcomes", [])
                       if one["status"] != "OUTCOME_STATUS_SATISFIED" and sentences.get(one["edge_id"])]

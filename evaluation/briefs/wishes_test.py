@@ -8,7 +8,7 @@ from pathlib import Path
 
 import checks
 import verdicts
-from plan import ASKED_FOR, Piece, Plan, Wall, read_plan
+from plan import Piece, Plan, Wall, read_plan
 from wishes import BadExam, Brief, fault_of_wish, read_exam, remark_on
 
 HERE = Path(__file__).resolve().parent
@@ -88,7 +88,8 @@ class Files(unittest.TestCase):
 class Layouts(unittest.TestCase):
     def test_a_layout_is_read_as_the_program_writes_it(self) -> None:
         folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-        sentences = [{"id": "s1", "text": "The desk is near the door.", "reason": ASKED_FOR},
+        sentences = [{"id": "s1", "text": "The desk is near the door.", "reason": "the brief asks for it",
+                      "origin": "SENTENCE_ORIGIN_BRIEF"},
                      {"id": "s2", "text": "The desk is near a socket.", "reason": "cables stay short"}]
         graph = {
             "room": {"room_type": "study", "floor": {"vertices": [{}, {"x_m": 4}, {"x_m": 4, "y_m": 3}, {"y_m": 3}]},
@@ -110,7 +111,8 @@ class Layouts(unittest.TestCase):
         self.assertEqual([wall.compass for wall in read.walls], ["south", "east", "north", "west"])
         self.assertEqual((read.size_m(), read.area_m2(), read.room_type), ((4, 3), 12, "study"))
         self.assertEqual((read.openings[0].kind, read.openings[0].begin_m), ("door", (3.5, 3.0)))
-        self.assertEqual(read.remarks, ['No word for "slide".', "safe: no room for it", "The desk is near the door."])
+        self.assertEqual(read.remarks, ['No word for "slide".', "safe: no room for it",
+                                        "The desk is near the door. (the brief asks for it)"])
 
 
 class Verdicts(unittest.TestCase):

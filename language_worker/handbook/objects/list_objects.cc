@@ -19,6 +19,7 @@
 #include "language_worker/handbook/program/essentials.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/rooms/wall_run.h"
 #include "language_worker/handbook/styling/choose_style.h"
@@ -99,18 +100,20 @@ class ObjectLister {
   void TellPlaces(const std::vector<SizedItem>& fitting) {
     if (!facts_.people) return;
     const std::string& name = program_.archetype->per_person();
-    int places = 0, beds = 0;
+    int places = 0, beds = 0, seats = 0;
     for (const SizedItem& sized : fitting) {
       const hb::Furniture& furniture = *sized.item.furniture;
       const int alone = furniture.name() == name ? std::max(1, PlacesOn(furniture)) : PlacesOn(furniture);
       const int each = name.empty() ? alone : std::max(alone, sized.item.seats);
       if (name.empty() || furniture.name() == name || each > 1) places += sized.item.count * each;
+      if (IsSeat(furniture)) seats += sized.item.count;
       if (furniture.category() == "bed") beds += sized.item.count * each;
     }
-    if (beds > 0) places = beds;
+    places = beds > 0 ? beds : std::max(places, seats);
     if (places >= *facts_.people) return;
     AddDiagnostic(v1::SEVERITY_WARNING, "people_without_place",
-                  fmt::format("The brief mentions {} people; the room has places for {}.", *facts_.people, places),
+                  fmt::format("The brief speaks of {} people{}; the room has places for {}.", *facts_.people,
+                              facts_.people_said.empty() ? "" : fmt::format(" (\"{}\")", facts_.people_said), places),
                   list_);
   }
 

@@ -85,11 +85,17 @@ void TellNotAsAsked(const BriefFacts& facts, const Handbook& handbook, v1::Objec
                   fmt::format("Of \"{}\" the brief asks for {}; the room has {}.", furniture.name(), asked, there),
                   list);
   };
+  // Of one class all tables together: "six tables with two chairs each and one for eight".
+  std::vector<std::pair<const hb::Furniture*, int>> seats;
   for (const Wish& wish : facts.wishes) {
     tell_fewer(*wish.furniture, wish.count);
     const hb::Furniture* seat = wish.seats > 0 ? SeatOf(*wish.furniture, handbook) : nullptr;
-    if (seat != nullptr) tell_fewer(*seat, wish.count * wish.seats);
+    if (seat == nullptr) continue;
+    auto there = std::ranges::find(seats, seat, &std::pair<const hb::Furniture*, int>::first);
+    if (there == seats.end()) there = seats.insert(there, {seat, 0});
+    there->second += wish.count * wish.seats;
   }
+  for (const auto& [seat, asked] : seats) tell_fewer(*seat, asked);
   for (const hb::Furniture* refusal : facts.refusals) {
     if (count(*refusal) == 0) continue;
     AddDiagnostic(v1::SEVERITY_WARNING, "refused_but_there",

@@ -13,6 +13,7 @@
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"
+#include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/room_kind.h"
@@ -42,10 +43,11 @@ class BriefReader {
     facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
     const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
     counts_ = pieces.counts;
-    ReadPieceSizes(pieces.mentions, size_words);
+    TakeSizes(tokens_, pieces.mentions, size_words, used_, facts_);
     ReadOtherRooms(pieces.mentions);
     ReadOpenings(tokens_, room_words, used_, facts_.openings);
     ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
+    NoteOtherNames(BriefText(tokens_), pieces.mentions, facts_);
     ReadThemesAndStyles();
     ReadNeeds();
     if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
@@ -150,28 +152,6 @@ class BriefReader {
     }
   }
 
-  // Sizes far from what the class can be are those of something else, or a slip.
-  void ReadPieceSizes(const std::vector<Mention>& mentions, std::vector<bool> taken) {
-    const auto fits = [](const std::optional<double>& side, const hb::Extent& extent) {
-      return !side || (*side >= 0.5 * LeastOf(extent) && *side <= 1.7 * MostOf(extent));
-    };
-    for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || used_[i];
-    for (const Mention& mention : mentions) {
-      const PieceSize size = ReadPieceSize(tokens_, mention.begin, mention.end, taken).For(*mention.furniture);
-      if (!size.any()) continue;
-      Use(size.begin, size.end - size.begin);
-      const hb::Furniture& furniture = *mention.furniture;
-      if (!fits(size.width_m, furniture.width_m()) || !fits(size.depth_m, furniture.depth_m()) ||
-          !fits(size.height_m, furniture.height_m())) {
-        facts_.sizes_not_had.push_back(furniture.name() + ": " + BriefText(tokens_).Quote(size.begin, size.end));
-        continue;
-      }
-      for (Wish& wish : facts_.wishes) {
-        if (wish.furniture == &furniture && !wish.size.any()) wish.size = size;
-      }
-    }
-  }
-
   std::string Quote(const NamedRoom& room) const { return BriefText(tokens_).Quote(room.begin, room.end); }
 
   // The kind of room that most words of the brief hint at. Its first words name the kind that nobody knows: "a tea room
@@ -182,9 +162,10 @@ class BriefReader {
     std::size_t end = begin;
     while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
     if (text.Is(end, "rooms_by_head")) ++end;
-    // "My son is 15 and his room ..." names none.
-    const bool person = end > begin && CountsPeople(text.At(end - 1));
-    if (!text.Is(begin, "rooms_by_head") && !person) facts_.room_words = text.Quote(begin, end);
+    // "Six foot by nine", "the girls share", "my son is 15 and his room ..." name none.
+    const bool none = text.IsNumber(begin) || NumberWord(text.At(begin)) || text.Is(begin, "pronouns") ||
+                      CountsPeople(text.At(begin)) || (end > begin && CountsPeople(text.At(end - 1)));
+    if (!text.Is(begin, "rooms_by_head") && !none) facts_.room_words = text.Quote(begin, end);
     // That it is not known is told once.
     bool pieces = false;
     for (std::size_t i = begin; i < end; ++i) pieces = pieces || NamesAPiece(i, i + 1);
@@ -248,7 +229,12 @@ class BriefReader {
     // Needs look at the same words.
     std::vector<bool> peoples_words = used_;
     facts_.year = ReadYear(tokens_, peoples_words);
+    const std::vector<bool> before = peoples_words;
     facts_.people = ReadPeople(tokens_, peoples_words);
+    for (std::size_t i = 0; i < tokens_.size() && facts_.people; ++i) {
+      if (peoples_words[i] && !before[i])
+        facts_.people_said += (facts_.people_said.empty() ? "" : " ") + tokens_[i].text;
+    }
     std::vector<const hb::Need*> found;
     for (const hb::Need& need : handbook_.contents().needs()) {
       int people = 0;
@@ -302,6 +288,9 @@ class BriefReader {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
       if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
+      // "Wall space for three guitars" is for nobody.
+      if (found > 0 && i + length < used_.size() && used_[i + length] && BriefText(tokens_).IsWord(i + length))
+        continue;
       if (AsksForFew(BriefText(tokens_), i)) continue;  // "not too many plants" makes nobody a gardener
       number = found;
       return true;

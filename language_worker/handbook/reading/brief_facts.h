@@ -45,6 +45,9 @@ struct Place {
   int walls = 1;                          // "on three walls": shared out over so many
   std::string said;                       // the words of the brief
   std::string called;                     // its words for the piece
+
+  // "cat basket under the table".
+  std::string Words() const { return called + " " + said; }
 };
 
 // A kind of room that the room is besides its first: "kitchen/living/dining", "a bedroom with a home office".
@@ -85,14 +88,16 @@ struct BriefFacts {
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table"
   std::optional<int> people;
-  std::optional<int> year;              // of its time: "around 1750"
-  std::string room_words;               // what it calls the room; where no kind is named, its first words
-  std::vector<std::string> unheard;     // other words of which nothing was made: "of solid oak"
-  std::vector<std::size_t> told;        // tokens that a remark quotes already
-  std::vector<std::string> not_known;   // things asked for that the handbook has no word for: "proofing cabinet"
-  std::vector<std::string> made_plain;  // of these what is made all the same, without knowing more than the name
-  std::vector<Correction> corrections;  // of misspelt words
-  bool reads_as_english = true;         // false: most likely another language
+  std::string people_said;               // its words for them
+  std::optional<int> year;               // of its time: "around 1750"
+  std::string room_words;                // what it calls the room; where no kind is named, its first words
+  std::vector<std::string> unheard;      // other words of which nothing was made: "of solid oak"
+  std::vector<std::size_t> told;         // tokens that a remark quotes already
+  std::vector<std::string> not_known;    // things asked for that the handbook has no word for: "proofing cabinet"
+  std::vector<std::string> made_plain;   // of these what is made all the same, without knowing more than the name
+  std::vector<std::string> other_names;  // of pieces called otherwise: "\"flipchart\" as easel"
+  std::vector<Correction> corrections;   // of misspelt words
+  bool reads_as_english = true;          // false: most likely another language
 
   // The handbook with the classes that only this brief has; null when it has none.
   std::shared_ptr<const Handbook> own_handbook;

@@ -132,6 +132,9 @@ TEST(PieceSizes, AreReadBeforeAndBehindTheirPiece) {
     EXPECT_NEAR(facts.wishes[0].size.depth_m.value_or(0), depth_m, 1e-9) << text;
   }
   EXPECT_EQ(FactsOf("A living room with a sofa 40 m long.").sizes_not_had.size(), 1u);
+  const BriefFacts desks = FactsOf("A home office with two desks side by side at the window, 140 x 70 cm each.");
+  ASSERT_FALSE(desks.wishes.empty());
+  EXPECT_NEAR(desks.wishes[0].size.width_m.value_or(0), 1.4, 1e-9);
 }
 
 // Whatever no reader took: things, colours, materials, numbers and directions that nothing was made of.
@@ -153,6 +156,45 @@ TEST(UnheardClauses, AreQuotedWholeAndOnce) {
               ElementsAre("keep the old zither"));
   EXPECT_THAT(FactsOf("A bedroom with a bed. He does push ups there.").unheard, ElementsAre("he does push ups there"));
   EXPECT_THAT(FactsOf("A bedroom for twin girls age 6 with two beds.").unheard, IsEmpty());
+}
+
+TEST(BriefFacts, ARoomThatBecomesAnotherIsThat) {
+  EXPECT_EQ(FactsOf("Turning the garage (5.5 x 3 m) into a bedroom for my father.").archetype->name(), "bedroom");
+  EXPECT_TRUE(FactsOf("Six foot by nine, with a bath and two basins.").room_words.empty());
+}
+
+TEST(BriefFacts, PlacesAreToldAsLooselyKeptOnlyWhereTheyAre) {
+  EXPECT_TRUE(FactsOf("A shop with a cutting table right in the centre.").places_loosely_kept.empty());
+  EXPECT_TRUE(FactsOf("A chapel with a font just inside the door.").places_loosely_kept.empty());
+  EXPECT_EQ(
+      FactsOf("A bedroom with a bed and a commode to the right of the bed.").places_loosely_kept,
+      std::vector<std::string>{"\"commode to the right of the bed\" is read as one sees it who looks at the front."});
+}
+
+TEST(BriefFacts, WordsOfPiecesAreNoneOfTheRoom) {
+  const BriefFacts workshop = FactsOf("A workshop 6 x 5 m, two benches with a metre of space all round, a vice.");
+  EXPECT_EQ(workshop.shape.shape, RoomShape::kRectangle);
+  EXPECT_THAT(FactsOf("A living room with an L-shaped sofa.").unheard, IsEmpty());
+  EXPECT_EQ(FactsOf("A teen bedroom with a desk and wall space for 3 guitars.").people, std::nullopt);
+  EXPECT_EQ(FactsOf("A team room, ten staff.").people_said, "ten staff");
+  const BriefFacts dining = FactsOf("A dining room, a long table for eight so the grandparents fit.");
+  ASSERT_FALSE(dining.wishes.empty());
+  EXPECT_EQ(dining.wishes.front().seats, 8);
+}
+
+TEST(BriefFacts, DoorsOfAPieceAreNoDoorsOfTheRoomAndTheOtherWayRound) {
+  EXPECT_EQ(FactsOf("A bedroom with a wardrobe, door in the north wall. Nothing should block the wardrobe doors.")
+                .openings.wishes.size(),
+            1u);
+  EXPECT_EQ(FactsOf("A mudroom on a farm with two doors on opposite walls, a bench.").openings.wishes.size(), 2u);
+  const BriefFacts behind = FactsOf("A bedroom with a bed, the wardrobe behind the door.");
+  ASSERT_EQ(behind.places.size(), 1u);
+  EXPECT_EQ(behind.places.front().Words(), "wardrobe behind the door");
+}
+
+TEST(BriefFacts, PiecesCalledOtherwiseAreTold) {
+  EXPECT_EQ(FactsOf("A seminar room with a flipchart, a couch and a table.").other_names,
+            std::vector<std::string>{"\"flipchart\" as easel"});
 }
 
 // Surface, material and colour of all finishes that are read.

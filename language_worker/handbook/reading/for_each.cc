@@ -61,15 +61,14 @@ class EachReader {
       if (text_.At(k) != ",") continue;
       const std::size_t next = text_.At(k + 1) == "and" ? k + 2 : k + 1;
       if (text_.At(next) == "with") return true;
-      if (text_.At(verb) == "with" && next == k + 1 && !text_.Says(next, {"its", "their", "his", "her", "own"}))
-        return true;
+      if (text_.At(verb) == "with" && !text_.Says(next, {"its", "their", "his", "her", "own"})) return true;
     }
     return false;
   }
 
   // How many "each" at `at` speaks of: the pieces, or groups of them, that stand right by it, else people.
   std::optional<int> Sharers(std::size_t at, std::size_t verb) const {
-    constexpr std::size_t kMostBetween = 8;
+    constexpr std::size_t kMostBetween = 12;
     for (auto mention = mentions_.rbegin(); mention != mentions_.rend(); ++mention) {
       if (mention->begin > at && mention->begin < verb) return mention->count;
       const bool near = mention->end <= at && at - mention->end <= (text_.At(verb) == "with" ? kMostBetween : 2);

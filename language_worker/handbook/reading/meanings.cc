@@ -120,6 +120,13 @@ bool NamesNoThing(std::string_view word) {
   return Includes(kNone, senses.front().domain);
 }
 
+bool MeanTheSame(std::string_view a, std::string_view b) {
+  const std::vector<NounSense> of_b = WordNet::Get().SensesOf(b);
+  return std::ranges::any_of(WordNet::Get().SensesOf(a), [&](const NounSense& sense) {
+    return std::ranges::find(of_b, sense.id, &NounSense::id) != of_b.end();
+  });
+}
+
 bool MeansPeople(std::string_view noun) {
   const std::vector<NounSense> senses = WordNet::Get().SensesOf(noun);
   return !senses.empty() && senses.front().domain == Domain::kPerson;

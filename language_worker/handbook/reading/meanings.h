@@ -65,6 +65,9 @@ class Meanings {
 // nothing that could be missing in a room.
 bool NamesNoThing(std::string_view word);
 
+// Whether two nouns share a sense: "couch" and "sofa".
+bool MeanTheSame(std::string_view a, std::string_view b);
+
 // Whether the noun means people first of all: "gardeners", "guests".
 bool MeansPeople(std::string_view noun);
 

@@ -34,6 +34,8 @@ void Inherit(const OpeningWish& from, OpeningWish& to) {
 
 void OpeningList::Add(const OpeningNoun& noun, OpeningSite site) {
   OpeningWish wish = noun.wish;
+  const auto is_alike = [&](const OpeningWish& one) { return one.door == wish.door; };
+  if (noun.further && std::ranges::none_of(openings_.wishes, is_alike)) Add({.door = wish.door, .said = wish.said});
   // Of doors in several walls the others go by the first.
   if (wish.door && site.sides.size() > 1 && IsIn("sides_from_the_door", site.sides[0]))
     site.sides = site.sides == Sides{"left", "right"} ? Sides{"", "far"} : Sides{"", "left"};
@@ -92,6 +94,8 @@ void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, Opening
       wish.counted = there.counted;
       return Inherit(there, wish);
     }
+    // "Beside the front door ..., and a second door".
+    if (noun.further && there.count == 1) continue;
     // "One to the passage and one to the larder".
     if (noun.part && there.count == wish.count && (there.side.empty() == site.sides.empty()) && !there.name.empty())
       continue;

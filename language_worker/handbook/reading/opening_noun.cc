@@ -128,6 +128,7 @@ class NounReader {
       const bool owner = words_.Says(at - 1, {"'", "'s"}) && at < noun_ + 1 && at > 1 && words_.IsWord(at - 2);
       if ((words_.IsSign(at - 1) && !owner) || (things_[at - 1] && !told)) return false;
       found_.part = found_.part || word == "one" || IsIn("one_of_several", word);
+      found_.further = found_.further || IsIn("further_ones", word);
       if (TakeDeterminer()) return true;
       const bool aspect = word == "facing" && at > 1 && words_.Is(at - 2, "compass");
       const bool side = at == noun_ && !found_.wish.door && IsIn("sides_of_windows", word);
@@ -246,10 +247,12 @@ class NounReader {
   bool IsOfAPiece(bool front) {
     const std::size_t at = found_.begin;
     if (!(found_.wish.door || front) || at == 0) return false;
-    // "Nothing should block the wardrobe doors."
-    if (found_.plural && things_[noun_ - 1]) return true;
+    // "The wardrobe doors", where it has a wardrobe.
+    for (std::size_t k = 0; k < words_.size() && found_.plural; ++k) {
+      if (things_[k] && words_.At(k) == words_.At(noun_ - 1) && !words_.Is(k, "materials")) return true;
+    }
     if (found_.none) return things_[at - 1];
-    const bool had = at > 1 && words_.Is(at - 1, "of_a_cupboard") && things_[at - 2];
+    const bool had = at > 1 && words_.Is(at - 1, "of_a_cupboard") && things_[at - 2] && !found_.wish.definite;
     if (had) --found_.begin;
     return had;
   }

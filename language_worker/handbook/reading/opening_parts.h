@@ -23,6 +23,7 @@ struct OpeningNoun {
   bool any = false;      // "each window", "any window": no particular one
   bool related = false;  // "under the window": it tells where something else is
   bool part = false;     // "one window", "the other": perhaps of several that were named before
+  bool further = false;  // "a second door": of two, when none was said to be one of several
   bool bare = false;     // neither article nor number
   bool plural = false;
   bool glass = false;              // "glass on three sides": an opening only where its wall is told

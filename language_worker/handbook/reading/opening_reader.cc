@@ -143,14 +143,15 @@ class OpeningReader {
   void ReadNamed(std::size_t i) {
     if (IsPartOfAName(i)) return;
     OpeningNoun noun = OpeningNounAt(words_, things_, i);
-    if (noun.kind == OpeningNoun::Kind::kOfAPiece) return Use(noun.begin, noun.end);
     if (noun.kind == OpeningNoun::Kind::kNone) return;
     if (noun.kind == OpeningNoun::Kind::kOverhead) return NoteOverhead(noun);
+    OpeningSite site;
+    const std::size_t end = ReadBehind(noun, noun.end, site);
+    // The doors of a piece are on no two walls.
+    if (noun.kind == OpeningNoun::Kind::kOfAPiece && site.sides.size() < 2) return Use(noun.begin, noun.end);
     if (!noun.wish.door && !noun.none && !noun.glass)
       (noun.plural || noun.any ? openings_.windows_meant : openings_.window_meant) = true;
     if (noun.any) return;
-    OpeningSite site;
-    const std::size_t end = ReadBehind(noun, noun.end, site);
     Name(i, noun.wish);
     const bool told = !site.sides.empty() || !noun.wish.side.empty() || site.fills;
     if (noun.glass && !told) return;

@@ -72,6 +72,8 @@ TEST(OpeningReader, ReadsTheWall) {
       {"One window is on the north wall, the other on the west wall.", "window@north; window@west"},
       {"A bedroom with two windows. The windows are on the south wall.", "2 window@south"},
       {"Two windows. One window is on the long wall.", "window; window@long"},
+      {"A bench beside the front door, and a second door opposite the first.", "door; door@far"},
+      {"A shop with a second door on the east wall.", "door; door@east"},
   };
   for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
 }

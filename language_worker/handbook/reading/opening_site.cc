@@ -187,10 +187,13 @@ class SiteReader {
       return true;
     }
     // "two windows opposite", "a door beside it": of what was named last.
-    const bool closes = at >= words_.size() || words_.IsSign(at) || words_.Says(at, {"and", "with"});
-    if ((across && closes) || words_.At(at) == "it") {
+    const auto closes = [&](std::size_t k) {
+      return k >= words_.size() || words_.IsSign(k) || words_.Says(k, {"and", "with"});
+    };
+    const bool of_it = words_.At(at) == "it" || (words_.Says(at, {"first", "other"}) && closes(at + 1));
+    if ((across && closes(at)) || of_it) {
       site_.sides = {across ? "opposite" : "beside"};
-      i_ = words_.At(at) == "it" ? at + 1 : at;
+      i_ = of_it ? at + 1 : at;
       return true;
     }
     if (words_.At(at) == "other") ++at;

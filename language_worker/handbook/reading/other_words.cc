@@ -203,6 +203,9 @@ std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const 
     return !english::WordNet::Get().Knows(text.At(i)) || vocabulary.meanings->ThingOf(text.At(i)).is_thing;
   };
   const auto asks = [&](std::size_t i) {
+    // "An L-shaped sofa".
+    const std::size_t shaped = text.At(i) == "shaped" ? i : text.IsHyphen(i + 1) ? i + 2 : i + 1;
+    if (text.At(shaped) == "shaped" && shaped + 1 < used.size() && used[shaped + 1]) return false;
     if (text.IsNumber(i)) return !IsAge(text, i);
     if (text.Is(i, "asking_words") || IsFormIn("thing_nouns", text.At(i))) return true;
     if (LongestAt(vocabulary.rooms, tokens, i, true).second > 0) return false;  // where the room is, or whose

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "fmt/format.h"
+#include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -163,6 +167,58 @@ void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std:
   LooksReader reader(handbook, text, used, facts);
   for (const Mention& mention : mentions) reader.Behind(mention);
   reader.OfAll();
+}
+
+void TakeSizes(const std::vector<Token>& tokens, const std::vector<Mention>& mentions, std::vector<bool> taken,
+               std::vector<bool>& used, BriefFacts& facts) {
+  const auto fits = [](const std::optional<double>& side, const hb::Extent& extent) {
+    return !side || (*side >= 0.5 * LeastOf(extent) && *side <= 1.7 * MostOf(extent));
+  };
+  const auto take = [&](const Mention& mention, const PieceSize& size) {
+    for (std::size_t i = size.begin; i < size.end; ++i) used[i] = true;
+    const hb::Furniture& furniture = *mention.furniture;
+    if (!fits(size.width_m, furniture.width_m()) || !fits(size.depth_m, furniture.depth_m()) ||
+        !fits(size.height_m, furniture.height_m())) {
+      facts.sizes_not_had.push_back(furniture.name() + ": " + BriefText(tokens).Quote(size.begin, size.end));
+      return;
+    }
+    for (Wish& wish : facts.wishes) {
+      if (wish.furniture == &furniture && !wish.size.any()) wish.size = size;
+    }
+  };
+  for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || used[i];
+  for (const Mention& mention : mentions) {
+    const PieceSize size = ReadPieceSize(tokens, mention.begin, mention.end, taken).For(*mention.furniture);
+    if (size.any()) take(mention, size);
+  }
+  // "Two desks at the window, 140 x 70 cm each".
+  constexpr std::size_t kMostOfASize = 6;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    for (std::size_t k = i - std::min(i, kMostOfASize); k < i && tokens[i].text == "each" && !used[i - 1]; ++k) {
+      const PieceSize size = ReadPieceSize(tokens, k, k, taken);
+      const auto last = std::find_if(mentions.rbegin(), mentions.rend(),
+                                     [&](const Mention& one) { return one.end <= k && one.count > 1; });
+      if (size.any() && size.begin == k && size.end == i && last != mentions.rend())
+        take(*last, size.For(*last->furniture));
+    }
+  }
+}
+
+void NoteOtherNames(const BriefText& text, const std::vector<Mention>& mentions, BriefFacts& facts) {
+  for (const Mention& mention : mentions) {
+    const std::string& name = mention.furniture->name();
+    const std::vector<Token> words = TokensOf(name);
+    bool called_so = mention.seats || text.Is(mention.begin, "places_of_people");
+    for (std::size_t i = mention.begin; i < mention.end && !called_so; ++i) {
+      const std::string said(text.At(i));
+      called_so = MeanTheSame(said, words.back().text) || std::ranges::any_of(words, [&](const Token& word) {
+                    constexpr std::size_t kTold = 4;  // "bookcase" and "bookshelf"
+                    return MatchesWord(said, word.text) || word.text.starts_with(said.substr(0, kTold));
+                  });
+    }
+    std::string other = fmt::format("\"{}\" as {}", text.Quote(mention.begin, mention.end), name);
+    if (!called_so && !Includes(facts.other_names, other)) facts.other_names.push_back(std::move(other));
+  }
 }
 
 }  // namespace flair::language

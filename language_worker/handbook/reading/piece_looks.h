@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The colours and materials that a brief names for pieces: "a green armchair", "chairs charcoal", "bed in white linen",
-// "matt sage fronts".
+// "matt sage fronts"; their sizes, and their names where they are others than the handbook's.
 #pragma once
 
 #include <cstddef>
@@ -20,5 +20,13 @@ void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::
 // all pieces are known.
 void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std::vector<Mention>& mentions,
                      std::vector<bool>& used, BriefFacts& facts);
+
+// Reads the sizes of pieces; those far from what the class can be are of something else, or a slip. `taken`: tokens of
+// other sizes.
+void TakeSizes(const std::vector<Token>& tokens, const std::vector<Mention>& mentions, std::vector<bool> taken,
+               std::vector<bool>& used, BriefFacts& facts);
+
+// What a piece is called by a word that means something else: a "flipchart" that is an easel here.
+void NoteOtherNames(const BriefText& text, const std::vector<Mention>& mentions, BriefFacts& facts);
 
 }  // namespace flair::language

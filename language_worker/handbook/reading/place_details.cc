@@ -91,19 +91,23 @@ void TakeCorner(Landmark::Kind kind, BriefFacts& facts, Place& place) {
 
 void NoteLoosely(const BriefText& text, const Place& place, std::size_t begin, std::size_t end, BriefFacts& facts) {
   const std::string& sentence = place.asked->relation().text();
-  if (place.asked->carried() == hb::CARRIED_ALONG) {
-    facts.places_loosely_kept.push_back(
-        fmt::format("\"{} {}\": it stands on the same top", place.furniture->name(), place.said));
-    return;
-  }
+  const auto note = [&](const std::string& kept) {
+    facts.places_loosely_kept.push_back(fmt::format("Not just as asked: \"{}\": it {}", place.Words(), kept));
+  };
+  if (place.asked->carried() == hb::CARRIED_ALONG) return note("stands on the same top.");
   for (std::size_t k = begin; k < end; ++k) {
     if (!text.Is(k, "exact_directions") || sentence.find(text.At(k)) != std::string::npos) continue;
+    // "Right in the centre", "just inside the door".
+    if (text.Is(k + 1, "right_before_places") || text.Is(k - 1, "just_words")) continue;
+    if (sentence.find("left") != std::string::npos || sentence.find("right") != std::string::npos) {
+      return facts.places_loosely_kept.push_back(
+          fmt::format("\"{}\" is read as one sees it who looks at the front.", place.Words()));
+    }
     std::string kept = sentence.substr(sentence.find('}') + 2);
     if (const std::size_t slot = kept.find("{target}"); slot != std::string::npos && place.target != nullptr) {
       kept.replace(slot, std::string_view("{target}").size(), place.target->name());
     }
-    facts.places_loosely_kept.push_back(fmt::format("\"{} {}\": it {}", place.furniture->name(), place.said, kept));
-    return;
+    return note(kept);
   }
 }
 

@@ -194,7 +194,10 @@ void HangWhatIsFaced(const PlacePatterns& patterns, BriefFacts& facts, bool at_t
     hung.furniture = place.target;
     hung.target = nullptr;
     hung.which = -1;
-    hung.asked = patterns.Find("on", "wall", hb::FURNITURE_KIND_WALL);
+    // One that all are to see hangs in the middle.
+    const auto hangs = std::ranges::find(facts.wishes, hung.furniture, &Wish::furniture);
+    const bool one = hangs == facts.wishes.end() || hangs->count == 1;
+    hung.asked = patterns.Find(one ? "in the middle of" : "on", "wall", hb::FURNITURE_KIND_WALL);
     hung.side = "blank far";
     if (hung.asked != nullptr) walls.push_back(hung);
   }

@@ -24,8 +24,7 @@ namespace {
 
 constexpr std::size_t kMostPlacesNotKnown = 8;
 
-// Long, and one class: whose place it is, what it is told by and what is left untold all depend on what was read last
-// and on which pieces only tell where others go. To be taken apart when clauses are read by frames.
+// Whose place it is and what it is told by depend on what was read last and on pieces that only tell where others go.
 class PlaceReader {
  public:
   PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens, const PieceNames& names,
@@ -117,7 +116,7 @@ class PlaceReader {
     const bool of_both = holder && !match.landmark.side.empty() && AskedNames(asked, "{wall}") &&
                          IsOnTheFloor(*holder->furniture) && !IsOnTheFloor(*subject->furniture);
     if (of_both && !otherwise && !IsFor(asked, *holder->furniture, false)) return {};
-    if (holder && IsFor(asked, *holder->furniture, otherwise) &&
+    if (holder && IsFor(asked, *holder->furniture, otherwise) && !IsSideOfItsTable(match, *subject) &&
         (!IsFor(asked, *subject->furniture, otherwise) || IsOfTheHolder(match, *subject))) {
       subject = holder;
     }
@@ -221,6 +220,12 @@ class PlaceReader {
     return all;
   }
 
+  // "An island with two stools on one side".
+  bool IsSideOfItsTable(const Match& match, const Subject& subject) const {
+    return mentions_[subject.mention].seats && AskedNames(*match.asked, "{wall}") &&
+           text_.Says(match.end - 1, {"side", "sides"});
+  }
+
   // Whether the piece got the place.
   bool Put(const Subject& subject, const Match& match, std::size_t i, bool otherwise) {
     const hb::AskedPlace& asked = *match.asked;
@@ -229,7 +234,8 @@ class PlaceReader {
       return PutNearBoth(subject, match, i);
     }
     // Seats at a table face each other, and are in a row, as it is.
-    if (mentions_[subject.mention].seats && asked.relation().pairing() == hb::PAIRING_TOGETHER) return true;
+    const bool together = mentions_[subject.mention].seats && asked.relation().pairing() == hb::PAIRING_TOGETHER;
+    if (together || IsSideOfItsTable(match, subject)) return true;
     Place place;
     place.furniture = subject.furniture;
     place.asked = &asked;
@@ -288,7 +294,7 @@ class PlaceReader {
       Keep(place, subject, i, match.end);
     }
     facts_.places_loosely_kept.push_back(
-        fmt::format("\"{} {}\": it is near both", subject.furniture->name(), facts_.places.back().said));
+        fmt::format("Not just as asked: \"{}\": it is near both.", facts_.places.back().Words()));
     return true;
   }
 
@@ -296,19 +302,17 @@ class PlaceReader {
 
   // What stands before "holds": right before it, else the last in the sentence that is no thing on a top itself.
   bool TakeCarrier(std::size_t i, Place& place) const {
+    const auto take = [&](const hb::Furniture* carrier) {
+      place.target = carrier;
+      if (AskedNames(*place.asked, "{first}")) place.other = carrier;
+      return carrier != place.furniture;
+    };
     std::optional<Subject> before = subjects_.Before(i);
     if (subjects_.EndedAt(i) && before && by_landmark_[before->mention]) before = subjects_.last();
-    if (before) {
-      place.target = before->furniture;
-      if (AskedNames(*place.asked, "{first}")) place.other = place.target;
-      return place.target != place.furniture;
-    }
+    if (before) return take(before->furniture);
     for (std::size_t at = i; at > 0 && !text_.EndsSentence(at - 1); --at) {
       const std::optional<std::size_t> m = named_.EndingAt(at);
-      if (!m || IsOnATop(*mentions_[*m].furniture)) continue;
-      place.target = mentions_[*m].furniture;
-      if (AskedNames(*place.asked, "{first}")) place.other = place.target;
-      return place.target != place.furniture;
+      if (m && !IsOnATop(*mentions_[*m].furniture)) return take(mentions_[*m].furniture);
     }
     return false;
   }

@@ -170,6 +170,11 @@ TEST(PlaceReader, ATableBetweenSeatsIsASideTable) {
               ElementsAre("The side table is between the armchair and the armchair."));
 }
 
+TEST(PlaceReader, AnEndOrASideIsOfWhatHasOne) {
+  EXPECT_THAT(PlacesIn("A kitchen with a sink, the fridge at the end."), ElementsAre());
+  EXPECT_THAT(PlacesIn("A kitchen with an island with two stools on one side."), ElementsAre());
+}
+
 TEST(PlaceReader, DoorsAndWindowsWithWordsBeforeThem) {
   ExpectEach({{"A dining room with a sideboard near the kitchen door.", "The sideboard is near the door. [kitchen]"},
               {"A living room with an armchair by the balcony door.", "The armchair is near the door. [balcony]"},

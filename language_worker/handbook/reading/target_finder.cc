@@ -19,13 +19,17 @@ bool TargetFinder::Find(std::size_t subject, const PlacePatterns::Match& match, 
     place.target = &piece;
     return true;
   }
+  // "At the foot" is a bed's; "the fridge at the end" is at no other piece.
+  const bool foot =
+      match.landmark.kind == Landmark::Kind::kNone && AskedNames(*match.asked, "next to the front of the {target}");
   if (match.landmark.kind == Landmark::Kind::kNone && IsOnTheFloor(piece)) {
     place.target = Partner(piece);
-    if (place.target != nullptr) return true;
+    if (place.target != nullptr) return !foot || place.target->category() == "bed";
     if (AskedNames(*match.asked, "side of the {target}") && match.asked->relation().condition().min_count() < 2)
       return false;
   }
-  if (match.landmark.kind != Landmark::Kind::kPiece) return FindNamedBefore(subject, match.landmark.plural, place);
+  if (match.landmark.kind != Landmark::Kind::kPiece)
+    return FindNamedBefore(subject, match.landmark.plural, place) && (!foot || place.target->category() == "bed");
   place.target = match.landmark.piece;
   return place.target != mentions_[subject].furniture;
 }

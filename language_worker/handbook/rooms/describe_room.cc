@@ -123,7 +123,7 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
            fmt::format("\"{}\" is far from what such a piece can be; it has its usual size.", said), room);
   }
   for (const std::string& said : facts.places_loosely_kept) {
-    Remark(v1::SEVERITY_NOTE, "place_loosely_kept", fmt::format("Not just as asked: {}", said), room);
+    Remark(v1::SEVERITY_NOTE, "place_loosely_kept", said, room);
   }
   for (const std::string& said : facts.places_not_known) {
     Remark(v1::SEVERITY_WARNING, "place_not_understood",
@@ -132,6 +132,10 @@ void RemarkOnBrief(const BriefFacts& facts, const hb::Archetype& archetype, v1::
   for (const Correction& correction : facts.corrections) {
     Remark(v1::SEVERITY_NOTE, "word_corrected", fmt::format("Read \"{}\" as {}.", correction.written, correction.read),
            room);
+  }
+  if (!facts.other_names.empty()) {
+    Remark(v1::SEVERITY_NOTE, "thing_taken",
+           fmt::format("Read as what the handbook has: {}.", fmt::join(facts.other_names, ", ")), room);
   }
   if (!facts.made_plain.empty()) {
     Remark(v1::SEVERITY_NOTE, "thing_made_plain",

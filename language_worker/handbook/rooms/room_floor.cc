@@ -99,6 +99,9 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     size.depth_m = *asked.depth_m;
   } else if (asked.area_m2) {
     SidesOf(*asked.area_m2, asked.side_ratio.value_or(0.8), deeper, size);
+    // Just what was asked for, to a centimetre.
+    double& longer_m = size.depth_m > size.width_m ? size.depth_m : size.width_m;
+    longer_m = std::max(longer_m / 2, std::round(100 * *asked.area_m2 / std::min(size.width_m, size.depth_m)) / 100);
   } else if (asked.width_m || asked.depth_m) {
     const double given_m = asked.width_m.value_or(asked.depth_m.value_or(0));
     // A usual area, in sides that are not too unlike.

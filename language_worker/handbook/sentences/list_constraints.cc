@@ -154,6 +154,14 @@ class ConstraintLister {
       const std::vector<v1::Sentence> written = place_writer_.Write(place, group);
       for (v1::Sentence sentence : written) {
         sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
+        // Which door or window it is, is in the words alone.
+        const bool opening =
+            sentence.text().find(" door") != std::string::npos || sentence.text().find(" window") != std::string::npos;
+        if (opening && !place.side.empty()) sentence.clear_meaning();
+        // In the brief's own words, so that whoever reads of it knows which wish it is.
+        constexpr std::string_view kIt = "asks for it";
+        if (const std::size_t at = sentence.reason().find(kIt); at != std::string::npos)
+          sentence.mutable_reason()->replace(at, kIt.size(), fmt::format("asks for \"{}\"", place.Words()));
         sentences_.push_back(std::move(sentence));
       }
       if (written.empty()) continue;
@@ -174,15 +182,15 @@ class ConstraintLister {
 
   // Places of which no sentence came, of pieces that are there: the others are told of where they are left out.
   void RemarkOnPlaces(v1::ConstraintList& list) const {
+    std::set<std::string> told;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const bool there = std::ranges::any_of(
           writer_.groups(), [&](const auto& group) { return IsMeant(*places_[i].furniture, group.first); });
-      if (kept_[i] || !there) continue;
+      if (kept_[i] || !there || !told.insert(places_[i].Words()).second) continue;
       v1::Diagnostic& remark = *list.add_diagnostics();
       remark.set_severity(v1::SEVERITY_WARNING);
       remark.set_code("place_not_kept");
-      remark.set_message(fmt::format("The brief wants \"{} {}\"; {}.", places_[i].furniture->name(), places_[i].said,
-                                     WhyNotKept(places_[i])));
+      remark.set_message(fmt::format("The brief asks for \"{}\"; {}.", places_[i].Words(), WhyNotKept(places_[i])));
     }
   }
 
@@ -192,7 +200,12 @@ class ConstraintLister {
         return fmt::format("there is no {} in the room", piece->name());
       }
     }
-    if (place.asked->relation().condition().min_count() > 1) return "the room does not have that many of them";
+    const hb::Condition& condition = place.asked->relation().condition();
+    const auto group = writer_.groups().find(place.furniture->name());
+    const int there = group == writer_.groups().end() ? 0 : static_cast<int>(group->second.size());
+    if (condition.max_count() > 0 && there > condition.max_count())
+      return fmt::format("that can be done for {}, and the room has {}", condition.max_count(), there);
+    if (condition.min_count() > 1) return "the room does not have that many of them";
     return "the room has no such wall or pair of pieces";
   }
 

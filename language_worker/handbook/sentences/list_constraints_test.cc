@@ -104,6 +104,43 @@ TEST(ListConstraints, PlacesThatBriefsAskForCarryTheirMeaning) {
   }
 }
 
+// The text, reason and meaning of the sentences that a brief asks for.
+std::vector<v1::Sentence> AskedFor(const char* text) {
+  std::vector<v1::Sentence> asked;
+  const Design design = Ask(text, 0);
+  for (const v1::Sentence& sentence : design.constraints.sentences()) {
+    if (sentence.origin() == v1::SENTENCE_ORIGIN_BRIEF) asked.push_back(sentence);
+  }
+  return asked;
+}
+
+TEST(ListConstraints, PlacesGiveTheWordsOfTheBriefForTheirReason) {
+  const std::vector<v1::Sentence> asked = AskedFor(
+      "A dining room 5 x 5 m, door on the south wall, a garden door on the north wall, table near the garden "
+      "door.");
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked[0].reason(), "the brief asks for \"table near the garden door\"");
+  EXPECT_FALSE(asked[0].has_meaning()) << "which door it is stands in its words";
+}
+
+TEST(ListConstraints, WhatStandsBetweenTwoKeepsThemOutOfARow) {
+  std::string all;
+  for (const v1::Sentence& sentence :
+       AskedFor("A bedroom 4 x 5 m with two single beds side by side and a chest of drawers between them."))
+    all += sentence.text() + "\n";
+  EXPECT_EQ(all.find("in a row"), std::string::npos) << all;
+}
+
+TEST(ListObjects, SeatsOfSeveralTablesAreToldTogether) {
+  const Design design =
+      Ask("A cafe 7 x 6 m with six small round tables with two chairs each and one table for eight.", 0);
+  const auto chairs = std::ranges::count(design.objects.objects(), "dining chair", &v1::Object::name);
+  const bool told = std::ranges::any_of(design.objects.diagnostics(), [](const v1::Diagnostic& remark) {
+    return remark.code() == "fewer_than_asked" && remark.message().find("dining chair") != std::string::npos;
+  });
+  EXPECT_EQ(told, chairs < 20) << chairs;
+}
+
 TEST(ListConstraints, OneOfSeveralDoorsAndWindowsIsNamed) {
   const auto asked = [](const char* text) {
     std::string sentences;
@@ -130,7 +167,8 @@ TEST(ListConstraints, PlacesOfSeveralAreSharedOut) {
     for (const v1::Sentence& sentence : design.constraints.sentences()) all += sentence.text() + "\n";
     return all;
   };
-  const std::string shelves = said("A bookshop, 4 by 11 m, door in the south, with four bookshelves on both long walls.");
+  const std::string shelves =
+      said("A bookshop, 4 by 11 m, door in the south, with four bookshelves on both long walls.");
   for (const char* wall : {"first bookshelf's back is against the east", "fourth bookshelf's back is against the west"})
     EXPECT_THAT(shelves, testing::HasSubstr(wall));
   EXPECT_THAT(said("A barber shop, 4.5 x 6 m, door in the north, with four barber chairs along the east wall."),

@@ -34,7 +34,10 @@ TEST(Between, HoldsOnTheLineWhateverTheHeadings) {
 
 TEST(Between, OffsetBeyondAQuarterOfTheShorterSideIsSquared) { EXPECT_NEAR(Between("3,2.5,0"), 0.1225, 1e-12); }
 
-TEST(Between, BeyondANeighbourIsNotBetween) { EXPECT_NEAR(Between("0.5,2,0"), 0.64, 1e-12); }
+TEST(Between, BesideTheMiddleHalfIsNotBetween) {
+  EXPECT_NEAR(Between("0.5,2,0"), 2.25, 1e-12);
+  EXPECT_NEAR(Between("1.5,2,0"), 0.25, 1e-12);
+}
 
 TEST(Between, NeighboursMayBeNamedInAnyOrder) {
   for (const char* at : {"3,2.5,0", "0.5,2,0", "5.5,3,0"}) {

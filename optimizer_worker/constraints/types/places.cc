@@ -55,9 +55,9 @@ BoundCost BindAwayFrom(const Arguments& a, const BindContext& context) {
 // Puts an object between two others.
 //   cost = max(|lateral| - play, 0)^2 + max(-s_1, 0)^2 + max(-s_2, 0)^2                                        [m2]
 //   lateral  distance of its centre from the line through the centres of the two;  play  a quarter of its shorter side
-//   s_1, s_2 how far its centre is from either, along that line, less half its shorter side
-// Zero exactly when its centre lies on the way from one to the other. The released io_between asks it to touch both,
-// with all three facing the same way (SEMANTICS.md section 4).
+//   s_1, s_2 how far its centre is from either, along that line, less a quarter of the line or half its shorter side
+// Zero exactly when its centre lies over the middle half of the way from one to the other. The released io_between asks
+// it to touch both, with all three facing the same way (SEMANTICS.md section 4).
 struct Between {
   static constexpr int kObjects = 3;
   static constexpr bool kOnlyRelative = true;
@@ -74,8 +74,9 @@ struct Between {
     if (ValueOf(length) < kNoWay_m) return SquaredNorm(from_first) + T(shorter * shorter / 4);
     const T along = Dot(from_first, way) / length;
     const T lateral = Cross(way, from_first) / length;
-    return SquaredOutside(lateral, -shorter / 4, shorter / 4) + SquaredHinge(shorter / 2 - along) +
-           SquaredHinge(along - length + shorter / 2);
+    const T margin = ValueOf(length) > 2 * shorter ? length / 4 : T(shorter / 2);
+    return SquaredOutside(lateral, -shorter / 4, shorter / 4) + SquaredHinge(margin - along) +
+           SquaredHinge(along - length + margin);
   }
 };
 

@@ -230,8 +230,10 @@ struct Central {
 
   template <typename T>
   T operator()(const Frames<T, 1>& frames) const {
-    const auto outside = [](const T& x, double low, double high) {
-      return SquaredOutside(x, low + (high - low) / 3, high - (high - low) / 3);
+    // What is in the middle of a room on both axes is seen to be so.
+    const double beside = both ? 5.0 / 12 : 1.0 / 3;
+    const auto outside = [beside](const T& x, double low, double high) {
+      return SquaredOutside(x, low + (high - low) * beside, high - (high - low) * beside);
     };
     const T across = outside(frames[0].center.x, box.min.x, box.max.x);
     const T along = outside(frames[0].center.y, box.min.y, box.max.y);
@@ -241,7 +243,7 @@ struct Central {
 };
 
 std::optional<Shortfall> CentralShortfall(const PlacedCall& call) {
-  return Worst({OffBy(call.NameOf("object"), "the middle third of the room", call.CostRoot())});
+  return Worst({OffBy(call.NameOf("object"), "the middle of the room", call.CostRoot())});
 }
 
 BoundCost BindCentral(const Arguments& a, const BindContext& context) {
