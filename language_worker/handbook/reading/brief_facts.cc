@@ -288,9 +288,6 @@ class BriefReader {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
       if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
-      // "Wall space for three guitars" is for nobody.
-      if (found > 0 && i + length < used_.size() && used_[i + length] && BriefText(tokens_).IsWord(i + length))
-        continue;
       if (AsksForFew(BriefText(tokens_), i)) continue;  // "not too many plants" makes nobody a gardener
       number = found;
       return true;
