@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A recorded room as typed answers to the questions of a design.
 
-What the recording has no figure for (heights) is the handbook's, and so is the style: an answer without looks is
-completed by the design. Nothing else is added."""
+What the recording has no figure for (heights) is the handbook's, and so are looks that it does not tell, by which the
+design completes an answer. Nothing else is added."""
+
+import re
 
 from call_sentences import find_calls, pass_of_prompt
-from handbook import height_of, kind_of_room, turned
-from lists import Conversion, Place, Sentence, read_constraints, read_places
+from handbook import colour_in, height_of, kind_of_room, turned
+from lists import Conversion, Place, Sentence, read_constraints, read_looks, read_places
 from names import Names, Thing, singular
 from prompts import PromptIds, read_listed
 from room import Room
@@ -34,7 +36,8 @@ class Answers:
         self._turned = turned(room.brief, room.width_m, room.depth_m)
 
     def to(self, form: str, prompt: str) -> dict:
-        """The answer of that form, which is the name of its schema, to a question."""
+        """The answer of that form, which is the name of its schema, to a question. It has all that the schema requires:
+        who leaves something out is told the schema in every prompt from then on."""
         return getattr(self, f"_{form}")(prompt)
 
     def _conversion(self, step: str) -> Conversion:
@@ -53,8 +56,8 @@ class Answers:
         sockets = [{"wall": self._wall(socket["wall"]), "position": self._position(socket["wall"], socket["offset_m"])}
                    for socket in room.sockets]
         width_m, depth_m = reversed(size) if self._turned else size
-        return {"room_type": kind_of_room(room.brief), "width_m": width_m, "depth_m": depth_m, "openings": openings,
-                "sockets": sockets}
+        return {"room_type": kind_of_room(room.brief), "width_m": width_m, "depth_m": depth_m, "height_m": None,
+                "openings": openings, "sockets": sockets}
 
     def _wall(self, wall: str) -> str:
         return _WALL_WHEN_TURNED[wall] if self._turned else wall
@@ -81,7 +84,7 @@ class Answers:
                 same.append(thing)
         return {"objects": [{"name": _name_for(thing, len(group)), "zone": thing.zone,
                              "primary": thing.role == "primary", "count": len(group), **_size_of(thing)}
-                            for group in groups for thing in group[:1]]}
+                            for group in groups for thing in group[:1]], "left_out": []}
 
     def _tertiaries_answer(self, prompt: str) -> dict:
         conversion, things = self._conversion("tertiaries"), self.room.tertiaries
@@ -158,8 +161,15 @@ class Answers:
         """The sentences are those that the recorded model had cleaned."""
         return {"changes": []}
 
-    def _style_answer(self, _: str) -> dict:
-        return {"name": "recorded", "summary": "As the handbook has it.", "palette": [], "surfaces": [], "looks": []}
+    def _style_answer(self, prompt: str) -> dict:
+        listed = re.search(r"To be described, each once:\n(.*)", prompt)
+        subjects, surfaces = listed[1].split(", ") if listed else [], ["walls", "floor"]
+        looks = read_looks(self.room.texts.get("style", ""), [*surfaces, *subjects], colour_in)
+        finishes = {name: {"material": said[:100], "colour": colour_in(said)} for name, said in looks.items()}
+        return {"name": "recorded", "summary": "As the model wrote it.",
+                "palette": list(dict.fromkeys(finish["colour"] for finish in finishes.values()))[:4],
+                "surfaces": [{"surface": name, **finishes[name]} for name in surfaces if name in finishes],
+                "looks": [{"of": [name], **finishes[name]} for name in subjects if name in finishes]}
 
     def _calls_answer(self, prompt: str) -> dict:
         return find_calls(self.room, prompt, self._conversion(f"translation.{pass_of_prompt(prompt)}"))

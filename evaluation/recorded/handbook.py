@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What no recording tells, from the handbook's data: how high furniture is, and what kind of room a brief asks for."""
+"""What no recording tells, from the handbook's data: how high furniture is, what kind of room a brief asks for, and
+which words are colours."""
 
 import re
 from functools import cache
@@ -60,6 +61,21 @@ def kind_of_room(brief: str) -> str:
     named = [(text.index(f" {_plain(name)} "), -len(name), names[0]) for names, _ in _entries("archetypes")
              for name in names if f" {_plain(name)} " in text]
     return min(named)[2] if named else "room"
+
+
+@cache
+def _colours() -> re.Pattern[str]:
+    text = "".join(path.read_text(encoding="utf-8") for path in sorted(_DATA.glob("*.textproto")))
+    entries = re.findall(r"^colours \{([^}]*)\}", text, re.MULTILINE)
+    names = {name for entry in entries for name in re.findall('"(.*?)"', entry) if not name.startswith("#")}
+    # The longest first: "off-white" before "white".
+    return re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted(names, key=len, reverse=True)))})\b")
+
+
+def colour_in(text: str) -> str:
+    """The first colour that a text names; empty when it names none."""
+    found = _colours().search(text.lower())
+    return found[0] if found else ""
 
 
 def turned(brief: str, width_m: float, depth_m: float) -> bool:

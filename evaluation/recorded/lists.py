@@ -209,6 +209,21 @@ def read_constraints(source: str, text: str, intra: bool, names: Names, zones: l
     return _Constraints(source, intra, names, zones, conversion).read(text)
 
 
+def read_looks(text: str, subjects: list[str], colour_in: Callable[[str], str]) -> dict[str, str]:
+    """By subject, what is said of its colour: the first line that has one, among the line that names the subject and
+    those under it."""
+    lines, looks = _outline(text), {}
+    for subject in subjects:
+        named = Names([Thing(subject, subject, "", "")])
+        for i, line in enumerate(lines):
+            below = next((k for k in range(i + 1, len(lines)) if lines[k].depth <= line.depth), len(lines))
+            said = [one.text for one in lines[i:below] if colour_in(one.text)] if named.find(line.text) else []
+            if said:
+                looks[subject] = said[0][len(_label_of(said[0])):].lstrip(": ")
+                break
+    return looks
+
+
 @dataclass
 class _Item:
     """An item of a list: what it is called, what is said of its place, the heading that it stands under."""

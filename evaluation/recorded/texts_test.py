@@ -11,8 +11,8 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1] / "flairgpt")]
 
 from answers import Answers  # noqa: E402
-from handbook import height_of, kind_of_room, turned  # noqa: E402
-from lists import Conversion, read_constraints, read_places  # noqa: E402
+from handbook import colour_in, height_of, kind_of_room, turned  # noqa: E402
+from lists import Conversion, read_constraints, read_looks, read_places  # noqa: E402
 from names import Names, Thing, find_zone, likeness, name_key, split_sentences  # noqa: E402
 from prompts import read_asked, read_listed  # noqa: E402
 from room import BadRoom, Call, Room, is_rug, read_problem  # noqa: E402
@@ -160,6 +160,13 @@ class Handbook(unittest.TestCase):
         self.assertEqual(height_of(thing("gizmo", role="tertiary", kind="wall")), 0.5)
         self.assertEqual(kind_of_room("A green, small, boho dining room."), "dining room")
         self.assertEqual(kind_of_room("A thing."), "room")
+
+    def test_looks_are_told_under_the_name_of_what_has_them(self) -> None:
+        text = ("**Walls:**\n- **Covering:** Paper.\n- **Colour:** Sage green\n\n1. **Desk**\n"
+                "   - **Colour**: Dark brown\n2. **Nightstand 1 & 2:** Off-white.\n3. **Rug**\n   - Soft.\n")
+        self.assertEqual(read_looks(text, ["walls", "desk", "nightstand", "rug"], colour_in),
+                         {"walls": "Sage green", "desk": "Dark brown", "nightstand": "Off-white."})
+        self.assertEqual(colour_in("Off-white."), "off-white")
 
     def test_a_room_may_be_recorded_the_other_way_round(self) -> None:
         self.assertTrue(turned("A washroom, 3m x 2m.", 2, 3))
