@@ -38,7 +38,7 @@ std::unique_ptr<Cost> InBounds(const Scene& scene, int object);
 // Penetration^2 into swings and passages [m2]. Null when there is no door or the object is
 // above or walked over.
 std::unique_ptr<Cost> DoorClear(const Scene& scene, int object);
-// sin^2(2 theta) / 5.
+// sin^2(2 theta) / 5. Null for what stands around something round.
 std::unique_ptr<Cost> Aligned(const Scene& scene, int object);
 // Squared distance from the nearest wall beyond half a diagonal and 0.5 m [m2].
 std::unique_ptr<Cost> WallAttraction(const Scene& scene, int object);

@@ -203,7 +203,8 @@ void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number
 
 void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, double size) {
   const double y = row.y1 - 0.85 * size;
-  if (zone >= 0) {
+  const bool tinted = zone >= 0 && plan.layers.zones;
+  if (tinted) {
     canvas.Rectangle({row.x0 + 1.2, y - 1.7, row.x0 + 4.6, y + 1.7}, 0.5);
     canvas.Fill(Mix(kWhite, plan.zones[zone].tint, 0.55), 1, true);
     canvas.Draw({LineColourFor(plan.zones[zone].tint), 0.18});
@@ -211,7 +212,7 @@ void DrawZoneRow(Canvas& canvas, const Plan& plan, int zone, const Box& row, dou
   const TextBlock text{Capital(zone < 0 ? "whole room" : plan.zones[zone].name),
                        {.size_mm = size, .colour = kPanelInk, .bold = true},
                        row.width() - 8};
-  DrawText(canvas, text, {row.x0 + (zone < 0 ? 1.2 : 7), y - Measure(canvas, text).height / 2});
+  DrawText(canvas, text, {row.x0 + (tinted ? 7 : 1.2), y - Measure(canvas, text).height / 2});
 }
 
 constexpr double kPitchMm = 5.5, kLeastPitchMm = 3.7;

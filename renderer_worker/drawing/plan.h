@@ -46,7 +46,7 @@ bool HasSymbol(std::string_view name);
 struct PlanLayers {
   bool floor_pieces = true;
   bool tertiary = true;
-  bool zones = true;
+  bool zones = false;
   bool dimensions = true;
   bool constraints = false;
   bool circulation = false;

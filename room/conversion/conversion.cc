@@ -84,6 +84,7 @@ Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
           .rim_sides_m = message.rim_sides_m(),
           .rim_ends_m = message.rim_ends_m(),
           .walk_over = message.walk_over(),
+          .round = message.round(),
           .category = message.category(),
           .host = -1};
 }
@@ -101,6 +102,7 @@ void ObjectToProto(const Object& object, const Scene& scene, v1::Object& message
   message.set_rim_sides_m(object.rim_sides_m);
   message.set_rim_ends_m(object.rim_ends_m);
   message.set_walk_over(object.walk_over);
+  message.set_round(object.round);
   message.set_category(object.category);
   if (object.host >= 0) message.set_host_id(scene.objects[static_cast<size_t>(object.host)].id);
 }
@@ -118,6 +120,21 @@ void MarkAtWindows(const v1::LayoutGraph& graph, Scene& scene) {
       if (object < 0) continue;
       Object& what = scene.objects[static_cast<size_t>(object)];
       what.at_window = what.kind == ObjectKind::kWall;
+    }
+  }
+}
+
+// Seats that are called round a round table.
+void MarkAtRound(const v1::LayoutGraph& graph, Scene& scene) {
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    if (edge.type() != "surround") continue;
+    const auto center = std::ranges::find(edge.arguments(), "center", &v1::Argument::name);
+    const int table = center == edge.arguments().end() ? -1 : scene.IndexOf(center->value().text());
+    if (table < 0 || !scene.objects[static_cast<size_t>(table)].round) continue;
+    for (const v1::Argument& argument : edge.arguments()) {
+      for (const std::string& id : argument.value().texts().items()) {
+        if (const int seat = scene.IndexOf(id); seat >= 0) scene.objects[static_cast<size_t>(seat)].at_round = true;
+      }
     }
   }
 }
@@ -188,6 +205,7 @@ absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
     if (!host.empty()) scene.objects[static_cast<size_t>(i)].host = scene.IndexOf(host);
   }
   MarkAtWindows(graph, scene);
+  MarkAtRound(graph, scene);
   return scene;
 }
 

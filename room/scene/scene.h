@@ -41,6 +41,9 @@ struct Object {
   double rim_ends_m = 0;
   // A rug, a mat, a carpet: never collides.
   bool walk_over = false;
+  bool round = false;
+  // Has a place at something round, so that it stands square to no wall.
+  bool at_round = false;
   std::string category;
   // Index in Scene::objects of what it stands on or is attached to, -1 for none.
   int host = -1;

@@ -23,7 +23,7 @@ struct Reference {
   std::string_view field;
   std::string_view kind;
 };
-constexpr std::array<Reference, 44> kReferences = {{
+constexpr std::array<Reference, 45> kReferences = {{
     {"Furniture.hosts", "furniture"},
     {"Furniture.smaller", "furniture"},
     {"Furniture.zone_hints", "zone"},
@@ -38,6 +38,7 @@ constexpr std::array<Reference, 44> kReferences = {{
     {"ObjectEntry.zone", "zone"},
     {"ZoneSpec.primaries", "furniture"},
     {"Relation.targets", "furniture"},
+    {"Relation.target_categories", "category"},
     {"Relation.object", "furniture"},
     {"Condition.rooms", "archetype"},
     {"Condition.with", "furniture"},

@@ -90,6 +90,22 @@ void Lay(const hb::Handbook& part, hb::Handbook& merged) {
   merged.Swap(&all);
 }
 
+// Names the classes of the categories that sentences are about.
+void NameTargets(hb::Handbook& handbook) {
+  const auto name = [&handbook](hb::Relation& relation) {
+    for (const std::string& category : relation.target_categories()) {
+      for (const hb::Furniture& furniture : handbook.furniture()) {
+        const auto& named = relation.targets();
+        const bool further = std::find(named.begin(), named.end(), furniture.name()) == named.end();
+        if (furniture.category() == category && further) relation.add_targets(furniture.name());
+      }
+    }
+  };
+  for (hb::Furniture& furniture : *handbook.mutable_furniture())
+    std::ranges::for_each(*furniture.mutable_relations(), name);
+  for (hb::GeneralRule& rule : *handbook.mutable_general_rules()) name(*rule.mutable_relation());
+}
+
 }  // namespace
 
 absl::StatusOr<HandbookFindings> CheckHandbook(const fs::path& folder, const std::vector<fs::path>& overlays) {
@@ -121,6 +137,7 @@ absl::StatusOr<HandbookFindings> CheckHandbook(const fs::path& folder, const std
   }
   if (findings.faults.empty()) CheckFiles(files, findings);
   if (findings.faults.empty()) {
+    NameTargets(merged);
     findings.handbook =
         std::make_unique<const Handbook>(std::move(merged), runtime::Sha256Hex(digest_input).substr(0, 16));
   }

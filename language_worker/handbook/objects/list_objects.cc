@@ -188,6 +188,7 @@ class ObjectLister {
     object.set_kind(furniture.kind() == hb::FURNITURE_KIND_UNSPECIFIED ? v1::OBJECT_KIND_FLOOR
                                                                        : static_cast<v1::ObjectKind>(furniture.kind()));
     object.set_walk_over(furniture.walk_over());
+    object.set_round(furniture.round());
     object.set_category(furniture.category());
     object.set_rim_sides_m(furniture.rim_sides_m());
     object.set_rim_ends_m(furniture.rim_ends_m());

@@ -83,9 +83,14 @@ std::vector<HostedPiece> Sharer::Share(const ProgramItem& item) {
 bool Sharer::FindHosts(const ProgramItem& item, std::vector<const v1::Object*>& hosts) const {
   const bool on_surface = item.furniture->kind() == hb::FURNITURE_KIND_SURFACE;
   if (FindToldHosts(*item.furniture, hosts)) return true;
-  const std::vector<std::string> classes = HostClasses(item, program_);
+  std::vector<std::string> classes = HostClasses(item, program_);
+  // What was asked for stands where its class may, wherever the room usually has it.
+  if (item.requested && on_surface) {
+    for (const std::string& host : WithSubstitutes(item.furniture->hosts(), program_)) classes.push_back(host);
+  }
   for (const std::string& name : classes) {
-    if (IsRoomWord(name)) return !on_surface && (name != "window" || !windows_.empty());
+    if (IsRoomWord(name) && on_surface) continue;
+    if (IsRoomWord(name)) return name != "window" || !windows_.empty();
     for (const v1::Object& object : pieces_.objects()) {
       const auto wall = free_wall_m_.find(object.id());
       const bool behind_window = item.furniture->kind() == hb::FURNITURE_KIND_WALL && wall != free_wall_m_.end() &&

@@ -46,6 +46,7 @@ class Grouper {
     for (ProgramItem& seat : program_.floor_items) Attach(seat);
     for (ProgramItem& seat : program_.floor_items) SuitHeight(seat);
     for (ProgramItem& host : program_.floor_items) SeatPeople(host);
+    for (std::size_t i = 1; i < program_.floor_items.size(); ++i) PartTables(i);
     for (const hb::Rows& rows : program_.archetype->rows()) SplitRows(rows);
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SplitTables(i);
   }
@@ -150,6 +151,28 @@ class Grouper {
       if (!rows.purpose().empty()) zones.back().add_purposes(rows.purpose());
     }
     Split(static_cast<std::size_t>(item - program_.floor_items.begin()), across, zones);
+  }
+
+  // Tables of two kinds with the same chairs: those of the second have a zone of their own with it.
+  void PartTables(std::size_t i) {
+    ProgramItem& host = program_.floor_items[i];
+    ProgramItem* seats = SeatsOf(host);
+    const auto sits_there = [&](const ProgramItem& other) {
+      const ProgramItem* theirs = SeatsOf(other);
+      return other.zone == host.zone && other.furniture != host.furniture && IsTable(*other.furniture) &&
+             theirs != nullptr && theirs->furniture == seats->furniture;
+    };
+    const auto end = program_.floor_items.begin() + static_cast<std::ptrdiff_t>(i);
+    if (seats == nullptr || !IsTable(*host.furniture) || std::none_of(program_.floor_items.begin(), end, sits_there))
+      return;
+    const auto zone = std::ranges::find(program_.zones, host.zone, &hb::ZoneSpec::name);
+    if (zone == program_.zones.end()) return;
+    hb::ZoneSpec own = *zone;
+    own.clear_primaries();
+    own.add_primaries(host.furniture->name());
+    for (int number = 2; HasZone(program_, own.name()); ++number) own.set_name(fmt::format("{} {}", host.zone, number));
+    seats->zone = host.zone = own.name();
+    program_.zones.insert(zone + 1, own);
   }
 
   // Many desks stand in islands, face to face and side by side, rather than along walls, unless the brief says where.

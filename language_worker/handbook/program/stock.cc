@@ -61,15 +61,36 @@ class StockKeeper {
       }
     }
     int left = alone * share_ / kSaysAll;
+    const std::vector<ProgramItem> all = program_.floor_items;
     std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
-      if (IsNeeded(item) || brought.contains(item.furniture)) return false;
-      return IsTableForOthers(item) || left-- <= 0;
+      if (IsNeeded(item) || brought.contains(item.furniture) || IsSmallThingBeside(item, all)) return false;
+      return IsTableForOthers(item) || IsLargeAmongNamed(item) || left-- <= 0;
     });
     const std::vector<ProgramItem> kept = program_.floor_items;
     std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
       return !IsNeeded(item) && brought.contains(item.furniture) &&
              std::ranges::none_of(kept, [&](const ProgramItem& host) { return Brings(host, item, program_); });
     });
+  }
+
+  // The lamp and the little table beside an armchair that was asked for change no room, and it lacks them.
+  bool IsSmallThingBeside(const ProgramItem& item, const std::vector<ProgramItem>& all) const {
+    constexpr double kSmallM2 = 0.26;
+    const hb::Furniture& piece = *item.furniture;
+    if (nothing_else_ || piece.width_m().typical() * piece.depth_m().typical() > kSmallM2) return false;
+    return std::ranges::any_of(all, [&](const ProgramItem& host) {
+      return host.requested && std::ranges::any_of(piece.relations(), [&](const hb::Relation& relation) {
+               return relation.use() && Includes(relation.targets(), host.furniture->name());
+             });
+    });
+  }
+
+  // A television that nobody asked for takes the place before the fire from what was.
+  bool IsLargeAmongNamed(const ProgramItem& item) const {
+    constexpr double kLargeM2 = 0.5;
+    constexpr int kSaysMost = 2;
+    return share_ < kSaysAll - kSaysMost &&
+           item.furniture->width_m().typical() * item.furniture->depth_m().typical() > kLargeM2;
   }
 
   // Who asks for three stools at an island eats there: no other table.

@@ -120,19 +120,17 @@ bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object&
       return true;
     }
   }
-  for (const std::string& name : WithSubstitutes(relation.targets(), program_)) {
-    const auto group = groups_.find(name);
-    if (group == groups_.end()) continue;
-    // Partners of the same zone come first; others only when there are none.
-    for (const v1::Object* target : group->second) {
-      if (target->zone_id() == object.zone_id() && target->id() != object.id()) targets.push_back(target);
-    }
-    if (targets.empty()) {
+  // Partners of the same zone come first, of whatever class; others only when there are none.
+  const std::vector<std::string> names = WithSubstitutes(relation.targets(), program_);
+  for (const bool near : {true, false}) {
+    for (const std::string& name : names) {
+      const auto group = groups_.find(name);
+      if (group == groups_.end()) continue;
       for (const v1::Object* target : group->second) {
-        if (target->id() != object.id()) targets.push_back(target);
+        if (target->id() != object.id() && (!near || target->zone_id() == object.zone_id())) targets.push_back(target);
       }
+      if (!targets.empty()) return true;
     }
-    if (!targets.empty()) return true;
   }
   return false;
 }

@@ -55,10 +55,12 @@ BoundCost BindAwayFromFeature(const Arguments& a, const BindContext& context) {
 
 // Keeps an object out of the space that a door, window or socket needs.
 //   cost = sum over areas of depth^2                                                                         [m2]
-//   areas  door: swing and passage (DoorAreas); window: its width, 0.5 m into the room; socket: 0.15 m wide,
-//   0.1 m depth  shortest push out of the area that does not go through the wall
+//   areas  door: swing and 1.2 m of passage (DoorAreas), for one steps in; window: its width, 0.5 m into the room;
+//          socket: 0.15 m wide, 0.1 m deep
+//   depth  shortest push out of the area that does not go through the wall
 // Zero exactly when nothing is blocked. An object of known height that ends below a window's sill never blocks it. The
 // released ind_not_block_fixed_object jumps at contact, ignores sockets and knows no heights (SEMANTICS.md section 3).
+constexpr double kStepIn_m = 1.2;
 constexpr double kWindowDepth_m = 0.5;
 constexpr double kSocketWidth_m = 0.15;
 constexpr double kSocketDepth_m = 0.1;
@@ -93,11 +95,11 @@ std::vector<ConvexPiece> AreasOf(const Scene& scene, int object, const RoomFeatu
     if (opening.kind == OpeningKind::kWindow) return WindowAreas(scene, object, feature);
     Room alone = scene.room;
     alone.openings = {opening};
-    return DoorAreas(alone);
+    return DoorAreas(alone, kStepIn_m);
   }
   switch (feature.kind) {
     case FeatureKind::kDoor:
-      return DoorAreas(scene.room);
+      return DoorAreas(scene.room, kStepIn_m);
     case FeatureKind::kWindow:
       return WindowAreas(scene, object, feature);
     case FeatureKind::kSocket:

@@ -113,9 +113,10 @@ size_t PositionOf(const std::vector<int>& sorted, int object) {
 //   f, n        the seat's front direction and the side's outward normal
 // Places: one on every side of the centre object that has room for a seat, long sides first (two seats: the two long
 // sides), the rest where most length is left; evenly spread along each side, play a quarter of the spare width. Seats
-// take the places that cost least together. Zero exactly when every seat is at a place of its own and faces the centre
-// object. Sides are judged where the centre object is now: the cost may jump when it comes too near to a wall. The
-// released io_surround deals places in list order round a stale pose (SEMANTICS.md section 4).
+// take the places that cost least together. Round what is round the places are evenly spread, the first before its
+// front or, where that has no room, half a place further. Zero exactly when every seat is at a place of its own and
+// faces the centre object. Sides are judged where the centre object is now: the cost may jump when it comes too near to
+// a wall. The released io_surround deals places in list order round a stale pose (SEMANTICS.md section 4).
 
 class SurroundCost final : public Cost {
  public:
@@ -123,7 +124,10 @@ class SurroundCost final : public Cost {
 
   // At most kMaxSeats seats.
   SurroundCost(const Scene& scene, int center, const std::vector<int>& seats)
-      : objects_(seats), table_(scene.objects[static_cast<size_t>(center)].footprint), floor_(scene.room.floor) {
+      : objects_(seats),
+        table_(scene.objects[static_cast<size_t>(center)].footprint),
+        round_(scene.objects[static_cast<size_t>(center)].round),
+        floor_(scene.room.floor) {
     objects_.push_back(center);
     std::ranges::sort(objects_);
     center_ = PositionOf(objects_, center);
@@ -163,7 +167,9 @@ class SurroundCost final : public Cost {
 
  private:
   struct Place {
-    Side side;
+    // Outward, in the frame of the centre object, and how far its edge is that way.
+    Vec2<double> normal;
+    double reach_m;
     // Along the side from its middle.
     double along_m;
     double play_m;
@@ -180,10 +186,14 @@ class SurroundCost final : public Cost {
                                            : std::array<Side, 4>{Side::kLeft, Side::kRight, Side::kFront, Side::kBack};
     std::array<bool, 4> free{};
     int free_count = 0;
+    Places places;
+    if (round_) {
+      if (!SpreadEvenly(center, 0, places) && !SpreadEvenly(center, 0.5, places)) SpreadEvenly(center, 0, places);
+      return places;
+    }
     for (size_t k = 0; k < 4; ++k) free_count += free[k] = HasRoom(center, order[k]);
     if (free_count == 0) free.fill(true), free_count = 4;
 
-    Places places;
     if (seats == 2 && free[0] && free[1]) free[2] = free[3] = false, free_count = 2;
     std::array<int, 4> counts{};
     for (size_t k = 0; k < 4; ++k) counts[k] = free[k];
@@ -198,6 +208,21 @@ class SurroundCost final : public Cost {
     for (size_t k = 0; k < 4; ++k) AddPlaces(order[k], counts[k], places);
     return places;
   }
+  // False where one of the places has no room.
+  bool SpreadEvenly(const Frame<double>& center, double start, Places& places) const {
+    const double radius_m = std::min(table_.width_m, table_.depth_m) / 2;
+    const double turn = 2 * kPi / static_cast<double>(seats_.size());
+    bool room = true;
+    places.count = 0;
+    for (size_t i = 0; i < seats_.size(); ++i) {
+      const double angle = kPi / 2 + (static_cast<double>(i) + start) * turn;
+      const Vec2<double> normal{std::cos(angle), std::sin(angle)};
+      const double outer_m = radius_m + shallowest_m_;
+      room = room && floor_.SquaredExcess(center.ToRoom(outer_m * normal.x, outer_m * normal.y)) == 0;
+      places.items[static_cast<size_t>(places.count++)] = {normal, radius_m, 0, 0.02};
+    }
+    return room;
+  }
   bool HasRoom(const Frame<double>& center, Side side) const {
     const Vec2<double> outer = MiddleOf(table_, center, side) + shallowest_m_ * NormalOf(center, side);
     return floor_.SquaredExcess(outer) == 0;
@@ -205,7 +230,8 @@ class SurroundCost final : public Cost {
   void AddPlaces(Side side, int count, Places& places) const {
     const double spacing = SideLength(table_, side) / count;
     for (int i = 0; i < count; ++i) {
-      places.items[static_cast<size_t>(places.count++)] = {side, (i + 0.5 - count / 2.0) * spacing,
+      places.items[static_cast<size_t>(places.count++)] = {LocalNormal(side), ExtentBehind(table_, side) / 2,
+                                                           (i + 0.5 - count / 2.0) * spacing,
                                                            std::max(0.0, (spacing - widest_m_) / 4)};
     }
   }
@@ -259,12 +285,12 @@ class SurroundCost final : public Cost {
   }
   template <typename T>
   T SeatCost(const Frame<T>& center, const Frame<T>& seat, const Footprint& footprint, const Place& place) const {
-    const Vec2<double> n = LocalNormal(place.side);
+    const Vec2<double>& n = place.normal;
     const Vec2<T> front = center.ToObject(MiddleOf(footprint, seat, Side::kFront));
-    const T gap = n.x * front.x + n.y * front.y - ExtentBehind(table_, place.side) / 2;
+    const T gap = n.x * front.x + n.y * front.y - place.reach_m;
     const T along = n.x * front.y - n.y * front.x;
     return SquaredOutside(gap, 0, kAir_m) + SquaredOutside(along - place.along_m, -place.play_m, place.play_m) +
-           (Dot(seat.front, NormalOf(center, place.side)) + 1.0);
+           (Dot(seat.front, n.x * center.right + n.y * center.front) + 1.0);
   }
 
   std::vector<int> objects_;
@@ -272,6 +298,7 @@ class SurroundCost final : public Cost {
   size_t center_ = 0;
   std::vector<size_t> seats_;
   Footprint table_;
+  bool round_;
   std::vector<Footprint> footprints_;
   double widest_m_ = 0;
   double shallowest_m_ = 0;

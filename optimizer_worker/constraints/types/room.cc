@@ -175,6 +175,7 @@ constexpr ConstraintCode kRoomCode[] = {
 }  // namespace
 
 std::unique_ptr<Cost> Aligned(const Scene& scene, int object) {
+  if (scene.objects[static_cast<size_t>(object)].at_round) return nullptr;
   AlignedFormula formula{{1, 0}};
   double longest = 0;
   for (const Wall& wall : scene.room.walls) {
