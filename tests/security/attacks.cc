@@ -79,6 +79,12 @@ bool Sockets::Connect(const std::string& address, const std::string& source) {
 
 bool Sockets::SendToLast(const std::string& bytes) { return !files_.empty() && SendTo(files_.back(), bytes); }
 
+bool Sockets::SendAllToLast(const std::string& bytes) {
+  const timeval limit = {.tv_sec = 5, .tv_usec = 0};
+  ::setsockopt(files_.back(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
+  return ::send(files_.back(), bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
+}
+
 int Sockets::SendToAll(const std::string& bytes) {
   int sent = 0;
   for (const int file : files_) sent += SendTo(file, bytes) ? 1 : 0;

@@ -28,6 +28,8 @@ class Sockets {
   bool Connect(const std::string& address, const std::string& source = "127.0.0.1");
   // Sends to the one that was connected last; whether it took it.
   bool SendToLast(const std::string& bytes);
+  // The same of more than fits into a socket; false when it is hung up on, or not read for seconds.
+  bool SendAllToLast(const std::string& bytes);
   // Sends to all that are open; how many took it.
   int SendToAll(const std::string& bytes);
   // Waits until the other side has closed all of them, at most so long; how many are still open.

@@ -180,6 +180,28 @@ TEST(Flood, HeadersThatNeverEndTakeNoThread) {
   EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
 }
 
+// gRPC keeps headers until they end, however many there are. Frames of 16 KB, each one header.
+TEST(Flood, HeadersThatNeverEndDoNotPileUp) {
+  PlainOptimizer optimizer;
+  const std::string field = std::string("\0\1x\x7f\x81\x7c", 6) + std::string(16000, 'a');
+  const std::string frame = std::string("\0\x3e\x86\x9\0\0\0\0\1", 9) + field;
+  std::vector<std::future<void>> attackers;
+  for (int i = 0; i < 10; ++i) {
+    attackers.push_back(std::async(std::launch::async, [&, i] {
+      Sockets endless;
+      ASSERT_TRUE(endless.Connect(optimizer.address(), fmt::format("127.0.0.{}", 2 + i)));
+      endless.SendToLast(kPreface + kEndlessHeaders);
+      for (int i = 0; i < 20'000 && endless.SendAllToLast(frame); ++i) continue;
+    }));
+  }
+  Innocent innocent(optimizer.address());
+  for (auto& attacker : attackers) attacker.wait();
+  innocent.Stop();
+  EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
+  fmt::print("{} MiB\n", PeakMib(optimizer.process()));
+  EXPECT_LT(PeakMib(optimizer.process()), 300);
+}
+
 TEST(Flood, WhoAsksAllTheTimeWhetherWeAreThereIsSentAway) {
   PlainOptimizer optimizer;
   Sockets nervous;

@@ -2,16 +2,19 @@
 #include "worker_runtime/grpc/listener.h"
 
 #include <fmt/format.h>
+// Not <netinet/tcp.h>, whose tcp_info counts no bytes.
+#include <linux/tcp.h>
 #include <netdb.h>
 #include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/eventfd.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "worker_runtime/clock/clock.h"
 #include "worker_runtime/status/status_macros.h"
@@ -20,7 +23,10 @@ namespace flair::runtime {
 namespace {
 
 constexpr size_t kNetworkBytes = 8;
-constexpr absl::Duration kSweepEvery = absl::Milliseconds(100);
+constexpr int kLookEveryMs = 100;
+constexpr absl::Duration kCountEvery = absl::Seconds(20);
+constexpr int kUnansweredCounts = 3;
+constexpr int64_t kUnansweredBytes = 32 << 20;
 
 // Unique among all sockets of the machine's life; 0 when `file` is no socket any more.
 uint64_t CookieOf(int file) {
@@ -108,7 +114,7 @@ bool ConnectionGate::Admit(int file, const sockaddr_storage& peer, absl::Duratio
   Forget(file);
   if (file >= file_limit_) return false;
   const std::string key = KeyOf(peer);
-  if (static_cast<int>(files_of_peers_[key].size()) >= peer_limit_) Sweep(key, now);
+  if (static_cast<int>(files_of_peers_[key].size()) >= peer_limit_) Look(now);
   std::unordered_set<int>& files = files_of_peers_[key];
   if (static_cast<int>(files.size()) >= peer_limit_) return false;
   files.insert(file);
@@ -125,15 +131,45 @@ void ConnectionGate::Forget(int file) {
   connections_.erase(connection);
 }
 
-void ConnectionGate::Sweep(const std::string& peer, absl::Duration now) {
-  // It takes a while, so it must not run for every connection that is refused.
-  if (now - swept_at_ < kSweepEvery) return;
-  swept_at_ = now;
-  const std::unordered_set<int>& files = files_of_peers_[peer];
-  const std::vector<int> known(files.begin(), files.end());
-  for (const int file : known) {
-    if (CookieOf(file) != connections_[file].cookie) Forget(file);
+bool ConnectionGate::Look(absl::Duration now) {
+  if (now - looked_at_ < absl::Milliseconds(kLookEveryMs)) return !connections_.empty();
+  looked_at_ = now;
+  const bool counts = now - counted_at_ >= kCountEvery;
+  if (counts) counted_at_ = now;
+  std::vector<int> gone;
+  std::vector<std::pair<int64_t, int>> unanswered;
+  int64_t all_unanswered = 0;
+  for (auto& [file, connection] : connections_) {
+    if (CookieOf(file) != connection.cookie) {
+      gone.push_back(file);
+      continue;
+    }
+    tcp_info info = {};
+    socklen_t size = sizeof info;
+    int unread = 0;
+    if (::ioctl(file, FIONREAD, &unread) != 0 || ::getsockopt(file, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) {
+      continue;
+    }
+    const int64_t taken = static_cast<int64_t>(info.tcpi_bytes_received) - unread;
+    if (info.tcpi_bytes_sent != std::exchange(connection.sent, info.tcpi_bytes_sent)) {
+      connection.answered = taken;
+      connection.unanswered_counts = 0;
+    }
+    if (counts) {
+      const bool more = taken > std::exchange(connection.counted, taken);
+      connection.unanswered_counts = more ? connection.unanswered_counts + 1 : 0;
+    }
+    if (connection.unanswered_counts >= kUnansweredCounts) ::shutdown(file, SHUT_RDWR);
+    unanswered.emplace_back(taken - connection.answered, file);
+    all_unanswered += taken - connection.answered;
   }
+  std::ranges::sort(unanswered, std::greater());
+  for (auto largest = unanswered.begin(); all_unanswered > kUnansweredBytes; ++largest) {
+    ::shutdown(largest->second, SHUT_RDWR);
+    all_unanswered -= largest->first;
+  }
+  for (const int file : gone) Forget(file);
+  return !connections_.empty();
 }
 
 absl::StatusOr<std::unique_ptr<Listener>> Listener::Bind(const std::string& address) {
@@ -184,8 +220,10 @@ void Listener::Run(const std::function<void(int, int)>& take) {
   for (const int file : files_) polled.push_back({file, POLLIN, 0});
   bool out_of_files = false;
   while (true) {
+    const bool looks = gate_.Look(SystemClock().Elapsed());
     // Without files, the waiting ones are left alone for a moment: only the wake is looked at.
-    if (::poll(polled.data(), out_of_files ? 1 : polled.size(), out_of_files ? kOutOfFilesMs : -1) < 0) continue;
+    const int wait_ms = out_of_files ? kOutOfFilesMs : (looks ? kLookEveryMs : -1);
+    if (::poll(polled.data(), out_of_files ? 1 : polled.size(), wait_ms) < 0) continue;
     if (polled[0].revents != 0) return;
     const bool all = out_of_files;
     out_of_files = false;

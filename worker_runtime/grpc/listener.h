@@ -31,22 +31,33 @@ class ConnectionGate {
   // never goes back (Clock::Elapsed).
   bool Admit(int file, const sockaddr_storage& peer, absl::Duration now);
 
+  // Forgets connections that are closed, and ends those that take all and are told nothing, which only happens to
+  // headers that never end: gRPC 1.51 keeps all of those and waits for more. Everything else is answered, be it by a
+  // ping or by leave to send more. Ended are the largest while all together have too much unanswered, and who is not
+  // answered for a minute. Does nothing when it has just looked; false without connections.
+  bool Look(absl::Duration now);
+
   int peer_limit() const { return peer_limit_; }
 
  private:
   struct Connection {
     uint64_t cookie = 0;
     std::string peer;
+    // Bytes that were sent to it, those that it had sent then, and at the last count; counts since then that found
+    // more.
+    uint64_t sent = 0;
+    int64_t answered = 0;
+    int64_t counted = 0;
+    int unanswered_counts = 0;
   };
   void Forget(int file);
-  // Forgets the peer's connections that are closed, unless that was done just now.
-  void Sweep(const std::string& peer, absl::Duration now);
 
   const int file_limit_;
   const int peer_limit_;
   std::unordered_map<int, Connection> connections_;
   std::unordered_map<std::string, std::unordered_set<int>> files_of_peers_;
-  absl::Duration swept_at_ = -absl::InfiniteDuration();
+  absl::Duration looked_at_ = -absl::InfiniteDuration();
+  absl::Duration counted_at_ = -absl::InfiniteDuration();
 };
 
 // Accepts TCP connections in place of gRPC 1.51, which stops accepting for ever when the process has once run out of

@@ -85,5 +85,80 @@ TEST_F(Gate, AnIPv4AddressIsTheSameInIPv6) {
   EXPECT_EQ(Fill(Four("10.0.0.1")), 0);
 }
 
+// A connection over loopback, admitted to a gate.
+class Talk {
+ public:
+  explicit Talk(ConnectionGate& gate) {
+    const int listener = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_storage address = Four("127.0.0.1");
+    socklen_t size = sizeof(sockaddr_in);
+    auto* where = reinterpret_cast<sockaddr*>(&address);
+    EXPECT_EQ(::bind(listener, where, size), 0);
+    EXPECT_EQ(::listen(listener, 1), 0);
+    ::getsockname(listener, where, &size);
+    caller_ = ::socket(AF_INET, SOCK_STREAM, 0);
+    EXPECT_EQ(::connect(caller_, where, size), 0);
+    server_ = ::accept(listener, nullptr, nullptr);
+    ::close(listener);
+    EXPECT_TRUE(gate.Admit(server_, address, absl::ZeroDuration()));
+  }
+  ~Talk() {
+    ::close(caller_);
+    ::close(server_);
+  }
+  // The server takes all of it.
+  void Send(size_t bytes) {
+    for (std::string piece(1 << 16, 'a'); bytes > 0; bytes -= piece.size()) {
+      piece.resize(std::min(bytes, piece.size()));
+      ASSERT_EQ(::send(caller_, piece.data(), piece.size(), MSG_NOSIGNAL), static_cast<ssize_t>(piece.size()));
+      ASSERT_EQ(::recv(server_, piece.data(), piece.size(), MSG_WAITALL), static_cast<ssize_t>(piece.size()));
+    }
+  }
+  void Answer() {
+    char byte = 'a';
+    ASSERT_EQ(::send(server_, &byte, 1, MSG_NOSIGNAL), 1);
+    ASSERT_EQ(::recv(caller_, &byte, 1, 0), 1);
+  }
+  bool is_open() const {
+    char byte = 0;
+    return ::recv(caller_, &byte, 1, MSG_DONTWAIT) < 0;
+  }
+
+ private:
+  int caller_ = -1;
+  int server_ = -1;
+};
+
+TEST(ConnectionGate, WhoIsNotAnsweredForAMinuteGoes) {
+  ConnectionGate gate(256);
+  Talk endless(gate), answered(gate), silent(gate);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(endless.is_open());
+    EXPECT_TRUE(gate.Look(absl::Seconds(21 * i)));
+    endless.Send(1);
+    answered.Send(1);
+    answered.Answer();
+  }
+  gate.Look(absl::Seconds(63));
+  EXPECT_FALSE(endless.is_open());
+  EXPECT_TRUE(answered.is_open());
+  EXPECT_TRUE(silent.is_open());
+}
+
+TEST(ConnectionGate, WhatIsNotAnsweredDoesNotPileUp) {
+  ConnectionGate gate(256);
+  Talk large(gate), middling(gate), small(gate);
+  large.Send(20 << 20);
+  middling.Send(8 << 20);
+  small.Send(100);
+  gate.Look(absl::Seconds(1));
+  EXPECT_TRUE(large.is_open());
+  middling.Send(8 << 20);
+  gate.Look(absl::Seconds(2));
+  EXPECT_FALSE(large.is_open());
+  EXPECT_TRUE(middling.is_open());
+  EXPECT_TRUE(small.is_open());
+}
+
 }  // namespace
 }  // namespace flair::runtime
