@@ -202,8 +202,10 @@ absl::StatusOr<BatchWay> OpenBatchWay(const BatchPlaceFlags& flags, const BatchR
   BatchWay way;
   ASSIGN_OR_RETURN(way.session, Session::Open(flags.orchestrator, llm,
                                               runs == nullptr ? StageChoice() : StageChoice(runs->stages), config));
-  way.session->SetLimits(
-      {.patience = absl::Minutes(2), .answer_within = absl::Minutes(1), .stop = &interruption.stop()});
+  way.session->SetLimits({.patience = absl::Minutes(2),
+                          .outage = absl::Hours(24),
+                          .answer_within = absl::Minutes(1),
+                          .stop = &interruption.stop()});
   way.remedy = RemedyOf(flags, runs);
   return way;
 }

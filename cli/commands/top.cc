@@ -2,8 +2,10 @@
 // flair top: how a cluster does, live.
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -34,6 +36,10 @@ bool MayPass(const absl::Status& status) {
          absl::IsCancelled(status);
 }
 
+// Longer than an orchestrator itself waits for the servers of its queue, so that it can say that these are silent.
+constexpr absl::Duration kAnswerWithin = absl::Seconds(15);
+constexpr std::chrono::milliseconds kKeysEvery(20);
+
 class Top {
  public:
   Top(const TopArguments& arguments, Session& session)
@@ -42,7 +48,7 @@ class Top {
         watches_cluster_(!session.embedded()),
         address_(watches_cluster_ ? session.address() : "the local store " + DefaultStorePath()),
         client_(session) {
-    session.SetLimits({.patience = absl::ZeroDuration(), .answer_within = absl::Seconds(4)});
+    session.SetLimits({.patience = absl::ZeroDuration(), .answer_within = kAnswerWithin, .stop = &stop_});
   }
 
   absl::Status Run() {
@@ -109,7 +115,12 @@ class Top {
       const TerminalScreen::Event event = screen.Wait(next - absl::Now());
       if (event == TerminalScreen::Event::kQuit) return absl::OkStatus();
       if (event == TerminalScreen::Event::kResized) continue;
-      const absl::Status status = Look();
+      std::future<absl::Status> look = std::async(std::launch::async, [this] { return Look(); });
+      while (look.wait_for(kKeysEvery) != std::future_status::ready) {
+        if (screen.Wait(absl::ZeroDuration()) == TerminalScreen::Event::kQuit) stop_.Cancel();
+      }
+      const absl::Status status = look.get();
+      if (stop_.cancelled()) return absl::OkStatus();
       if (!status.ok() && !MayPass(status)) return Explain(status);
       trouble = status.ok() ? ""
                             : fmt::format("No answer for {}: {}", ShortDuration(absl::Now() - state_.time()),
@@ -120,6 +131,7 @@ class Top {
 
   const TopArguments& arguments_;
   const absl::Duration interval_;
+  runtime::Cancellation stop_;
   const bool watches_cluster_;
   const std::string address_;
   ClusterClient client_;

@@ -33,6 +33,9 @@ template <typename Request, typename Response>
 using WatchMethod = std::unique_ptr<grpc::ClientReaderInterface<Response>> (OrchestratorStub::*)(grpc::ClientContext*,
                                                                                                  const Request&);
 
+// A silence so short is not worth telling.
+constexpr absl::Duration kToldAfter = absl::Seconds(5);
+
 absl::Duration PauseBefore(int attempt) {
   return std::min(absl::Seconds(3), absl::Milliseconds(100) * static_cast<double>(1 << std::min(attempt, 10)));
 }
@@ -65,6 +68,8 @@ struct Session::Calls {
   runtime::Cancellation never = {};
   Limits limits = {.stop = &never};
   std::atomic<bool> answered = false;
+  // The user knows that there is no answer at the moment.
+  std::atomic<bool> told = false;
 
   // Says where nobody answered.
   absl::Status Explain(const absl::Status& status) const {
@@ -78,14 +83,20 @@ struct Session::Calls {
     if (absl::IsUnauthenticated(status) || absl::IsPermissionDenied(status)) {
       return EndWith(kExitBadInput, std::string(status.message()));
     }
-    return services != nullptr ? status : NoOrchestrator(status, address);
+    // An orchestrator that answers may say itself that what it needs does not.
+    return services != nullptr || !runtime::IsOfConnection(status) ? status : NoOrchestrator(status, address);
   }
 
   // Whether to call again after `status`, which may be that the other side `is_full`; waits before it says yes.
   // `silent_since` is when the first call failed.
   bool TryAgain(const absl::Status& status, bool is_full, absl::Time silent_since, int attempt) {
     const bool may_pass = absl::IsUnavailable(status) || absl::IsDeadlineExceeded(status) || is_full;
-    if (!may_pass || !answered || absl::Now() - silent_since > limits.patience) return false;
+    const absl::Duration silent = absl::Now() - silent_since;
+    const absl::Duration outage = runtime::IsOfConnection(status) ? absl::ZeroDuration() : limits.outage;
+    if (!may_pass || !answered || silent > std::max(limits.patience, outage)) return false;
+    if (!is_full && silent > kToldAfter && !told.exchange(true)) {
+      fmt::print(stderr, "flair: {}; trying again\n", Explain(status).message());
+    }
     return !WaitUnlessStopped(*limits.stop, PauseBefore(attempt));
   }
 
@@ -108,8 +119,11 @@ struct Session::Calls {
       if (!answered && SaysHelloLater(response.status(), end)) {
         response = runtime::UnaryRequest(*stub, method, request, call, end);
       }
-      if (response.ok()) answered = true;
-      if (response.ok()) return response;
+      if (response.ok()) {
+        answered = true;
+        told = false;
+        return response;
+      }
       // A full queue is waited for elsewhere, and longer.
       const bool is_full =
           absl::IsResourceExhausted(response.status()) && !std::is_same_v<Request, v1::AddToBatchRequest>;
@@ -166,6 +180,7 @@ struct Session::Calls {
       Response response;
       while (reader->Read(&response)) {
         answered = true;
+        told = false;
         attempt = 0;
         silent_since = absl::InfiniteFuture();
         if (const std::optional<int64_t> sequence = see(response)) {
@@ -176,7 +191,7 @@ struct Session::Calls {
         (void)reader->Finish();
         return absl::OkStatus();
       }
-      const absl::Status status = runtime::FromGrpcStatus(reader->Finish());
+      const absl::Status status = runtime::FromGrpcStatus(reader->Finish(), context);
       if (status.ok() || enough.cancelled()) return absl::OkStatus();
       if (silent_since == absl::InfiniteFuture()) silent_since = absl::Now();
       if (!TryAgain(status, absl::IsResourceExhausted(status), silent_since, attempt)) return Explain(status);

@@ -45,6 +45,8 @@ class Session final : public ArtifactShelf {
   struct Limits {
     // How long somebody who has answered before may be silent.
     absl::Duration patience = absl::Seconds(7);
+    // How long it may say that what it needs itself, such as the servers of its queue, is silent; at least `patience`.
+    absl::Duration outage = absl::ZeroDuration();
     absl::Duration answer_within = absl::Seconds(30);
     // Ends every call with CANCELLED, and outlives the session.
     runtime::Cancellation* stop = nullptr;

@@ -16,7 +16,7 @@ class FakeOrchestrator final : public v1::OrchestratorService::Service {
  public:
   grpc::Status GetCluster(grpc::ServerContext*, const v1::GetClusterRequest*,
                           v1::GetClusterResponse* response) override {
-    if (!answers) return {grpc::StatusCode::PERMISSION_DENIED, "only operators may"};
+    if (!refusal.ok() && refusal_count-- > 0) return refusal;
     response->set_queued_count(7);
     response->add_orchestrators()->set_id("a");
     return grpc::Status::OK;
@@ -34,17 +34,18 @@ class FakeOrchestrator final : public v1::OrchestratorService::Service {
     response->mutable_batch()->set_open_count(request->batch_id() == "running" ? 3 : 0);
     return grpc::Status::OK;
   }
-  bool answers = true;
+  grpc::Status refusal;
+  int refusal_count = 1;
   int get_count = 0;
 };
 
 struct Cluster {
-  explicit Cluster(bool answers = true) {
+  explicit Cluster(const grpc::Status& refusal = grpc::Status::OK) {
     auto started =
         runtime::InProcessServer::Start("fake", {}, v1::OrchestratorService::service_full_name(),
                                         [&](runtime::WorkerContext&) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
                                           auto made = std::make_unique<FakeOrchestrator>();
-                                          made->answers = answers;
+                                          made->refusal = refusal;
                                           service = made.get();
                                           return made;
                                         });
@@ -69,11 +70,34 @@ TEST(ClusterClient, AsksForBatchesThatHaveNotEnded) {
 }
 
 TEST(ClusterClient, SaysWhyItSeesNothing) {
-  Cluster cluster(false);
+  Cluster cluster({grpc::StatusCode::PERMISSION_DENIED, "only operators may"});
   Session session(cluster.server->channel(), "the test");
   const absl::StatusOr<ClusterLook> look = ClusterClient(session).Look();
   EXPECT_EQ(look.status().message(), "only operators may");
   EXPECT_EQ(ExitCodeOf(look.status()), kExitBadInput);
+}
+
+// The orchestrator answers: it is not to blame.
+TEST(ClusterClient, SaysThatTheQueueIsSilent) {
+  Cluster cluster({grpc::StatusCode::UNAVAILABLE, "the queue at nats://n does not answer"});
+  Session session(cluster.server->channel(), "the test");
+  const absl::StatusOr<ClusterLook> look = ClusterClient(session).Look();
+  EXPECT_EQ(look.status().message(), "the queue at nats://n does not answer");
+  EXPECT_EQ(ExitCodeOf(look.status()), kExitUnreachable);
+}
+
+// As a batch waits for a queue whose disk is full, longer than for an orchestrator that is not there.
+TEST(Session, WaitsWhileAnOrchestratorSaysThatItsQueueIsSilent) {
+  Cluster cluster({grpc::StatusCode::UNAVAILABLE, "the queue at nats://n does not answer"});
+  cluster.service->refusal_count = 0;
+  Session session(cluster.server->channel(), "the test");
+  session.SetLimits({.patience = absl::ZeroDuration(), .outage = absl::Hours(1)});
+  ASSERT_TRUE(session.GetCluster().ok());
+  cluster.service->refusal_count = 1;
+  EXPECT_TRUE(session.GetCluster().ok());
+  session.SetLimits({.patience = absl::ZeroDuration()});
+  cluster.service->refusal_count = 1;
+  EXPECT_TRUE(absl::IsUnavailable(session.GetCluster().status()));
 }
 
 }  // namespace

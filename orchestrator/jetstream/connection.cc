@@ -234,8 +234,11 @@ NatsConnection::~NatsConnection() {
 }
 
 absl::Status NatsConnection::Unreachable(const std::string& why) const {
-  return Unavailable("the queue at {} does not answer ({}); is nats-server running there, and is it reachable?",
-                     address_, why);
+  // nats-server 2.9 stops for good when its disk is full, and may say nothing or hang up.
+  return Unavailable(
+      "the queue at {} does not answer ({}); is nats-server running there? If its disk was full, make room and restart "
+      "it: work then goes on by itself",
+      address_, why);
 }
 
 absl::Status NatsConnection::CheckSize(const NatsRequest& request) const {
@@ -256,13 +259,6 @@ absl::StatusOr<NatsMessage> NatsConnection::Request(const NatsRequest& request, 
   const NatsMessagePtr owned(answer);
   if (status == NATS_OK) return Read(answer);
   if (status == NATS_NO_RESPONDERS) return Unreachable("JetStream is off there, or has no leader at the moment");
-  // nats-server 2.9 stops for good when its disk is full.
-  if (status == NATS_TIMEOUT && connected()) {
-    return Unavailable(
-        "JetStream does not answer, though {} is connected; if its disk was full, make room and restart "
-        "nats-server there: work goes on by itself then",
-        address_);
-  }
   return Unreachable(natsStatus_GetText(status));
 }
 

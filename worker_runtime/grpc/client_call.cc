@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "absl/strings/cord.h"
 #include "flair/v1/worker_service.pb.h"
 
 namespace flair::runtime {
@@ -86,6 +87,7 @@ std::string NameWords(std::string_view message, std::string_view rest) {
   return std::string(message);
 }
 
+constexpr char kOfConnection[] = "flair/of-connection";
 constexpr int kProtocolsNamed = 4;
 constexpr size_t kNameLength = 60;
 
@@ -131,6 +133,15 @@ absl::Status FromGrpcStatus(const grpc::Status& status) {
   if (status.ok()) return absl::OkStatus();
   return absl::Status(static_cast<absl::StatusCode>(status.error_code()), InPlainWords(status.error_message()));
 }
+
+absl::Status FromGrpcStatus(const grpc::Status& status, const grpc::ClientContext& context) {
+  absl::Status made = FromGrpcStatus(status);
+  // What gRPC notes of every status that came over the wire.
+  if (!Holds(context.debug_error_string(), "Error received from peer")) made.SetPayload(kOfConnection, absl::Cord());
+  return made;
+}
+
+bool IsOfConnection(const absl::Status& status) { return status.GetPayload(kOfConnection).has_value(); }
 
 std::string ProtocolFault(const v1::GetWorkerResponse& worker) {
   const auto& protocols = worker.protocols();

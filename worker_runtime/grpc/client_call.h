@@ -23,6 +23,11 @@ namespace flair::runtime {
 // Conversions that keep code and message; gRPC's own messages about connections are translated (InPlainWords).
 grpc::Status ToGrpcStatus(const absl::Status& status);
 absl::Status FromGrpcStatus(const grpc::Status& status);
+// The same of the call that had this context; IsOfConnection when no server said so.
+absl::Status FromGrpcStatus(const grpc::Status& status, const grpc::ClientContext& context);
+
+// Whether a call failed on the way or in time; otherwise a server answered with the error.
+bool IsOfConnection(const absl::Status& status);
 
 // Translates messages of gRPC 1.51 about failed connections and missing answers: what happened, at which address, and
 // what to check. Every other message stays as it is.
@@ -55,7 +60,7 @@ absl::StatusOr<Response> UnaryRequest(
     OnCancel guard(call.cancellation(), [&context] { context.TryCancel(); });
     status = (stub.*method)(&context, request, &response);
   }
-  if (!status.ok()) return FromGrpcStatus(status);
+  if (!status.ok()) return FromGrpcStatus(status, context);
   return response;
 }
 

@@ -45,9 +45,11 @@ absl::Status Call(const std::string& address, absl::Duration within = absl::Seco
   ASSIGN_OR_RETURN(const auto channel, MakeChannel(address, v1::WorkerService::service_full_name()));
   const auto stub = v1::WorkerService::NewStub(channel);
   CallContext call;
-  return UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call,
-                      absl::Now() + within)
-      .status();
+  absl::Status status = UnaryRequest(*stub, &v1::WorkerService::StubInterface::GetWorker, v1::GetWorkerRequest(), call,
+                                     absl::Now() + within)
+                            .status();
+  EXPECT_TRUE(IsOfConnection(status)) << status;
+  return absl::Status(status.code(), status.message());
 }
 
 TEST(ConnectionErrors, NamesTheAddressWhereNothingListens) {
