@@ -48,6 +48,8 @@ class WrongStages : public FakeStages {
  public:
   // Workers of language that do so; those that are asked after them do not.
   int wrong_rooms = 0;
+  // The same of optimizers that evaluate nothing.
+  int wrong_evaluations = 0;
   bool nothing_placed = false;
 
   absl::StatusOr<v1::DescribeRoomResponse> DescribeRoom(const v1::DescribeRoomRequest& request, Call& call) override {
@@ -55,6 +57,13 @@ class WrongStages : public FakeStages {
     response->mutable_producer()->set_program("their-language");
     const auto asked = static_cast<int>(call.bad_answerers().size());
     if (asked < wrong_rooms) response->mutable_room()->clear_floor();
+    call.SetAnswerer({"1", asked});
+    return response;
+  }
+  absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, Call& call) override {
+    auto response = FakeStages::Evaluate(request, call);
+    const auto asked = static_cast<int>(call.bad_answerers().size());
+    if (asked < wrong_evaluations) response->Clear();
     call.SetAnswerer({"1", asked});
     return response;
   }
@@ -68,9 +77,10 @@ class WrongStages : public FakeStages {
 TEST(BadAnswers, AreAskedOfAnotherWorker) {
   PipelineForTest pipeline;
   WrongStages stages;
-  stages.wrong_rooms = 1;
+  stages.wrong_rooms = stages.wrong_evaluations = 1;
   EXPECT_TRUE(pipeline.Run(stages, NewJob("j1")).status.ok());
   EXPECT_EQ(stages.calls("DescribeRoom"), 2);
+  EXPECT_EQ(stages.calls("Evaluate"), 2);
 }
 
 TEST(BadAnswers, OfTwoWorkersEndTheRunAndSayWhose) {

@@ -191,6 +191,12 @@ absl::StatusOr<v1::EvaluateResponse> Evaluate(const StageRun& run, const v1::Sol
   *request.mutable_placements() = layout.placements();
   *request.mutable_options() = run.spec.solve_options();
   absl::StatusOr<v1::EvaluateResponse> response = run.clients.Evaluate(request, run.call);
+  if (response.ok() && response->edge_outcomes_size() != layout.graph().edges_size()) {
+    const absl::Status bad = Internal("stage \"report\": the optimizer's answer has {} outcomes of {} edges",
+                                      response->edge_outcomes_size(), layout.graph().edges_size());
+    run.call.ReportBadAnswer(bad);
+    return bad;
+  }
   if (!absl::IsUnimplemented(response.status())) return response;
   v1::EvaluateResponse said;
   *said.mutable_edge_outcomes() = layout.edge_outcomes();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/orchestrator_service.pb.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/grpc/server.h"
 #include "worker_runtime/grpc/server_call.h"
@@ -19,6 +20,8 @@ struct TestWorkerOptions {
   std::string listen_address = "127.0.0.1:0";
   int thread_count = 8;
   int queue_limit = 64;
+  // Its answers are bytes that are no SolveResponse.
+  bool garbage = false;
 };
 
 // An optimizer for tests behind a real socket: its Solve does what it is told and its answer names it.
@@ -31,7 +34,7 @@ class TestWorker {
       Solve solve = [](runtime::CallContext&) { return absl::OkStatus(); }, const Options& options = {})
       : solve_(std::move(solve)), resources_("test-optimizer", RuntimeOf(options)) {
     std::vector<runtime::NamedService> services;
-    services.push_back({v1::OptimizerService::service_full_name(), std::make_unique<Service>(*this)});
+    services.push_back({v1::OptimizerService::service_full_name(), std::make_unique<Service>(*this, options.garbage)});
     auto server = runtime::Server::Start(
         {.program = "test-optimizer", .revision = options.revision, .listen_address = options.listen_address},
         std::move(services));
@@ -48,8 +51,17 @@ class TestWorker {
 
  private:
   struct Service final : runtime::Service {
-    explicit Service(TestWorker& worker)
+    Service(TestWorker& worker, bool garbage)
         : runtime::Service(worker.resources_.context(), v1::OptimizerService::service_full_name()) {
+      if (garbage) {
+        Unary<v1::SolveRequest>(
+            "Solve", [](const v1::SolveRequest&, runtime::CallContext&) -> absl::StatusOr<v1::GetJobRequest> {
+              v1::GetJobRequest answer;
+              answer.set_job_id("\x0f");
+              return answer;
+            });
+        return;
+      }
       Unary<v1::SolveRequest>(
           "Solve", [&worker](const v1::SolveRequest&, runtime::CallContext& call) -> absl::StatusOr<v1::SolveResponse> {
             ++worker.calls_;

@@ -124,6 +124,8 @@ class WorkerCall {
     --running_;
     Attempt& attempt = *static_cast<Attempt*>(tag);
     attempt.status = runtime::FromGrpcStatus(attempt.grpc_status);
+    // gRPC says of bytes that are no message only this.
+    if (!ok && attempt.status.ok()) attempt.status = absl::InternalError("its answer is no message of this protocol");
     return &attempt;
   }
 

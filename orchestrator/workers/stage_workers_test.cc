@@ -267,6 +267,14 @@ INSTANTIATE_TEST_SUITE_P(Stage, WrongWorker,
                          ::testing::Values(absl::StatusCode::kInvalidArgument, absl::StatusCode::kFailedPrecondition,
                                            absl::StatusCode::kInternal));
 
+TEST_F(StageWorkersTest, BytesThatAreNoMessageAreNoAnswer) {
+  TestWorker garbage([](runtime::CallContext&) { return absl::OkStatus(); }, {.garbage = true});
+  TestWorker good;
+  Start(garbage.address() + "," + good.address());
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(*Solve(), good.address());
+  EXPECT_GT(StatusOf(garbage.address()).failure_count(), 0);
+}
+
 TEST_F(StageWorkersTest, WhatTwoSayAgainstARequestCounts) {
   const auto refuse = [](runtime::CallContext&) { return absl::InvalidArgumentError("no such room"); };
   TestWorker a(refuse), b(refuse);

@@ -278,7 +278,10 @@ void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict, co
     case Verdict::kGood:
       worker.mean = worker.mean == absl::ZeroDuration() ? duration : worker.mean + (duration - worker.mean) * kNewest;
       worker.rest = absl::ZeroDuration();
-      worker.circuit.Succeed();
+      if (place.on_trial || worker.failing.empty() || worker.failing == place.request) {
+        worker.circuit.Succeed();
+        worker.failing.clear();
+      }
       outage_begin_.reset();
       if (why.ok()) usual_[place.request] = std::max(duration, usual_[place.request] * kForgotten);
       break;
@@ -294,6 +297,7 @@ void WorkerPool::EndCall(Worker& worker, const Place& place, Verdict verdict, co
     case Verdict::kLate:
     case Verdict::kBeaten:
       ++worker.failure_count;
+      worker.failing = place.request;
       if (!worker.circuit.Fail(place.on_trial, now, verdict == Verdict::kBeaten ? options_.failure_limit : 1)) break;
       ++openings_;
       options_.log(fmt::format("{} worker at {} is not called for {}: its calls fail, the last one so: {}",

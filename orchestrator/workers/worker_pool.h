@@ -170,6 +170,8 @@ class WorkerPool {
     absl::Duration mean = {};
     int64_t call_count = 0;
     int64_t failure_count = 0;
+    // What the last call that failed asked: answers to other questions say nothing against that.
+    std::string failing = {};
 
     bool HasRoom(int limit, absl::Duration now) const;
     v1::WorkerStatus Status(const std::string& stage) const;

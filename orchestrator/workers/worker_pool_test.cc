@@ -164,6 +164,19 @@ TEST_F(WorkerPoolTest, SaysWhoIsNotReachableAndWhatToDo) {
   EXPECT_THAT(std::string(pool_.Take({}, call_).status().message()), HasSubstr("the name x is not known"));
 }
 
+TEST_F(WorkerPoolTest, AnswersToOtherQuestionsDoNotHideThatOneKindFails) {
+  AddReady("a:1");
+  for (int i = 0; i < options_.failure_limit; ++i) {
+    for (const auto& [request, verdict] :
+         {std::pair("EvaluateRequest", Verdict::kGood), std::pair("SolveRequest", Verdict::kFailed)}) {
+      Place place = *pool_.TryTake({});
+      place.request = request;
+      pool_.End(place, verdict);
+    }
+  }
+  EXPECT_EQ(StatusOf("a:1").state(), v1::WORKER_STATE_BROKEN);
+}
+
 TEST_F(WorkerPoolTest, ABrokenWorkerIsNotCalledUntilItsTrial) {
   const WorkerId a = AddReady("a:1"), b = AddReady("b:1");
   Break(a);
