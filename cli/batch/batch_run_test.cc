@@ -7,6 +7,7 @@
 
 #include "cli/batch/testing/fake_batch_service.h"
 #include "cli/exit_code.h"
+#include "tests/fixtures/programs.h"
 
 namespace flair::cli {
 namespace {
@@ -44,6 +45,15 @@ TEST_F(BatchDeletionTest, GoesOnUntilAllIsDoneAndSaysWhatWasFreed) {
   service_.SetDeletionSteps(1);
   ASSERT_TRUE(Delete(EndedBatch(10), {.yes = true, .json = true}).ok());
   EXPECT_THAT(said_, HasSubstr("\"10\""));
+}
+
+TEST(BatchFolder, IsNotWrittenThroughALink) {
+  const testing::TestFolder folder;
+  std::filesystem::create_symlink(folder / "elsewhere", folder / "results.db");
+  const absl::Status status = BatchFolder::Hold(folder.path()).status();
+  EXPECT_EQ(ExitCodeOf(status), kExitFiles);
+  EXPECT_THAT(status.message(), HasSubstr("results.db: is a symbolic link"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
 }
 
 TEST_F(BatchDeletionTest, WhatGoesOnIsNotDeleted) {

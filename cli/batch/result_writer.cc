@@ -38,6 +38,7 @@ class JobFolders final : public ResultWriter {
     const fs::path final_folder = folder_ / path;
     const fs::path made = final_folder.parent_path() / fmt::format(".{}.partial", IndexName(batch_index));
     std::error_code error;
+    if (fs::is_symlink(made.parent_path(), error)) return CannotWrite(made.parent_path(), ELOOP);
     fs::remove_all(made, error);  // of a process that was killed
     fs::create_directories(made, error);
     if (error) return CannotWrite(made, error.value());
@@ -83,6 +84,8 @@ class TarFile {
  public:
   static absl::StatusOr<std::unique_ptr<TarFile>> Make(const fs::path& path) {
     std::unique_ptr<TarFile> file(new TarFile(path));
+    std::error_code error;
+    fs::remove(path, error);  // what is there may be a link to another file
     archive_write_set_format_pax_restricted(file->archive_);
     if (archive_write_open_filename(file->archive_, path.c_str()) != ARCHIVE_OK) return file->Error();
     return file;

@@ -113,6 +113,23 @@ TEST(TarShards, TheSameJobsGiveTheSameBytes) {
   EXPECT_EQ(ReadAll(folders[0] / "shards/shard-000000.tar"), ReadAll(folders[1] / "shards/shard-000000.tar"));
 }
 
+TEST(ResultWriters, WriteThroughNoLink) {
+  const TestFolder folder;
+  const TestFolder elsewhere;
+  WriteAll(elsewhere / "file", "as it was");
+  fs::create_directories(folder / "jobs");
+  fs::create_directory_symlink(elsewhere.path(), folder / "jobs/000");
+  EXPECT_EQ(MakeJobFolders(folder.path())->Write(7, {{"a", "1"}}).status().code(),
+            absl::StatusCode::kFailedPrecondition);
+  const auto writer = *MakeTarShards(folder.path(), 1);
+  for (const char* name : {"shard-000000.tar", "shard-000000.tar.partial", "index.json"}) {
+    fs::create_symlink(elsewhere / "file", folder / "shards" / name);
+  }
+  ASSERT_TRUE(writer->Write(7, {{"a", "1"}}).ok());
+  EXPECT_THAT(NamesIn(elsewhere.path()), ElementsAre("file"));
+  EXPECT_EQ(ReadAll(elsewhere / "file"), "as it was");
+}
+
 TEST(ResultWriters, SayWhatCannotBeWritten) {
   const TestFolder folder;
   WriteAll(folder / "jobs", "a file");

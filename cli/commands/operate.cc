@@ -152,9 +152,9 @@ std::string Libraries() {
 
 absl::StatusOr<std::string> Store() {
   const std::string store = DefaultStorePath();
-  std::error_code error;
-  std::filesystem::create_directories(store, error);
-  if (error) return FileError("{}: {}", store, error.message());
+  if (const std::error_code error = runtime::MakePrivateFolder(store)) {
+    return FileError("{}: {}", store, error.message());
+  }
   RETURN_IF_ERROR(CheckOutputFolder(std::filesystem::path(store) / "probe", {}));
   return store + " can be written";
 }

@@ -2,7 +2,6 @@
 #include "cli/embedded/embedded_services.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -16,6 +15,7 @@
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "optimizer_worker/service/make_optimizer_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/status/status_macros.h"
@@ -141,9 +141,7 @@ absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const StageC
 absl::Status EmbeddedServices::StartOrchestrator(const std::string& default_path,
                                                  const config::v1::OrchestratorConfig& asked) {
   const std::string& store_path = asked.store_path().empty() ? default_path : asked.store_path();
-  std::error_code error;
-  std::filesystem::create_directories(store_path, error);
-  if (error) {
+  if (const std::error_code error = runtime::MakePrivateFolder(store_path)) {
     return FileError("{}: the store cannot be created: {}; set FLAIR_HOME to a writable folder", store_path,
                      error.message());
   }

@@ -10,6 +10,7 @@
 #include "flair/v1/translator_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
 #include "fmt/format.h"
+#include "orchestrator/testing/temporary_folder.h"
 #include "tests/fixtures/bedroom.h"
 #include "worker_runtime/grpc/client_call.h"
 
@@ -62,6 +63,13 @@ class TestServer {
 
 absl::Status ConnectToOptimizer(const std::string& address) {
   return ConnectToStage(kOptimizerStage, address).status();
+}
+
+TEST(EmbeddedServices, TheStoreIsItsOwnersAlone) {
+  const orchestrator::TemporaryFolder folder;
+  const std::string store = folder.path() + "/store";
+  ASSERT_TRUE(EmbeddedServices::Start(store).ok());
+  EXPECT_EQ(std::filesystem::status(store).permissions(), std::filesystem::perms::owner_all);
 }
 
 TEST(RemoteStage, AServerThatSaysNothingAboutItselfIsTaken) {

@@ -15,6 +15,7 @@
 #include <random>
 #include <utility>
 
+#include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
@@ -76,11 +77,7 @@ bool OwnerLock::IsDead(const std::string& folder, const std::string& id) {
 
 absl::StatusOr<std::unique_ptr<JobStore>> JobStore::Open(const std::string& path) {
   if (path.empty()) return absl::InvalidArgumentError("store_path: missing; expected a folder for jobs and artifacts");
-  std::error_code error;
-  // What a store holds is its owner's business.
-  const bool is_new = std::filesystem::create_directories(path, error);
-  if (is_new) std::filesystem::permissions(path, std::filesystem::perms::owner_all, error);
-  if (error) {
+  if (const std::error_code error = runtime::MakePrivateFolder(path)) {
     return Unavailable("store_path: cannot create the folder {}: {}", path, error.message());
   }
   ASSIGN_OR_RETURN(auto database, Database::Open(path + "/jobs.db"));

@@ -128,9 +128,7 @@ absl::StatusOr<std::unique_ptr<ArtifactStore>> ArtifactFiles::Open(const std::st
 }
 
 absl::Status ArtifactFiles::MakeFolder(const std::string& folder) {
-  std::error_code error;
-  const bool is_new = std::filesystem::create_directories(folder, error);
-  if (is_new) std::filesystem::permissions(folder, std::filesystem::perms::owner_all, error);
+  const std::error_code error = runtime::MakePrivateFolder(folder);
   if (error || ::access(folder.c_str(), W_OK) != 0) {
     return Unavailable("the folder for artifacts, {}, cannot be {}: {}", folder, error ? "made" : "written to",
                        error ? error.message() : std::strerror(errno));

@@ -336,6 +336,14 @@ TEST(JobStore, SaysWhatIsWrongWithItsFolder) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("/proc/no/such/folder"));
 }
 
+TEST(JobStore, IsItsOwnersAlone) {
+  TemporaryFolder folder;
+  for (const std::string& made : {folder.path() + "/a/store", folder.path() + "/a/artifacts"}) {
+    ASSERT_TRUE(made.ends_with("store") ? JobStore::Open(made).ok() : ArtifactFiles::Open(made).ok());
+    EXPECT_EQ(std::filesystem::status(made).permissions(), std::filesystem::perms::owner_all) << made;
+  }
+}
+
 TEST(JobStore, RefusesAFileThatIsNoDatabase) {
   TemporaryFolder folder;
   std::ofstream(folder.path() + "/jobs.db") << std::string(5000, 'x');

@@ -51,7 +51,7 @@ void FlushFolder(const std::string& folder) {
 absl::Status WriteFileAtomically(const std::string& path, const std::string& bytes, Durability durability) {
   static std::atomic<int> counter = 0;
   const std::string temporary = fmt::format("{}.{}.{}.part", path, ::getpid(), counter++);
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (file < 0) return FileError(temporary, "cannot create");
   absl::Status status = WriteAll(file, bytes, temporary);
   const bool flush = durability == Durability::kPowerLoss;
@@ -86,6 +86,13 @@ absl::Status FlushFiles(std::span<const std::string> paths) {
   if (!status.ok()) return status;
   for (const std::string& folder : folders) FlushFolder(folder);
   return absl::OkStatus();
+}
+
+std::error_code MakePrivateFolder(const std::string& path) {
+  std::error_code error;
+  const bool is_new = std::filesystem::create_directories(path, error);
+  if (is_new) std::filesystem::permissions(path, std::filesystem::perms::owner_all, error);
+  return error;
 }
 
 FileStamp FileStamp::Of(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "absl/status/status.h"
 
@@ -29,6 +30,9 @@ absl::Status WriteFileAtomically(const std::string& path, const std::string& byt
 // Makes files survive a loss of power, all with as few waits for the disk as it allows. Files that are gone are left
 // out. Errors as WriteFileAtomically.
 absl::Status FlushFiles(std::span<const std::string> paths);
+
+// Makes a folder that only its owner may enter, with those above it as usual. One that is there stays as it is.
+std::error_code MakePrivateFolder(const std::string& path);
 
 // Tells whether a file was replaced or written since. All zero when it cannot be read.
 struct FileStamp {
