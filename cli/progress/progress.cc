@@ -111,6 +111,10 @@ std::unique_ptr<Progress> MakeProgress(ProgressForm form, const std::string& mod
   return std::make_unique<Quiet>();
 }
 
+std::string SlowText(const std::string& what, absl::Duration taken, const std::string& late) {
+  return fmt::format("{}, {} s{}", what, absl::ToInt64Seconds(taken), taken >= absl::Seconds(20) ? late : "");
+}
+
 using std::chrono::seconds;
 
 SlowNote::SlowNote(std::string what, std::string late)
@@ -142,9 +146,8 @@ void SlowNote::Run() {
     return;
   }
   do {
-    const auto taken = std::chrono::duration_cast<seconds>(std::chrono::steady_clock::now() - start);
-    std::fprintf(stderr, "\r\x1b[2K%s, %lld s%s", what_.c_str(), static_cast<long long>(taken.count()),
-                 taken >= seconds(20) ? late_.c_str() : "");
+    const absl::Duration taken = absl::FromChrono(std::chrono::steady_clock::now() - start);
+    std::fprintf(stderr, "\r\x1b[2K%s", SlowText(what_, taken, late_).c_str());
     std::fflush(stderr);
   } while (!ended_.wait_for(lock, seconds(1), [this] { return end_; }));
   std::fprintf(stderr, "\r\x1b[2K");

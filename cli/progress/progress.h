@@ -36,6 +36,9 @@ ProgressForm ChooseProgressForm(bool json, bool quiet);
 // `model`: the address of the language model, which is named on a terminal when a stage that asks it takes long.
 std::unique_ptr<Progress> MakeProgress(ProgressForm form, const std::string& model = "");
 
+// What a terminal shows of what has gone on for so long; `late` is added after twenty seconds.
+std::string SlowText(const std::string& what, absl::Duration taken, const std::string& late);
+
 // Says on standard error what goes on when it takes longer than two seconds: on a terminal with the seconds so far,
 // gone when it ends; elsewhere in a line a minute. Lives as long as the work.
 class SlowNote {

@@ -9,6 +9,7 @@
 #include "flair/v1/renderer_service.grpc.pb.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/in_process_server.h"
+#include "worker_runtime/logging/log.h"
 #include "worker_runtime/testing/fakes.h"
 
 namespace flair::runtime {
@@ -24,6 +25,7 @@ struct Script {
   };
   std::atomic<int> taken = 0;
   TestGate gone;
+  std::string caller;
 };
 
 class Taker {
@@ -48,9 +50,15 @@ class Taker {
 };
 
 struct SheetService final : Service {
-  SheetService(WorkerContext& worker, Script& script) : Service(worker, v1::RendererService::service_full_name()) {
+  SheetService(WorkerContext& worker, Script& script)
+      : Service(worker, v1::RendererService::service_full_name()), script_(script) {
     ClientStream<Request>("ComposeContactSheet", [&script] { return std::make_unique<Taker>(script); });
   }
+  absl::Status Admit(grpc::CallbackServerContext&, CallContext& call) override {
+    call.set_caller({script_.caller, {}});
+    return absl::OkStatus();
+  }
+  Script& script_;
 };
 
 class ClientStream : public testing::Test {
@@ -63,6 +71,7 @@ class ClientStream : public testing::Test {
     server_ = *InProcessServer::Start("test", config, v1::RendererService::service_full_name(),
                                       [&](WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
                                         context.build = "build 7";
+                                        worker_ = &context;
                                         executor_ = &context.executor;
                                         return std::make_unique<SheetService>(context, script_);
                                       });
@@ -82,6 +91,7 @@ class ClientStream : public testing::Test {
   }
 
   Script script_;
+  WorkerContext* worker_ = nullptr;
   BoundedExecutor* executor_ = nullptr;
   std::unique_ptr<InProcessServer> server_;
   std::unique_ptr<v1::RendererService::Stub> stub_;
@@ -93,6 +103,14 @@ TEST_F(ClientStream, TakesEveryMessageInOrderAndAnswersOnce) {
   ASSERT_EQ(Send({"a", "b", "c", "d"}), absl::OkStatus());
   EXPECT_EQ(response_.sheet().image(), "abcd");
   EXPECT_EQ(response_.producer().build(), "build 7");
+}
+
+TEST_F(ClientStream, TheLogNamesTheCaller) {
+  script_.caller = "alice";
+  worker_->logger = MakeLogger("test", "info");
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(Send({"a"}), absl::OkStatus());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr(" caller=alice "));
 }
 
 TEST_F(ClientStream, AnswersAStreamOfNothing) {
