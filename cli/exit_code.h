@@ -58,7 +58,7 @@ inline constexpr char kExitCodeHelp[] =
     "  2    the request or an argument is wrong, or names something that does not exist\n"
     "  3    a service cannot be reached, is full, or speaks another version\n"
     "  4    a file or folder cannot be read or written\n"
-    "  5    an artifact is corrupt\n"
+    "  5    an artifact or the store is corrupt\n"
     "  6    the language model cannot be reached, refuses the key, gives unusable\n       answers, or its budget is "
     "spent\n"
     "  7    what was compared differs\n"

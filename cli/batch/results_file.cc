@@ -132,9 +132,7 @@ absl::StatusOr<std::unique_ptr<ResultsFile>> ResultsFile::OpenToRead(const std::
 }
 
 absl::Status ResultsFile::OfFile(const absl::Status& status) const {
-  if (status.ok()) return status;
-  if (!absl::IsDataLoss(status)) return FileError("{}: {}", path_, status.message());
-  return DataLoss("{}: {}; move it away to collect the results again", path_, status.message());
+  return status.ok() || absl::IsDataLoss(status) ? status : FileError("{}: {}", path_, status.message());
 }
 
 absl::Status ResultsFile::Configure() {

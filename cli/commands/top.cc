@@ -52,19 +52,12 @@ class Top {
   }
 
   absl::Status Run() {
-    if (absl::Status status = Look(); !status.ok()) return Explain(status);
+    RETURN_IF_ERROR(Look());
     if (arguments_.json && !arguments_.once) return Stream();
     return arguments_.once || !TerminalScreen::IsThere() ? PrintOnce() : Live();
   }
 
  private:
-  absl::Status Explain(const absl::Status& status) const {
-    if (absl::IsUnimplemented(status)) {
-      return Unimplemented("{}: this orchestrator is too old to report on its cluster", address_);
-    }
-    return status;
-  }
-
   absl::Status Look() {
     ASSIGN_OR_RETURN(ClusterLook look, client_.Look());
     // This process works on nothing, and knows nothing of others that work on its store.
@@ -76,7 +69,7 @@ class Top {
   // Two looks, so that there are rates.
   absl::Status PrintOnce() {
     absl::SleepFor(interval_);
-    if (absl::Status status = Look(); !status.ok()) return Explain(status);
+    RETURN_IF_ERROR(Look());
     if (arguments_.json) {
       fmt::print("{}\n", TopJson(state_));
     } else {
@@ -96,7 +89,7 @@ class Top {
         absl::SleepFor(interval_);
         status = Look();
       }
-      if (!status.ok()) return Explain(status);
+      if (!status.ok()) return status;
     }
   }
 
@@ -121,7 +114,7 @@ class Top {
       }
       const absl::Status status = look.get();
       if (stop_.cancelled()) return absl::OkStatus();
-      if (!status.ok() && !MayPass(status)) return Explain(status);
+      if (!status.ok() && !MayPass(status)) return status;
       trouble = status.ok() ? ""
                             : fmt::format("No answer for {}: {}", ShortDuration(absl::Now() - state_.time()),
                                           std::string(status.message()));

@@ -124,6 +124,9 @@ void JobRunner::RunJob(Lease& lease) {
     const absl::Status error =
         Internal("{} runs of the job in a row died with their process; it is not started again", lost);
     End(lease, {v1::JOB_STATE_FAILED, lease.job().stage(), error, v1::FAILURE_KIND_WORKER, clock_.Now()});
+  } else if (!lease.job().has_spec()) {
+    const absl::Status error = absl::DataLossError("what the job asks for is damaged in the store");
+    End(lease, {v1::JOB_STATE_FAILED, "", error, v1::FAILURE_KIND_STORE, clock_.Now()});
   } else {
     Settle(lease, pipeline_.Run(lease));
   }

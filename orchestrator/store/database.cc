@@ -16,10 +16,13 @@ constexpr int kWalRetryMs = 5;
 
 absl::Status ToStatus(sqlite3* connection, int code) {
   const std::string message = fmt::format("store: {}", sqlite3_errmsg(connection));
-  switch (code & 0xff) {
+  // A table or column of ours that is not there was lost.
+  const bool lost = (code & 0xff) == SQLITE_ERROR && message.starts_with("store: no such ");
+  switch (lost ? SQLITE_CORRUPT : code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return absl::DataLossError(message);
+      return DataLoss("{}: {}; restore a good copy, or move it away to start afresh",
+                      sqlite3_db_filename(connection, "main"), message);
     case SQLITE_FULL:
       return absl::ResourceExhaustedError(message);
     case SQLITE_CONSTRAINT:
@@ -140,8 +143,8 @@ absl::StatusOr<std::unique_ptr<Database>> Database::Open(const std::string& path
   absl::Status status = code == SQLITE_OK ? database->Configure() : ToStatus(connection, code);
   if (status.ok() && !schema.empty()) status = database->Migrate(schema);
   if (status.ok()) return database;
-  const char* advice = absl::IsDataLoss(status) ? "; restore a good copy, or move it away to start afresh" : "";
-  return absl::Status(status.code(), fmt::format("{}: {}{}", path, std::string(status.message()), advice));
+  if (absl::IsDataLoss(status)) return status;
+  return absl::Status(status.code(), fmt::format("{}: {}", path, std::string(status.message())));
 }
 
 Database::~Database() {

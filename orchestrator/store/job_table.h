@@ -177,14 +177,20 @@ class JobTable {
   // At most `limit` events after a sequence number, in order.
   absl::StatusOr<std::vector<v1::JobEvent>> EventsAfter(const std::string& job_id, int64_t sequence, int limit) {
     const auto lock = database_.lock();
-    const auto read = [&job_id](const Statement& row) -> absl::StatusOr<v1::JobEvent> {
+    const auto read = [](const Statement& row) -> absl::StatusOr<v1::JobEvent> {
       v1::JobEvent event;
-      if (event.ParseFromString(row.Text(0))) return event;
-      return DataLoss("job store: an event of job {} is damaged", job_id);
+      // Of what has happened; the job goes on without it.
+      if (!event.ParseFromString(row.Text(0))) {
+        event.Clear();
+        event.set_message("damaged in the store");
+      }
+      event.set_sequence(row.Int(1));
+      return event;
     };
     return ReadRows<v1::JobEvent>(
-        database_.Prepare("SELECT event FROM events WHERE job_id = ? AND sequence > ? ORDER BY sequence LIMIT ?",
-                          job_id, sequence, limit),
+        database_.Prepare(
+            "SELECT event, sequence FROM events WHERE job_id = ? AND sequence > ? ORDER BY sequence LIMIT ?", job_id,
+            sequence, limit),
         read);
   }
 
@@ -230,9 +236,8 @@ class JobTable {
   absl::StatusOr<v1::Job> Read(const Statement& row) {
     v1::Job job;
     job.set_id(row.Text(0));
-    if (!job.mutable_spec()->ParseFromString(row.Text(1))) {
-      return DataLoss("job store: the spec of job {} is damaged", job.id());
-    }
+    // Without it the job fails alone, and holds up no other.
+    if (!job.mutable_spec()->ParseFromString(row.Text(1))) job.clear_spec();
     job.set_state(static_cast<v1::JobState>(row.Int(2)));
     job.set_stage(row.Text(3));
     job.set_error(row.Text(4));

@@ -350,6 +350,32 @@ TEST(JobStore, RefusesAFileThatIsNoDatabase) {
   EXPECT_EQ(JobStore::Open(folder.path()).status().code(), absl::StatusCode::kDataLoss);
 }
 
+TEST(JobStore, WithoutItsTablesIsDamaged) {
+  TemporaryFolder folder;
+  ASSERT_TRUE(JobStore::Open(folder.path()).ok());
+  sqlite3* connection = nullptr;
+  ASSERT_EQ(sqlite3_open((folder.path() + "/jobs.db").c_str(), &connection), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(connection, "DROP TABLE jobs", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(connection);
+  const absl::Status status = JobStore::Open(folder.path()).status();
+  EXPECT_EQ(status.code(), absl::StatusCode::kDataLoss);
+  EXPECT_THAT(std::string(status.message()),
+              HasSubstr(folder.path() + "/jobs.db: store: no such table: jobs; restore"));
+}
+
+TEST_F(JobStoreTest, WhatIsDamagedOfAJobHoldsUpNoOther) {
+  ASSERT_TRUE(jobs_.Insert(NewJob("j1"), "").ok());
+  ChangeJob("j1", [](store::v1::JobRecord& record) { ReturnJob(record, absl::InfinitePast(), "again"); });
+  ASSERT_TRUE(store_->database().Execute("UPDATE jobs SET spec = x'ff'; UPDATE events SET event = x'ff'").ok());
+  const auto job = store_->jobs().Load("j1");
+  ASSERT_TRUE(job.ok()) << job.status();
+  EXPECT_FALSE(job->job().has_spec()) << "which JobRunner fails";
+  const auto events = store_->jobs().EventsAfter("j1", 0, 10);
+  ASSERT_EQ(events->size(), 1u);
+  EXPECT_EQ(events->at(0).message(), "damaged in the store");
+  EXPECT_EQ(events->at(0).sequence(), 1);
+}
+
 TEST(JobStore, RefusesAStoreOfANewerVersion) {
   TemporaryFolder folder;
   ASSERT_TRUE(JobStore::Open(folder.path()).ok());
