@@ -124,7 +124,7 @@ std::string FileStem(v1::ArtifactKind kind) {
                                     "",
                                     "",
                                     "constraints_completed"};  // by kind
-  return kind < std::ssize(kStems) ? kStems[kind] : "";
+  return static_cast<size_t>(kind) < std::size(kStems) ? kStems[kind] : "";
 }
 
 std::string StageOf(v1::ArtifactKind kind) {

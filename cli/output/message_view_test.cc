@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/output/artifact_text.h"
 #include "flair/v1/artifact.pb.h"
 #include "flair/v1/job.pb.h"
 #include "tests/fixtures/bedroom.h"
@@ -45,6 +46,12 @@ TEST(MessageView, ColumnsThatNothingFillsAreLeftOut) {
   EXPECT_THAT(table, HasSubstr("\nOPENINGS, 1\nopening  kind  wall   offset m  width m"));
   EXPECT_THAT(table, Not(HasSubstr("description")));
   EXPECT_EQ(ListTable(v1::Room(), "openings", "OPENINGS", 10), "");
+}
+
+// As a newer orchestrator or a damaged store may name one.
+TEST(FileStem, OfAnUnknownKindIsEmpty) {
+  EXPECT_EQ(FileStem(v1::ARTIFACT_KIND_ROOM), "room");
+  for (const int kind : {-7, 10, 13, 1 << 30}) EXPECT_EQ(FileStem(static_cast<v1::ArtifactKind>(kind)), "") << kind;
 }
 
 }  // namespace
