@@ -199,7 +199,8 @@ TEST(Flood, HeadersThatNeverEndDoNotPileUp) {
   innocent.Stop();
   EXPECT_EQ(innocent.refused(), 0) << "of " << innocent.answered();
   fmt::print("{} MiB\n", PeakMib(optimizer.process()));
-  EXPECT_LT(PeakMib(optimizer.process()), 300);
+  // Some 200; more where the machine is so busy that the look at them comes late. All that is sent is 3 GiB.
+  EXPECT_LT(PeakMib(optimizer.process()), 1000);
 }
 
 TEST(Flood, WhoAsksAllTheTimeWhetherWeAreThereIsSentAway) {

@@ -23,7 +23,7 @@ namespace flair::runtime {
 namespace {
 
 constexpr size_t kNetworkBytes = 8;
-constexpr int kLookEveryMs = 100;
+constexpr int kLookEveryMs = 50;
 constexpr absl::Duration kCountEvery = absl::Seconds(20);
 constexpr int kUnansweredCounts = 3;
 constexpr int64_t kUnansweredBytes = 32 << 20;

@@ -71,8 +71,8 @@ constexpr int kClientKeepaliveTimeoutMs = 20 * 1000;
 constexpr int kLeastPingIntervalMs = 10 * 1000;
 // All messages on their way together. gRPC 1.51 reads a message whole before it looks whether it is too long; with this
 // it stops reading, and ends one of the calls that are being read with RESOURCE_EXHAUSTED.
-constexpr size_t kLeastMemoryMib = 160;
-constexpr size_t kLongestMessagesInMemory = 5;
+constexpr size_t kLeastMemoryMib = 128;
+constexpr size_t kLongestMessagesInMemory = 4;
 
 // How long no call must have been under way before a server that stops leaves its callers: they have been told to go
 // elsewhere, and what they sent before they heard of it has arrived.

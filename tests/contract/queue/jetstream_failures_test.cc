@@ -149,6 +149,7 @@ TEST_F(JetStreamFailures, WithoutServersCallsSaySoAndLaterGoOn) {
   const auto job = (*queue)->GetJob("job-1");
   EXPECT_TRUE(absl::IsUnavailable(job.status())) << job.status();
   EXPECT_THAT(std::string(job.status().message()), HasSubstr(servers_->address()));
+  EXPECT_THAT(std::string(job.status().message()), HasSubstr("If its disk was full, make room and restart it"));
   ASSERT_TRUE(servers_->Start(0));
   const auto lease = queue->Take();
   ASSERT_NE(lease, nullptr);
