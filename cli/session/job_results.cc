@@ -18,9 +18,10 @@ absl::Status ErrorOf(const v1::Job& job) {
   constexpr std::array<std::string_view, 7> kModelStages = {"room",        "zones",    "objects",    "style",
                                                             "constraints", "cleaning", "translation"};
   const auto code = static_cast<absl::StatusCode>(job.error_code());
-  // Artifacts that are taken from an earlier job are no model's answers.
-  const bool taken = job.spec().has_replay() &&
-                     orchestrator::StageIndex(job.stage()) < orchestrator::FirstStageOf(job.spec().replay());
+  // Neither artifacts that are taken from an earlier job nor what the store holds are a model's answers.
+  const bool taken = job.failure_kind() == v1::FAILURE_KIND_STORE ||
+                     (job.spec().has_replay() &&
+                      orchestrator::StageIndex(job.stage()) < orchestrator::FirstStageOf(job.spec().replay()));
   const bool of_model = code == absl::StatusCode::kDataLoss || code == absl::StatusCode::kFailedPrecondition ||
                         code == absl::StatusCode::kPermissionDenied;
   if (of_model && !taken && std::ranges::find(kModelStages, job.stage()) != kModelStages.end())
