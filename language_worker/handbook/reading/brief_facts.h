@@ -13,7 +13,7 @@
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/finishes.h"
 #include "language_worker/handbook/reading/opening_reader.h"
-#include "language_worker/handbook/reading/room_kind.h"
+#include "language_worker/handbook/reading/shape_phrase.h"
 #include "language_worker/handbook/reading/size_phrase.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 

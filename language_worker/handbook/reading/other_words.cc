@@ -230,13 +230,16 @@ std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const 
     }
     // What is left of a clause that was heard in part.
     for (std::size_t i = begin, stop = begin; i < end; i = stop + 1) {
-      bool asked = false;
+      bool asked = false, plainly = false;
       std::size_t saying = 0;
       for (stop = i; stop < end && !used[stop]; ++stop) {
         asked = asked || asks(stop);
+        plainly = plainly ||
+                  (asks(stop) && (text.IsNumber(stop) || LongestAt(vocabulary.names, tokens, stop, true).second > 0));
         saying += !asks(stop) ? (says_something(stop) ? 1 : 0) : text.IsNumber(stop) ? 2 : 1;
       }
-      if (asked && stop - i >= kFewest && saying >= kFewestSaying) tell(i, stop);
+      // A number or a piece that nothing was made of is told in whatever company.
+      if (asked && (plainly || (stop - i >= kFewest && saying >= kFewestSaying))) tell(i, stop);
     }
   }
   return all;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "language_worker/handbook/handbook.h"
@@ -29,21 +28,5 @@ struct RoomKind {
 // Reads it. What comes before "with" is the room, what comes after is in it; of several the longest name counts, then
 // the first. Rooms that serve another ("en suite") are that only when no other is named. Linear in the text.
 RoomKind ReadRoomKind(const std::vector<Token>& tokens, const Handbook& handbook);
-
-// Outlines that the handbook can draw.
-enum class RoomShape { kRectangle, kL, kT, kU, kRound, kOval, kOctagon, kHexagon };
-
-// What a brief says about the room's outline.
-struct ShapeRequest {
-  RoomShape shape = RoomShape::kRectangle;
-  // The word for an outline that cannot be drawn, as written but in lower case: "triangular"; else empty.
-  std::string unknown;
-  std::size_t begin = 0, end = 0;  // the tokens that say it
-  std::vector<std::string> parts = {};  // "half wall", "mezzanine": cannot be drawn
-};
-
-// Reads "L-shaped", "T shape", "shaped like a U" and words such as "round" where they speak of the room; an L-shaped
-// sofa and a round table do not. The first such word counts, then that the room is a turret or a yurt.
-ShapeRequest ReadShape(const std::vector<Token>& tokens, const Handbook& handbook);
 
 }  // namespace flair::language

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "absl/status/statusor.h"
-#include "language_worker/handbook/reading/room_kind.h"
+#include "language_worker/handbook/reading/shape_phrase.h"
 #include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {

@@ -9,7 +9,7 @@
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
-#include "language_worker/handbook/reading/room_kind.h"
+#include "language_worker/handbook/reading/shape_phrase.h"
 #include "language_worker/handbook/reading/words.h"
 #include "language_worker/handbook/rooms/openings.h"
 #include "language_worker/handbook/rooms/room_floor.h"

@@ -14,7 +14,7 @@
 #include "language_worker/handbook/choice.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/brief_facts.h"
-#include "language_worker/handbook/reading/room_kind.h"
+#include "language_worker/handbook/reading/shape_phrase.h"
 
 namespace flair::language {
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "language_worker/handbook/handbook.h"
+#include "language_worker/handbook/reading/words.h"
+
+namespace flair::language {
+
+// Outlines that the handbook can draw.
+enum class RoomShape { kRectangle, kL, kT, kU, kRound, kOval, kOctagon, kHexagon };
+
+// What a brief says about the room's outline.
+struct ShapeRequest {
+  RoomShape shape = RoomShape::kRectangle;
+  // The word for an outline that cannot be drawn, as written but in lower case: "triangular"; else empty.
+  std::string unknown;
+  std::size_t begin = 0, end = 0;  // the tokens that say it
+  std::vector<std::string> parts = {};  // "half wall", "mezzanine": cannot be drawn
+};
+
+// Reads "L-shaped", "T shape", "shaped like a U" and words such as "round" where they speak of the room; an L-shaped
+// sofa and a round table do not. The first such word counts, then that the room is a turret or a yurt.
+ShapeRequest ReadShape(const std::vector<Token>& tokens, const Handbook& handbook);
+
+}  // namespace flair::language
