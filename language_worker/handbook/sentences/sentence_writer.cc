@@ -127,7 +127,8 @@ bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object&
       const auto group = groups_.find(name);
       if (group == groups_.end()) continue;
       for (const v1::Object* target : group->second) {
-        if (target->id() != object.id() && (!near || target->zone_id() == object.zone_id())) targets.push_back(target);
+        const bool there = target->role() != v1::OBJECT_ROLE_TERTIARY && target->zone_id() == object.zone_id();
+        if (target->id() != object.id() && (!near || there)) targets.push_back(target);
       }
       if (!targets.empty()) return true;
     }
@@ -221,8 +222,12 @@ std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& re
     }
     hb::Relation sided = relation;
     const bool odd = k % 2 == 1, behind = island && odd, right = island || odd;
-    const std::map<std::string, std::string, std::less<>> sides = {
-        {"side", behind ? "back" : right ? "left" : "right"}, {"other_side", behind ? "back" : right ? "right" : "left"}};
+    const std::map<std::string, std::string, std::less<>> sides = {{"side", behind  ? "back"
+                                                                            : right ? "left"
+                                                                                    : "right"},
+                                                                   {"other_side", behind  ? "back"
+                                                                                  : right ? "right"
+                                                                                          : "left"}};
     sided.set_text(Fill(relation.text(), sides));
     sentences.push_back(WriteOne(sided, {group[i]}, {group[k < 2 ? i - 1 : i - 2]}, i));
   }
