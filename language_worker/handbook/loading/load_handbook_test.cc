@@ -75,6 +75,26 @@ TEST_F(LoadHandbookTest, AnOwnEntryTakesThePlaceOfOursAndItsWordsGoFirst) {
   EXPECT_NE((*handbook)->version(), (*ours)->version());
 }
 
+TEST_F(LoadHandbookTest, ACategoryStandsForAllItsOtherClasses) {
+  Write("pieces.textproto", R"(
+furniture {
+  name: "pouf"
+  category: "stool"
+  width_m { typical: 0.5 }
+  depth_m { typical: 0.5 }
+  height_m { typical: 0.4 }
+  material_group: "upholstery"
+  relations { text: "The {object} is near the {target}." targets: "loveseat" target_categories: "sofa" }
+}
+)");
+  const auto handbook = LoadHandbook(DefaultHandbookFolder(), {folder_});
+  ASSERT_TRUE(handbook.ok()) << handbook.status();
+  const auto& targets = (*handbook)->FindFurniture("pouf")->relations(0).targets();
+  EXPECT_EQ(targets[0], "loveseat");
+  EXPECT_EQ(std::ranges::count(targets, "loveseat"), 1);
+  EXPECT_THAT(targets, Contains("curved sofa"));
+}
+
 TEST_F(LoadHandbookTest, EveryFaultIsNamedWithFileLineAndField) {
   Write("pieces.textproto", R"(
 furniture {

@@ -53,6 +53,37 @@ Plan PlanFor(const std::string& text) {
   return plan;
 }
 
+TEST(Groups, TablesOfTwoKindsHaveTheirOwnChairs) {
+  const Plan plan =
+      PlanFor("A cafe, 9 m x 8 m, with three round tables with two chairs each and a dining table for eight.");
+  const std::string communal = plan.First("dining table").zone_id();
+  ASSERT_NE(communal, "");
+  EXPECT_EQ(plan.Count("dining chair"), 14);
+  EXPECT_EQ(plan.Count("dining chair", communal), 8);
+  EXPECT_EQ(plan.Count("dining table", communal), 1);
+  for (const v1::Sentence& sentence : plan.constraints.sentences()) {
+    const auto& about = sentence.subject_ids();
+    const bool at_it = std::ranges::find(about, plan.First("dining table").id()) != about.end();
+    for (const v1::Object& chair : plan.objects.objects()) {
+      if (!at_it || chair.name() != "dining chair" || chair.zone_id() == communal) continue;
+      EXPECT_EQ(std::ranges::find(about, chair.id()), about.end()) << sentence.text();
+    }
+  }
+}
+
+TEST(Stock, SmallThingsBesideWhatWasAskedForStayAndLargeOnesGo) {
+  const Plan plan = PlanFor("A living room with a sofa, two armchairs and a fireplace.");
+  EXPECT_EQ(plan.Count("floor lamp"), 1);
+  EXPECT_EQ(plan.Count("side table"), 1);
+  EXPECT_EQ(plan.Count("tv stand"), 0);
+}
+
+TEST(Stock, WhatWasAskedForIsCarriedWhereItsClassMayBe) {
+  const Plan plan = PlanFor("A hotel room with a TV.");  // there it usually hangs on the wall
+  EXPECT_EQ(plan.Count("television"), 1);
+  EXPECT_EQ(plan.Omission("television"), "");
+}
+
 TEST(Groups, ZonesOfGroupsHaveNamesOfTheirOwn) {
   v1::Brief brief;
   brief.set_text("Care home lounge: fourteen armchairs arranged in small clusters, two side tables per cluster.");
