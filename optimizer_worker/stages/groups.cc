@@ -19,7 +19,7 @@ namespace {
 // A table and its seats; more would be a room, not a group.
 constexpr size_t kMostMembers = 17;
 // An island of desks or what is side by side in a row; more are rows of themselves.
-constexpr size_t kMostInBlock = 8;
+constexpr size_t kMostInBlock = 12;
 
 // Pieces of the same make: they have the same name but for a number, and are as large to a hand's breadth or two.
 using Make = std::tuple<std::string, int, int, bool>;
@@ -52,7 +52,7 @@ class GroupFinder {
            (what.role != ObjectRole::kTertiary || !what.walk_over);
   }
 
-  // Pieces of a make and a zone that calls put side to side, named sides: an island of desks, two of a row.
+  // Pieces of a make and a zone that calls put side to side, named sides, or in a row: an island of desks, lockers.
   void FindBlocks() {
     block_.resize(parent_.size());
     for (size_t i = 0; i < block_.size(); ++i) block_[i] = static_cast<int>(i);
@@ -61,16 +61,23 @@ class GroupFinder {
         return argument.name() == "object_side" || argument.name() == "target_side";
       });
       const std::vector<int> named = NamedObjects(edge, scene_);
-      if (edge.type() != "next_to" || sides != 2 || named.size() != 2) continue;
-      const Object &one = scene_.objects[named[0]], &other = scene_.objects[named[1]];
-      if (one.zone != other.zone || MakeOf(one) != MakeOf(other) || !MayJoin(named[0]) || !MayJoin(named[1])) continue;
-      const int from = block_[named[0]], to = block_[named[1]];
-      std::replace(block_.begin(), block_.end(), std::max(from, to), std::min(from, to));
+      if (edge.type() != "row" && (edge.type() != "next_to" || sides != 2)) continue;
+      for (size_t k = 0; k + 1 < named.size(); ++k) JoinBlocks(named[k], named[k + 1]);
     }
+  }
+  void JoinBlocks(int a, int b) {
+    const Object &one = scene_.objects[a], &other = scene_.objects[b];
+    if (one.zone != other.zone || MakeOf(one) != MakeOf(other) || !MayJoin(a) || !MayJoin(b)) return;
+    const int from = block_[a], to = block_[b];
+    std::replace(block_.begin(), block_.end(), std::max(from, to), std::min(from, to));
   }
   bool AreInBlock(int a, int b) const {
     return block_[a] == block_[b] &&
            static_cast<size_t>(std::count(block_.begin(), block_.end(), block_[a])) <= kMostInBlock;
+  }
+  bool IsInBlock(int object) const {
+    const auto size = static_cast<size_t>(std::count(block_.begin(), block_.end(), block_[object]));
+    return size > 1 && size <= kMostInBlock;
   }
   // Whether its first piece has others of its make in the group.
   bool IsBlock(const Group& group) const {
@@ -84,8 +91,10 @@ class GroupFinder {
     for (int i = 0; i < static_cast<int>(parent_.size()); ++i) {
       if (MayJoin(i)) order_.push_back(i);
     }
+    // What stands side by side keeps together, even where the chairs before it are larger.
     std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
-      return scene_.objects[a].footprint.area_m2() > scene_.objects[b].footprint.area_m2();
+      const auto rank = [&](int o) { return std::pair(IsInBlock(o), scene_.objects[o].footprint.area_m2()); };
+      return rank(a) > rank(b);
     });
     for (int object : order_) ++common_[MakeOf(scene_.objects[object])];
     std::map<int, size_t> members;
@@ -94,11 +103,11 @@ class GroupFinder {
       const int object = order_[i];
       double most = 0;
       for (size_t k = 0; k < i; ++k) {
-        const double tie = input_.linked.TieOf(order_[k], object);
         const bool alike = MakeOf(scene_.objects[order_[k]]) == MakeOf(scene_.objects[object]);
         const bool row = alike && common_[MakeOf(scene_.objects[object])] >= kFewestAlike;
-        if (tie <= most || (row && !AreInBlock(order_[k], object)) || members[root[order_[k]]] >= kMostMembers)
-          continue;
+        const bool block = AreInBlock(order_[k], object);
+        const double tie = block ? HUGE_VAL : input_.linked.TieOf(order_[k], object);
+        if (tie <= most || (row && !block) || members[root[order_[k]]] >= kMostMembers) continue;
         most = tie;
         parent_[object] = order_[k];
       }

@@ -310,14 +310,14 @@ TEST(ForEachPattern, LeavesWaysAllRound) {
   const Footprint size{box.width_m(), box.height_m()};
   int grids = 0;
   ForEachPattern(room, box, 6, Ways::kAllRound, [&](const std::vector<Pose<double>>& poses) {
-    const bool on_a_wall = std::ranges::any_of(poses, [&](const Pose<double>& pose) {
-      return AngleBetween(pose.theta_rad, poses[0].theta_rad) > 0.1;
-    });
+    const bool on_a_wall = std::ranges::any_of(
+        poses, [&](const Pose<double>& pose) { return AngleBetween(pose.theta_rad, poses[0].theta_rad) > 0.1; });
     if (on_a_wall || poses.size() != 6) return;
     double least_m = HUGE_VAL;
     for (size_t a = 0; a < poses.size(); ++a) {
       for (size_t b = 0; b < a; ++b) {
-        least_m = std::min(least_m, Separate(Box<double>(size, FrameOf(poses[a])), Box<double>(size, FrameOf(poses[b]))).gap_m);
+        least_m = std::min(least_m,
+                           Separate(Box<double>(size, FrameOf(poses[a])), Box<double>(size, FrameOf(poses[b]))).gap_m);
       }
     }
     grids += least_m > 0.5 ? 1 : 0;

@@ -144,8 +144,7 @@ TEST(LeaveOut, ASparePieceInTheWayOfAnotherGoes) {
             ObjectText("chest", "SECONDARY", "FLOOR", 1.8, 0.6) + "}" +
             EdgeText("e1", "against_wall", Text("object", "desk")) +
             EdgeText("e2", "accessible",
-                     Text("object", "desk") +
-                         R"(arguments { name: "min_clearance_m" value { number: 1.4 } })"));
+                     Text("object", "desk") + R"(arguments { name: "min_clearance_m" value { number: 1.4 } })"));
   graph.mutable_object_list()->mutable_objects(1)->set_spare(true);
   const v1::SolvedLayout layout = Solve(graph, v1::MISFIT_POLICY_KEEP);
   EXPECT_TRUE(IsPlaced(layout, "desk"));

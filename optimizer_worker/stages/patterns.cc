@@ -302,8 +302,7 @@ std::vector<PartialLayout> WithOthersFirst(const SolveInput& input, const StageS
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
   const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
-  LayoutSearch search(search_input, MakeProblem(input, costs, {stage.kind, stage.zone, others}, before),
-                      before.layout);
+  LayoutSearch search(search_input, MakeProblem(input, costs, {stage.kind, stage.zone, others}, before), before.layout);
   Random random(RestartSeed(input.settings, stage, 0));
   search.Construct(others, 0, random);
   PartialLayout ahead = before;

@@ -169,8 +169,22 @@ class GroupArranger {
                       arguments.end());
       // What a lone piece wants of the room is for later.
       if (free && named.size() < 2) continue;
-      absl::StatusOr<std::unique_ptr<Cost>> cost = Bind(edge, {scene_, centers, &input_.linked});
-      if (cost.ok()) Add(*std::move(cost), std::move(named), edge.weight() > 0 ? edge.weight() : 1, false, edge.type());
+      AddCall(edge, named, centers);
+      // Told of all of a row, one would not know where to stand until the last is placed.
+      for (size_t k = 0; edge.type() == "row" && k + 1 < named.size(); ++k) {
+        v1::ConstraintEdge neighbours;
+        neighbours.set_type("next_to");
+        neighbours.set_weight(edge.weight());
+        for (const auto& [name, text] : {std::pair<const char*, std::string>("object", scene_.objects[named[k + 1]].id),
+                                         {"object_side", "left"},
+                                         {"target", scene_.objects[named[k]].id},
+                                         {"target_side", "right"}}) {
+          v1::Argument& argument = *neighbours.add_arguments();
+          argument.set_name(name);
+          argument.mutable_value()->set_text(text);
+        }
+        AddCall(neighbours, {named[k], named[k + 1]}, centers);
+      }
     }
     for (size_t k = 1; k < group_.objects.size(); ++k) {
       const int object = group_.objects[k];
@@ -181,6 +195,10 @@ class GroupArranger {
                kNoOverlapTerm);
       }
     }
+  }
+  void AddCall(const v1::ConstraintEdge& edge, std::vector<int> named, std::span<const Vec2<double>> centers) {
+    absl::StatusOr<std::unique_ptr<Cost>> cost = Bind(edge, {scene_, centers, &input_.linked});
+    if (cost.ok()) Add(*std::move(cost), std::move(named), edge.weight() > 0 ? edge.weight() : 1, false, edge.type());
   }
   void AddOwn(std::unique_ptr<Cost> cost, double weight, bool hard, const char* name) {
     if (cost == nullptr) return;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "optimizer_worker/stages/solve_input.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <string>
+
+#include "optimizer_worker/stages/solve_input.h"
 
 namespace flair::optimizer {
 namespace {

@@ -77,8 +77,7 @@ void TellNotAsAsked(const BriefFacts& facts, const Handbook& handbook, v1::Objec
   const auto count = [&](const hb::Furniture& furniture) {
     return static_cast<int>(std::ranges::count(list.objects(), furniture.name(), &v1::Object::name));
   };
-  const auto tell_fewer = [&](const hb::Furniture& furniture, int asked) {
-    const int there = count(furniture);
+  const auto tell_fewer = [&](const hb::Furniture& furniture, int there, int asked) {
     const bool told = std::ranges::count(list.omissions(), furniture.name(), &v1::Omission::name) > 0;
     if (there >= asked || told) return;
     AddDiagnostic(v1::SEVERITY_WARNING, "fewer_than_asked",
@@ -86,16 +85,29 @@ void TellNotAsAsked(const BriefFacts& facts, const Handbook& handbook, v1::Objec
                   list);
   };
   // Of one class all tables together: "six tables with two chairs each and one for eight".
-  std::vector<std::pair<const hb::Furniture*, int>> seats;
+  struct Seats {
+    const hb::Furniture* seat;
+    const hb::Furniture* host;
+    int asked;
+  };
+  std::vector<Seats> seats;
   for (const Wish& wish : facts.wishes) {
-    tell_fewer(*wish.furniture, wish.count);
+    tell_fewer(*wish.furniture, count(*wish.furniture), wish.count);
     const hb::Furniture* seat = wish.seats > 0 ? SeatOf(*wish.furniture, handbook) : nullptr;
     if (seat == nullptr) continue;
-    auto there = std::ranges::find(seats, seat, &std::pair<const hb::Furniture*, int>::first);
-    if (there == seats.end()) there = seats.insert(there, {seat, 0});
-    there->second += wish.count * wish.seats;
+    auto there = std::ranges::find(seats, seat, &Seats::seat);
+    if (there == seats.end()) there = seats.insert(there, {seat, wish.furniture, 0});
+    there->asked += wish.count * wish.seats;
   }
-  for (const auto& [seat, asked] : seats) tell_fewer(*seat, asked);
+  for (const auto& [seat, host, asked] : seats) {
+    int there = count(*seat);
+    // The one across the table is a seat as well.
+    for (const auto& companion : host->companions()) {
+      const hb::Furniture* other = handbook.FindFurniture(companion.furniture());
+      if (other != nullptr && other != seat && IsSeat(*other)) there += count(*other);
+    }
+    tell_fewer(*seat, there, asked);
+  }
   for (const hb::Furniture* refusal : facts.refusals) {
     if (count(*refusal) == 0) continue;
     AddDiagnostic(v1::SEVERITY_WARNING, "refused_but_there",

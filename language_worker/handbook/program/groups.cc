@@ -47,7 +47,9 @@ class Grouper {
     for (ProgramItem& seat : program_.floor_items) SuitHeight(seat);
     for (ProgramItem& host : program_.floor_items) SeatPeople(host);
     for (std::size_t i = 1; i < program_.floor_items.size(); ++i) PartTables(i);
+    for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SitAcross(i);
     for (const hb::Rows& rows : program_.archetype->rows()) SplitRows(rows);
+    for (const Place& place : facts_.places) FaceOneWay(place);
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SplitTables(i);
   }
 
@@ -77,6 +79,41 @@ class Grouper {
       seat.furniture = &other;
       return;
     }
+  }
+
+  // "Two chairs each" at a desk that has a seat on either side are one of each.
+  void SitAcross(std::size_t i) {
+    const ProgramItem host = program_.floor_items[i];
+    ProgramItem* seats = SeatsOf(host);
+    if (seats == nullptr || host.furniture->category() != "desk" || seats->count <= host.count) return;
+    for (const auto& companion : host.furniture->companions()) {
+      const hb::Furniture* other = handbook_.FindFurniture(companion.furniture());
+      if (other == nullptr || !IsSeat(*other) || other == seats->furniture) continue;
+      const bool there = std::ranges::any_of(
+          program_.floor_items, [&](const auto& item) { return item.furniture == other && item.zone == host.zone; });
+      if (there) return;
+      ProgramItem across = *seats;
+      across.furniture = other;
+      across.count = seats->count - host.count;
+      seats->count = host.count;
+      program_.floor_items.push_back(across);
+      return;
+    }
+  }
+
+  // "Ten double desks facing the whiteboard" stand in rows, whatever the kind of room has.
+  void FaceOneWay(const Place& place) {
+    constexpr int kFewest = 4;
+    constexpr double kAislesM = 1;
+    const bool faces = place.asked->relation().text() == "The {object} faces the {target}." && place.target != nullptr;
+    const bool known = std::ranges::any_of(
+        program_.archetype->rows(), [&](const hb::Rows& rows) { return rows.furniture() == place.furniture->name(); });
+    if (!faces || known || place.which >= 0 || PlacesOn(*place.target) > 0) return;
+    hb::Rows rows;
+    rows.set_furniture(place.furniture->name());
+    rows.set_aisles_m(kAislesM);
+    rows.set_min_count(kFewest);
+    SplitRows(rows);
   }
 
   ProgramItem* SeatsOf(const ProgramItem& host) {
@@ -215,10 +252,13 @@ class Grouper {
   // Shares one line of the program and its seats out over zones that take the place of its own.
   void Split(std::size_t at, int in_each, std::vector<hb::ZoneSpec>& zones) {
     const ProgramItem host = program_.floor_items[at];
-    const ProgramItem* seat_line = SeatsOf(host);
-    const ProgramItem seats = seat_line == nullptr ? ProgramItem{} : *seat_line;
-    std::vector<ProgramItem> lines;
-    int left = host.count, seats_left = seats.count;
+    std::vector<ProgramItem> lines, seats;
+    for (const ProgramItem& item : program_.floor_items) {
+      if (item.seat_of == host.furniture && item.zone == host.zone) seats.push_back(item);
+    }
+    std::vector<int> at_each;
+    for (const ProgramItem& item : seats) at_each.push_back((item.count + host.count - 1) / host.count);
+    int left = host.count;
     for (hb::ZoneSpec& zone : zones) {
       zone.clear_primaries();
       zone.add_primaries(host.furniture->name());
@@ -227,12 +267,13 @@ class Grouper {
       line.count = std::min(in_each, left);
       left -= line.count;
       lines.push_back(line);
-      if (seat_line == nullptr) continue;
-      ProgramItem sitting = seats;
-      sitting.zone = zone.name();
-      sitting.count = std::min(seats_left, line.count * host.seats);
-      seats_left -= sitting.count;
-      if (sitting.count > 0) lines.push_back(sitting);
+      for (std::size_t s = 0; s < seats.size(); ++s) {
+        ProgramItem sitting = seats[s];
+        sitting.zone = zone.name();
+        sitting.count = std::min(seats[s].count, line.count * at_each[s]);
+        seats[s].count -= sitting.count;
+        if (sitting.count > 0) lines.push_back(sitting);
+      }
     }
     std::erase_if(program_.floor_items, [&](const ProgramItem& item) {
       return item.zone == host.zone && (item.furniture == host.furniture || item.seat_of == host.furniture);

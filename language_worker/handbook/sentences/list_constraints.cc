@@ -119,7 +119,8 @@ class ConstraintLister {
     if (WriteEntrySentence(name, group)) topics.insert("place");
     if (writer_.IsTogether(group)) {
       WriteRules(true, group, topics);
-      topics.insert({"back", "light", "socket", "way", "before", "front"});
+      topics.insert({"light", "socket", "way", "before", "front"});
+      if (furniture == nullptr || furniture->back() != hb::BACK_RULE_WALL) topics.insert("back");
     }
     Relations special;
     for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
@@ -131,6 +132,8 @@ class ConstraintLister {
       for (const hb::Relation& relation : furniture->relations()) own.push_back(&relation);
     }
     WriteLevel(own, group, topics);
+    // What has a place looks at what is there.
+    if (topics.contains("place")) topics.insert("facing");
     WriteRules(false, group, topics);
     if (writer_.HasWays(group)) WriteRules(true, group, topics);
   }
@@ -151,6 +154,11 @@ class ConstraintLister {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const Place& place = places_[i];
       if (!IsMeant(*place.furniture, name)) continue;
+      // Those on either side of a table face each other over it.
+      if (place.asked->relation().text() == "The {objects} face each other." && writer_.IsSeated(group)) {
+        kept_[i] = true;
+        continue;
+      }
       const std::vector<v1::Sentence> written = place_writer_.Write(place, group);
       for (v1::Sentence sentence : written) {
         sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
@@ -167,7 +175,9 @@ class ConstraintLister {
       if (written.empty()) continue;
       kept_[i] = true;
       topics.insert(place.asked->silences().begin(), place.asked->silences().end());
-      if (place.walls > 1) topics.insert("row");
+      const bool in_row = std::ranges::any_of(
+          written, [](const v1::Sentence& sentence) { return sentence.text().ends_with("side by side in a row."); });
+      if (in_row || place.walls > 1 || place.which >= 0 || place.asked->parts() > 1) topics.insert("row");
     }
   }
 

@@ -157,6 +157,17 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     relation.set_pairing(hb::PAIRING_TOGETHER);
   }
   if (relation.targets().empty()) NameTheWall(further, relation);
+  // Of many lockers beside the door, or cabinets next to the rack, one is there, and the others follow in a row.
+  const bool at_one_place = relation.text().find(" near the ") != std::string::npos ||
+                            relation.text() == "The {object} is next to the {target}.";
+  if (at_one_place && subjects.size() >= kMany && IsOnTheFloor(*place.furniture) &&
+      place.furniture->back() == hb::BACK_RULE_WALL) {
+    std::vector<v1::Sentence> sentences = writer_.Write(relation, {subjects.front()}, further);
+    hb::Relation row = place.asked->relation();
+    row.set_text("The {objects} stand side by side in a row.");
+    if (!sentences.empty()) sentences.push_back(writer_.WriteOne(row, subjects, {}, 0));
+    return named ? AsWritten(std::move(sentences)) : sentences;
+  }
   const bool on_a_top = carried != hb::CARRIED_UNSPECIFIED && subjects.front()->kind() == v1::OBJECT_KIND_SURFACE;
   if (on_a_top && !writer_.IsCentral(*subjects.front()))
     relation.set_text("The {object} is on the {corner} corner of the {target}.");

@@ -196,6 +196,11 @@ bool SentenceWriter::HasWays(const Group& group) const {
   return line != nullptr && line->abreast > 0 && group.size() > static_cast<std::size_t>(line->abreast);
 }
 
+bool SentenceWriter::IsSeated(const Group& group) const {
+  const ProgramItem* line = LineOf(*group.front());
+  return line != nullptr && line->seat_of != nullptr;
+}
+
 bool SentenceWriter::IsTogether(const Group& group) const {
   const ProgramItem* line = LineOf(*group.front());
   return line != nullptr && line->in_each > 1 && group.size() > 1;
@@ -229,7 +234,7 @@ std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& re
                                                                                   : right ? "right"
                                                                                           : "left"}};
     sided.set_text(Fill(relation.text(), sides));
-    sentences.push_back(WriteOne(sided, {group[i]}, {group[k < 2 ? i - 1 : i - 2]}, i));
+    sentences.push_back(WriteOne(sided, {group[i]}, {group[behind || k < 2 ? i - 1 : i - 2]}, i));
   }
   return sentences;
 }

@@ -50,6 +50,8 @@ class SentenceWriter {
 
   // Whether they stand in a row with ways in it.
   bool HasWays(const Group& group) const;
+  // Whether they are pulled up to another piece.
+  bool IsSeated(const Group& group) const;
   // Whether they stand together by themselves: in an island, back to back and side by side, or in one of several rows.
   bool IsTogether(const Group& group) const;
 
