@@ -213,6 +213,29 @@ TEST(Groups, IslandsAreGroupsOfAPattern) {
   }
 }
 
+TEST(Groups, ARowKeepsTogetherThoughTheChairsBeforeItAreLarger) {
+  std::string objects, edges, items;
+  for (int s = 0; s < 4; ++s) {
+    const std::string station = fmt::format("station_{}", s), chair = fmt::format("chair_{}", s);
+    objects += ObjectText(station.c_str(), "PRIMARY", "FLOOR", 1.2, 0.35);
+    objects += ObjectText(chair.c_str(), "SECONDARY", "FLOOR", 0.65, 0.7);
+    edges += EdgeText(("wall_" + station).c_str(), "against_wall", Text("object", station.c_str()));
+    edges += EdgeText(("seat_" + station).c_str(), "next_to",
+                      Text("object", chair.c_str()) + Text("target", station.c_str()) + Text("object_side", "front") +
+                          Text("target_side", "front"));
+    items += fmt::format(R"(items: "{}" )", station);
+  }
+  edges += EdgeText("row", "row", fmt::format(R"(arguments {{ name: "objects" value {{ texts {{ {} }} }} }})", items));
+  const v1::LayoutGraph graph = Parse(RoomText(7, 5) + "object_list {" + objects + "}" + edges);
+  for (int seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const v1::SolvedLayout layout = Solve(graph, seed, v1::GROUP_POLICY_UNSPECIFIED);
+    for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
+      EXPECT_LT(outcome.cost(), 0.01) << outcome.ShortDebugString();
+    }
+  }
+}
+
 TEST(WalkPenalty, ADeskDoesNotBlockTheFrontOfItsChair) {
   const NloptSolver solver;
   const v1::LayoutGraph graph = Cafe(1, 5);

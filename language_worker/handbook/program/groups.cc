@@ -89,13 +89,12 @@ class Grouper {
     for (const auto& companion : host.furniture->companions()) {
       const hb::Furniture* other = handbook_.FindFurniture(companion.furniture());
       if (other == nullptr || !IsSeat(*other) || other == seats->furniture) continue;
-      const bool there = std::ranges::any_of(
-          program_.floor_items, [&](const auto& item) { return item.furniture == other && item.zone == host.zone; });
-      if (there) return;
       ProgramItem across = *seats;
       across.furniture = other;
       across.count = seats->count - host.count;
       seats->count = host.count;
+      std::erase_if(program_.floor_items,
+                    [&](const ProgramItem& item) { return item.furniture == other && item.zone == host.zone; });
       program_.floor_items.push_back(across);
       return;
     }

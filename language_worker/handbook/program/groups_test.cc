@@ -266,5 +266,44 @@ TEST(Groups, TheStoolOfADressingTableStays) {
   EXPECT_EQ(PlanFor("A classroom of 9 m x 7.5 m for 24 pupils, desks, and three beanbags.").Count("school chair"), 24);
 }
 
+TEST(Groups, AnIslandOfFourIsTwoPairsBackToBack) {
+  const Plan plan = PlanFor("An office of 8 m x 6 m with four desks in a group of four.");
+  EXPECT_EQ(plan.Sentences("The back side of the second desk is next to the back side of the first desk."), 1);
+  EXPECT_EQ(plan.Sentences("The left side of the third desk is next to the right side of the first desk."), 1);
+  EXPECT_EQ(plan.Sentences("The back side of the fourth desk is next to the back side of the third desk."), 1);
+}
+
+TEST(Groups, OfTwoChairsAtATableWithTwoSidesOneIsAcross) {
+  const Plan plan = PlanFor("A nail salon, 5 x 6 m, with four manicure tables with two chairs each facing each other.");
+  EXPECT_EQ(plan.Count("office chair"), 4);
+  EXPECT_EQ(plan.Count("visitor chair"), 4);
+  EXPECT_EQ(plan.Sentences("visitor chair is next to the back of the"), 4);
+  EXPECT_EQ(plan.Sentences("face each other"), 0);
+  EXPECT_TRUE(plan.objects.diagnostics().empty()) << plan.objects.diagnostics(0).message();
+}
+
+TEST(Groups, WhatFacesOneThingStandsInRowsInAnyKindOfRoom) {
+  const Plan plan = PlanFor("A sewing room, 9 x 8 m, with ten desks facing the whiteboard.");
+  std::map<std::string, int> in_zone;
+  for (const v1::Object& object : plan.objects.objects())
+    if (object.name() == "desk") ++in_zone[object.zone_id()];
+  EXPECT_EQ(plan.Count("desk"), 10);
+  EXPECT_GT(in_zone.size(), 1u);
+}
+
+TEST(Groups, ManyAtOnePlaceFollowTheFirstInARow) {
+  const Plan plan = PlanFor("An office of 8 m x 6 m with a desk and six lockers beside the door.");
+  EXPECT_EQ(plan.Sentences("first locker is near the door."), 1);
+  EXPECT_EQ(plan.Sentences("second locker is near the door."), 0);
+  EXPECT_EQ(plan.Sentences("lockers stand side by side in a row."), 1);
+  EXPECT_EQ(plan.Sentences("locker's back is against a wall."), 6);
+}
+
+TEST(Groups, ChairsOfATableDoNotLookAtTheDesksElsewhere) {
+  const Plan plan = PlanFor("An office of 9 m x 6 m with eight desks and a conference table with four chairs.");
+  EXPECT_EQ(plan.Sentences("surround the conference table"), 1);
+  EXPECT_EQ(plan.Sentences("office chair faces the"), plan.Count("desk"));
+}
+
 }  // namespace
 }  // namespace flair::language
