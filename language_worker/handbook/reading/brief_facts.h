@@ -86,7 +86,7 @@ struct BriefFacts {
   std::vector<const hb::NamedColour*> refused_colours;  // that are not to be in it
   std::vector<AskedFinish> finishes;
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
-  std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table"
+  std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table", "dark oak"
   std::optional<int> people;
   std::string people_said;               // its words for them
   std::optional<int> year;               // of its time: "around 1750"

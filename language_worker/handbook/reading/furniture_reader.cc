@@ -41,22 +41,28 @@ class FurnitureReader {
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (used_[i] || IsMeasure(text_, i) || IsAVerb(text_, i) || IsAShape(text_, i)) continue;
+      if (AreFronts(handbook_, text_, i, used_, facts_)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
-      const bool seats = SeatsFollow(text_, i + 1);
+      const bool seats = SeatsFollow(text_, i + 1), several = CountsSeveral(text_, i);
       const auto rank = [&](const hb::Furniture& furniture) {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
+        // "Sewing machines on tables".
+        const bool host = partner != nullptr && Includes(partner->hosts(), furniture.name());
         const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
         // Between two seats stands something small.
         constexpr double kSmallM = 0.6;
         const bool small = beside && text_.Says(i + 1, {"between", "in"}) && furniture.width_m().typical() <= kSmallM;
-        return (handbook_.IsOwn(furniture) ? 4096 : 0) + nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) +
-               (small ? 32 : 0) + (table ? 128 : 0);
+        // So many are no armchairs.
+        const bool upright = several && IsSeat(furniture);
+        return (handbook_.IsOwn(furniture) ? 4096 : 0) + 2 * nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) +
+               (small ? 32 : 0) + (table ? 128 : 0) + (host ? 7 : 0) + (upright ? 1 : 0);
       };
       auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
       if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
-      if (named != nullptr && (IsHeld(text_, *named, i) || IsBorne(text_, *named, i) || IsOfATale(text_, i))) {
+      if (named != nullptr && (IsHeld(text_, *named, i) || IsBorne(text_, *named, i) || IsOfATale(text_, i) ||
+                               IsPassing(text_, i, name_length))) {
         Use(i, name_length);
         continue;
       }
@@ -83,6 +89,9 @@ class FurnitureReader {
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
       if (length == 0) {
         if (text_.IsWord(i) && refused) used_[i] = RefuseKind(handbook_, text_, i, facts_);
+        // The drawers of "parts cabinets with many small drawers", which nobody knows.
+        const std::size_t behind = i + name_length, parts = BehindParts(text_, behind);
+        if (named != nullptr && parts > behind) i = parts - 1;
         continue;
       }
       if (refused) {
@@ -191,7 +200,7 @@ class FurnitureReader {
     if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
     for (std::size_t k = mentions_.back().end; k < i; ++k) {
       if (text_.IsSign(k) && text_.At(k) != ",") return nullptr;
-      if (text_.Is(k, "joined")) return mentions_.back().furniture;
+      if (text_.Is(k, "joined") || text_.At(k) == "on") return mentions_.back().furniture;
     }
     return nullptr;
   }
@@ -261,6 +270,8 @@ class FurnitureReader {
       const std::optional<english::Measure> measure = english::MeasureAt(tokens_, k);
       if ((text_.IsNumber(k) || NumberWord(text_.At(k))) && measure && measure->unit == 0) counts_.push_back(k);
     }
+    // "Six pews on each side"; two beds on either side are two.
+    if (count.said && count.number > 2 && text_.BehindPhrase(i + length, "on_each_side")) count.number *= 2;
     const Groups groups = GroupsAround(text_, i, length);
     if (groups.count > 0 && groups.in_each > 0 && !(count.said && groups.begin > i))
       count = {groups.count * groups.in_each};
@@ -279,20 +290,23 @@ class FurnitureReader {
       count.number = std::clamp(count.number * times, 1, kMostOfAKind);
     }
     if (!count.said) count.number = std::max(count.number, CountAlongWalls(text_, furniture, i + length, facts_));
-    // "Four chairs facing mirrors".
-    if (!count.said && !mentions_.empty() && text_.Is(mentions_.back().end, "facing_it") &&
-        text_.BehindPhrase(mentions_.back().end, "facing_it") == text_.PhraseBegin(i)) {
-      count.number = std::max(count.number, mentions_.back().count);
+    // "Four chairs facing mirrors", "four chairs with mirrors".
+    if (const std::size_t end = mentions_.empty() ? 0 : mentions_.back().end; !count.said && end > 0) {
+      const bool each = text_.BehindPhrase(end, text_.At(end) == "with" ? "having" : "facing_it") == text_.PhraseBegin(i);
+      if (each) count.number = std::max(count.number, mentions_.back().count);
     }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};
     if (groups.end > 0) wish.in_each = groups.InEach(count.number);
     wish.in_rows = groups.rows;
     wish.noun = nouns_.NounAt(tokens_, i, length);
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
-    if (const SeatsSaid seats = SeatsAround(text_, i, length); !furniture.companions().empty() && seats.number > 0) {
+    SeatsSaid seats = SeatsAround(text_, i, length);
+    const bool desk = furniture.category() == "desk";
+    if (const auto at = PhraseBefore("desks_for_two", text_, i); desk && at) seats = {2, *at, *at + 1, true};
+    if ((!furniture.companions().empty() || furniture.category().ends_with("table")) && seats.number > 0) {
       wish.seats = std::min(seats.number, kMostSeats);
       wish.counted = wish.counted && !seats.of_each;
-      if (seats.of_each && furniture.category() == "desk") wish.size.width_m = kAtADeskM * seats.number;
+      if (seats.of_each && desk) wish.size.width_m = kAtADeskM * seats.number;
       Use(seats.begin, seats.end - seats.begin);  // not the room's
     } else if (PlacesOn(furniture) > 0 && !IsSeat(furniture) && furniture.category() != "bed" && seats.number > 0) {
       const double width_m = furniture.width_m().typical();

@@ -2,6 +2,7 @@
 #include "language_worker/handbook/reading/noun_book.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "english/wordnet.h"
 #include "english/words.h"
@@ -111,8 +112,9 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
 
 NounBook::Purpose NounBook::PurposeOf(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) const {
   const BriefText text(tokens);
-  if (text.At(end) != "for" || !text.IsWord(begin)) return {};
-  std::size_t at = end + 1;
+  const std::optional<std::size_t> behind = text.BehindPhrase(end, "made_for");
+  if (!behind || !text.IsWord(begin)) return {};
+  std::size_t at = *behind;
   while (text.Is(at, "thing_articles") || text.IsNumber(at) || NumberWord(text.At(at))) ++at;
   if (!text.IsWord(at) || text.At(at - 1) == "the") return {};
   std::vector<Token> name = {tokens[at]};

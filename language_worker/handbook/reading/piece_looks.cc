@@ -18,7 +18,7 @@ namespace {
 // Colour and material as said in tokens [begin, end).
 struct Looks {
   const hb::NamedColour* colour = nullptr;
-  std::string material = {};
+  std::string shade = {}, material = {};  // of "dark oak" the shade is "dark"
   std::size_t begin = 0, end = 0;
 };
 
@@ -49,6 +49,24 @@ class LooksReader {
     if (looks.end == 0) return;
     Give(furniture, looks);
     Use(looks.begin, looks.end);
+  }
+
+  bool AreFronts(std::size_t i) const {
+    const auto is_fitted = [&](const hb::ObjectEntry& entry) {
+      const hb::Furniture* furniture = handbook_.FindFurniture(entry.furniture());
+      return furniture != nullptr && furniture->run() == hb::RUN_PART_WORKTOP;
+    };
+    if (!text_.Is(i, "fronts_of_pieces") || std::ranges::none_of(facts_.archetype->bands(), [&](const hb::Band& band) {
+          return std::ranges::any_of(band.objects(), is_fitted);
+        }))
+      return false;
+    bool coloured = BehindAt(i + 1).colour != nullptr;
+    for (std::size_t k = text_.PhraseBegin(i); k < i; ++k) {
+      if (text_.IsNumber(k) || NumberWord(text_.At(k)) || text_.Is(k, "vague_numbers")) return false;
+      const Looks looks = RunAt(k);
+      coloured = coloured || (looks.colour != nullptr && looks.end == i);
+    }
+    return coloured;
   }
 
   // "Matt sage fronts", "fronts in matt sage", "bottle green leather".
@@ -91,7 +109,8 @@ class LooksReader {
       if (looks.colour == nullptr) looks.colour = colour;
       return length;
     }
-    if (!text_.Is(i, "materials")) return 0;
+    if (text_.Is(i, "shades") && looks.shade.empty()) looks.shade = text_.At(i);
+    if (!text_.Is(i, "materials")) return looks.shade == text_.At(i) ? 1 : 0;
     if (looks.material.empty()) looks.material = text_.At(i) == "wooden" ? "wood" : text_.At(i);
     return 1;
   }
@@ -127,8 +146,9 @@ class LooksReader {
     };
     if (looks.colour != nullptr && !has(facts_.object_colours))
       facts_.object_colours.emplace_back(&furniture, looks.colour);
-    if (!looks.material.empty() && !has(facts_.object_materials))
-      facts_.object_materials.emplace_back(&furniture, looks.material);
+    const bool both = !looks.shade.empty() && !looks.material.empty();
+    const std::string material = looks.shade + (both ? " " : "") + looks.material;
+    if (!material.empty() && !has(facts_.object_materials)) facts_.object_materials.emplace_back(&furniture, material);
   }
 
   // To what the brief asks for and what its kind of room has.
@@ -160,6 +180,11 @@ class LooksReader {
 void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
                      std::vector<bool>& used, BriefFacts& facts) {
   LooksReader(handbook, text, used, facts).Before(furniture, noun);
+}
+
+bool AreFronts(const Handbook& handbook, const BriefText& text, std::size_t i, std::vector<bool>& used,
+               BriefFacts& facts) {
+  return LooksReader(handbook, text, used, facts).AreFronts(i);
 }
 
 void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std::vector<Mention>& mentions,

@@ -40,6 +40,15 @@ int CountBehind(const BriefText& text, std::size_t end) {
   return number > 0 && closes && (!times || number <= 100) && !text.Is(end + 2, "unit_words") ? number : 0;
 }
 
+// "Everything except a bath", "all the usual things but no bath".
+bool IsOfEverything(const BriefText& text, std::size_t except) {
+  constexpr std::size_t kMostBack = 8;
+  for (std::size_t at = except; at > 0 && except - at < kMostBack && !text.EndsSentence(at - 1); --at) {
+    if (text.Is(at - 1, "everything")) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool AsksForFew(const BriefText& text, std::size_t i) {
@@ -75,6 +84,14 @@ bool IsFurther(const BriefText& text, std::size_t i) {
 
 bool IsMeasure(const BriefText& text, std::size_t i) {
   return i >= 2 && text.IsHyphen(i - 1) && text.tokens()[i].glued && MeasuresThePiece(text, i - 2);
+}
+
+bool CountsSeveral(const BriefText& text, std::size_t i) {
+  constexpr int kSeveral = 4;
+  for (std::size_t at = text.PhraseBegin(i); at < i; ++at) {
+    if (CountAt(text, at) >= kSeveral && !MeasuresThePiece(text, at)) return true;
+  }
+  return false;
 }
 
 bool SeatsFollow(const BriefText& text, std::size_t i) {
@@ -237,11 +254,12 @@ bool IsRefused(const BriefText& text, std::size_t i) {
     const std::size_t at = i - back;
     if (text.Says(at, {"or", "nor"})) most += 3;
     const std::string_view before = back < i ? text.At(at - 1) : std::string_view();
-    if (text.Is(at, "place_prepositions") || text.Is(at, "exceptions")) return false;
+    if (text.Is(at, "exceptions") || text.At(at) == "but") return IsOfEverything(text, at);
+    if (text.Is(at, "place_prepositions")) return false;
     if ((text.At(at) == "of" && before == "instead") || (text.At(at) == "than" && before == "rather")) return true;
     if (text.At(at) == "than") return false;
     if (text.Is(at, "refusing")) return true;
-    if (text.Says(at, {",", ".", ";", "with", "but", "and"})) return false;
+    if (text.Says(at, {",", ".", ";", "with", "and"})) return false;
   }
   return false;
 }
@@ -328,9 +346,24 @@ std::size_t BehindParts(const BriefText& text, std::size_t end) {
 }
 
 bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
+  if (!IsFloorPiece(furniture) || PlacesOn(furniture) > 0) return false;
+  std::size_t begin = text.PhraseBegin(i);
+  const bool known = text.Is(begin, "known_before");
+  // "For the vacuum and ironing board".
+  if (begin > 1 && text.At(begin - 1) == "and" && !text.Is(begin, "vague_numbers")) begin = text.PhraseBegin(begin - 2);
+  for (std::size_t at = begin - std::min<std::size_t>(begin, 3); at > 0 && at < begin; ++at) {
+    const std::size_t end = text.BehindPhrase(at, "made_for").value_or(0);
+    if (end < begin || end > i) continue;
+    return known ? IsFormIn("holders_of_things", text.At(at - 1)) : IsFormIn("thing_nouns", text.At(at - 1));
+  }
+  return false;
+}
+
+bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   const std::size_t begin = text.PhraseBegin(i);
-  if (begin < 2 || text.At(begin - 1) != "for" || !IsFormIn("thing_nouns", text.At(begin - 2))) return false;
-  return IsFloorPiece(furniture) && PlacesOn(furniture) == 0 && !text.Is(begin, "known_before");
+  const bool wide = begin > 2 && text.At(begin - 1) == "for" && text.At(begin - 2) == "enough";
+  if (wide && text.Is(begin - 3, "wide_ways")) return true;
+  return text.Is(i + length, "modal_verbs") && text.Is(i + length + 1, "verbs_of_passing");
 }
 
 bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {

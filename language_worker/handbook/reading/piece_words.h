@@ -65,6 +65,9 @@ struct SeatsSaid {
 };
 SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length);
 
+// Whether the phrase of the noun counts four or more.
+bool CountsSeveral(const BriefText& text, std::size_t i);
+
 // "for eight", "with six chairs": behind a word for a table, those who sit at it.
 bool SeatsFollow(const BriefText& text, std::size_t i);
 
@@ -99,6 +102,9 @@ std::size_t BehindParts(const BriefText& text, std::size_t end);
 
 // "A rack for eight bikes", "a stand for his piano": what another piece is made to hold.
 bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i);
+
+// The prams of "wide enough for prams" and "so that prams can pass".
+bool IsPassing(const BriefText& text, std::size_t i, std::size_t length);
 
 // The trays of "waiters with trays".
 bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i);

@@ -46,6 +46,11 @@ hb::Finish PlainCeiling() {
 
 long RgbOf(const hb::NamedColour& colour) { return std::strtol(colour.hex().c_str() + 1, nullptr, 16); }
 
+long BrightnessOf(const hb::NamedColour& colour) {
+  const long rgb = RgbOf(colour);
+  return 3 * (rgb >> 16 & 255) + 6 * (rgb >> 8 & 255) + (rgb & 255);
+}
+
 // Whether somebody who wants none of the one would not want the other: pink and blush.
 bool IsAlike(const hb::NamedColour& one, const hb::NamedColour& other) {
   constexpr long kAlike = 60 * 60;  // squared distance of their red, green and blue
@@ -144,21 +149,27 @@ const hb::MaterialChoice* StyleChoice::MaterialOf(const std::string& group) cons
   return nullptr;
 }
 
-// The material that the brief names, in the colour that it has in a style that has such a thing.
+// The material that the brief names, in the colour that it has in a style that has such a thing: of "dark oak" the
+// darkest oak, of "dark" alone the darkest of the room's colours.
 void StyleChoice::TakeAskedMaterial(const hb::Furniture& furniture, Look& look) const {
   const auto asked =
       std::ranges::find_if(object_materials_, [&](const auto& one) { return one.first->name() == furniture.name(); });
   if (asked == object_materials_.end()) return;
-  look.material = asked->second;
-  const auto has_it = [&](const hb::MaterialChoice& one) {
-    return one.material().find(asked->second) != std::string::npos && one.colours_size() > 0;
-  };
+  const std::string shade = asked->second.substr(0, asked->second.find(' '));
+  const bool shaded = IsIn("shades", shade);
+  const std::string material = shaded ? asked->second.substr(std::min(asked->second.size(), shade.size() + 1)) : asked->second;
+  if (!material.empty()) look.material = asked->second;
+  std::vector<hb::NamedColour> colours;
   for (const hb::Style& style : handbook_.contents().styles()) {
-    const auto found = std::ranges::find_if(style.materials(), has_it);
-    if (found == style.materials().end()) continue;
-    look.colour = found->colours(0);
-    return;
+    for (const hb::MaterialChoice& one : style.materials()) {
+      if (material.empty() || one.material().find(material) == std::string::npos) continue;
+      colours.insert(colours.end(), one.colours().begin(), one.colours().end());
+    }
   }
+  if (material.empty()) colours.assign(palette_.colours().begin(), palette_.colours().end());
+  if (colours.empty()) return;
+  const auto [darkest, lightest] = std::ranges::minmax_element(colours, {}, BrightnessOf);
+  look.colour = !shaded ? colours.front() : IsIn("dark_shades", shade) ? *darkest : *lightest;
 }
 
 StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number) const {
