@@ -289,6 +289,8 @@ class BriefReader {
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
       if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
       if (AsksForFew(BriefText(tokens_), i)) continue;  // "not too many plants" makes nobody a gardener
+      // "Twin beds" are for no twins.
+      if (phrase.MatchAt(tokens_, i, /*plural=*/false) == 0 && NamesAPiece(i + length, i + length + 1)) continue;
       number = found;
       return true;
     }

@@ -108,10 +108,19 @@ class FurnitureReader {
       i += length - 1;
       if (mentions_.empty() || mentions_.back().end != i + 1) continue;
       mentions_.back().end = BehindParts(text_, i + 1);
+      // The drawers of a desk are no chest; the cushions of a sofa lie on it.
+      const std::size_t behind = mentions_.back().end, noun = i;
+      const hb::Furniture* part = behind > i + 1 ? AnyAt(behind - 1) : nullptr;
+      if (part != nullptr && IsFloorPiece(*part) && part->category() != "mat") {
+        Use(i + 1, behind - i - 1);
+        i = behind - 1;
+      }
       if (purpose.furniture == nullptr) continue;
       Use(i + 1, purpose.end - i - 1);
       mentions_.back().end = purpose.end;
       i = purpose.end - 1;
+      Wish& wish = *std::ranges::find(facts_.wishes, furniture, &Wish::furniture);
+      if (wish.count < 3 && text_.At(noun).ends_with('s')) wish.count = std::max(wish.count, CountAlongWalls(text_, *furniture, purpose.end, facts_));
     }
     MeetLater(text_, facts_, mentions_);
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
@@ -197,7 +206,9 @@ class FurnitureReader {
       together = together || text_.Is(k, "together");
       if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
     }
-    if (mentions_.empty() || i - mentions_.back().end > kMostWords) return nullptr;
+    if (mentions_.empty()) return nullptr;
+    if (mentions_.back().end > i) return mentions_.back().furniture;  // a part of it: "a sofa with cushions"
+    if (i - mentions_.back().end > kMostWords) return nullptr;
     for (std::size_t k = mentions_.back().end; k < i; ++k) {
       if (text_.IsSign(k) && text_.At(k) != ",") return nullptr;
       if (text_.Is(k, "joined") || text_.At(k) == "on") return mentions_.back().furniture;
@@ -302,11 +313,11 @@ class FurnitureReader {
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
     SeatsSaid seats = SeatsAround(text_, i, length);
     const bool desk = furniture.category() == "desk";
-    if (const auto at = PhraseBefore("desks_for_two", text_, i); desk && at) seats = {2, *at, *at + 1, true};
+    if (const auto at = PhraseBefore("desks_for_two", text_, i); desk && at) seats = {2, *at, *at + 1};
     if ((!furniture.companions().empty() || furniture.category().ends_with("table")) && seats.number > 0) {
       wish.seats = std::min(seats.number, kMostSeats);
       wish.counted = wish.counted && !seats.of_each;
-      if (seats.of_each && desk) wish.size.width_m = kAtADeskM * seats.number;
+      if (desk && (seats.of_each || seats.number > 1)) wish.size.width_m = kAtADeskM * seats.number;
       Use(seats.begin, seats.end - seats.begin);  // not the room's
     } else if (PlacesOn(furniture) > 0 && !IsSeat(furniture) && furniture.category() != "bed" && seats.number > 0) {
       const double width_m = furniture.width_m().typical();

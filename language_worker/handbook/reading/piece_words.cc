@@ -350,7 +350,8 @@ bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i
   std::size_t begin = text.PhraseBegin(i);
   const bool known = text.Is(begin, "known_before");
   // "For the vacuum and ironing board".
-  if (begin > 1 && text.At(begin - 1) == "and" && !text.Is(begin, "vague_numbers")) begin = text.PhraseBegin(begin - 2);
+  const bool counted = text.IsNumber(begin) || NumberWord(text.At(begin)) || text.Is(begin, "vague_numbers");
+  if (begin > 1 && text.At(begin - 1) == "and" && !counted) begin = text.PhraseBegin(begin - 2);
   for (std::size_t at = begin - std::min<std::size_t>(begin, 3); at > 0 && at < begin; ++at) {
     const std::size_t end = text.BehindPhrase(at, "made_for").value_or(0);
     if (end < begin || end > i) continue;

@@ -263,13 +263,21 @@ class PlaceReader {
     }
     Keep(place, subject, i, match.end);
     NoteLoosely(text_, place, i, i + match.length, facts_);
-    // "A lamp on either side" makes two of one.
+    // "A lamp on either side" makes two of one, "a nightstand with a lamp on either side" two of both.
+    const hb::Furniture* with = nullptr;
+    for (const std::size_t first : {m - 1, m}) {
+      if (first + 1 >= mentions_.size() || text_.At(mentions_[first].end) != "with") continue;
+      const Mention& carried = mentions_[first + 1];
+      const bool one = carried.furniture->kind() == hb::FURNITURE_KIND_SURFACE && carried.count == 1 &&
+                       text_.PhraseBegin(carried.begin) == mentions_[first].end + 1;
+      if (one) with = mentions_[first == m ? m + 1 : first].furniture;
+    }
     for (Wish& wish : facts_.wishes) {
       const int least = std::max(
           {place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),
            subject.further ? 2 : 1,
            wish.counted || !text_.At(mentions_[m].end - 1).ends_with('s') ? 1 : MostAlong(text_, facts_, place, i)});
-      if (wish.furniture == subject.furniture) wish.count = std::max(wish.count, least);
+      if (wish.furniture == subject.furniture || wish.furniture == with) wish.count = std::max(wish.count, least);
     }
     return true;
   }
