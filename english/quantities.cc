@@ -346,37 +346,6 @@ std::optional<Measure> MeasureAt(const std::vector<Token>& tokens, size_t i, v1:
   return measure;
 }
 
-std::optional<double> ReadMeasure(std::string_view text, v1::Unit::Kind kind) {
-  constexpr size_t kLongest = 60;
-  if (text.size() > kLongest) return std::nullopt;
-  std::vector<Token> tokens = Tokenize(text);
-  // Nothing but a measure: "48 in" is inches.
-  for (Token& token : tokens) token.glued = true;
-  size_t at = 0;
-  while (at < tokens.size() && (IsIn("about", tokens[at]) || tokens[at].IsMark('~') || tokens[at].IsMark('.'))) ++at;
-  const bool negative = MarkAt(tokens, at, '-');
-  if (negative || MarkAt(tokens, at, '+')) ++at;
-  const std::optional<Measure> measure = MeasureAt(tokens, at, kind);
-  if (!measure) return std::nullopt;
-  at = measure->end;
-  if (at < tokens.size() && IsIn("dimensions", tokens[at])) ++at;
-  if (MarkAt(tokens, at, '.')) ++at;
-  if (at < tokens.size()) return std::nullopt;
-  return negative ? -measure->value : measure->value;
-}
-
-std::optional<double> ReadCount(std::string_view text) {
-  std::vector<Token> tokens = Tokenize(text);
-  const auto times = [](const Token& token) { return token.IsWord("x"); };
-  if (!tokens.empty() && times(tokens.front())) tokens.erase(tokens.begin());
-  const std::optional<Number> number = NumberAt(tokens, 0);
-  if (!number) return std::nullopt;
-  size_t at = number->end;
-  if (at < tokens.size() && (times(tokens[at]) || IsIn("pieces", tokens[at]))) ++at;
-  if (MarkAt(tokens, at, '.')) ++at;
-  return at == tokens.size() ? std::optional(number->value) : std::nullopt;
-}
-
 std::vector<Token> JoinLengths(std::vector<Token> tokens) { return LengthJoiner(std::move(tokens)).Run(); }
 
 }  // namespace flair::english

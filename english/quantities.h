@@ -36,13 +36,6 @@ struct Measure {
 std::optional<Measure> MeasureAt(const std::vector<Token>& tokens, size_t i,
                                  v1::Unit::Kind kind = v1::Unit::KIND_LENGTH);
 
-// A text that is nothing but one measure, "about" before and "wide" behind it aside: "1.2 m", "5 ft 6 in", "1½ m",
-// "two metres", "90°". Without a unit the number is taken as it is. Nothing when more or something else is written.
-std::optional<double> ReadMeasure(std::string_view text, v1::Unit::Kind kind);
-
-// A text that is nothing but a number of things: "two", "2x", "x 2", "2 pieces", "a dozen".
-std::optional<double> ReadCount(std::string_view text);
-
 // Of tokens with clause marks only (KeepClauseMarks): joins numbers, units and the words that bound them to tokens of
 // kind kLength. "0.6m", "60 cm", "half a metre", "2 ft", "0.3-1m", "at least 0.5 m", "no more than 30 cm", "0.5 m or
 // more", "a minimum distance of 0.5 m" (the noun stays), "between 0.3 m and 0.5 m". Sizes of things are dropped, since

@@ -250,10 +250,6 @@ const std::string& TextOf(const SolveInput& input, const v1::ConstraintEdge& edg
   return found == sentences.end() ? edge.type() : found->text();
 }
 
-int CountViolated(const std::vector<v1::EdgeOutcome>& outcomes) {
-  return static_cast<int>(std::ranges::count(outcomes, v1::OUTCOME_STATUS_VIOLATED, &v1::EdgeOutcome::status));
-}
-
 // Why a spare object is better left out of a layout; nothing where it stands well.
 class SpareJudge {
  public:

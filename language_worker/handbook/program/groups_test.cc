@@ -305,5 +305,11 @@ TEST(Groups, ChairsOfATableDoNotLookAtTheDesksElsewhere) {
   EXPECT_EQ(plan.Sentences("office chair faces the"), plan.Count("desk"));
 }
 
+TEST(Groups, WhoIsSaidToSitAtAWorkTableHasAStool) {
+  const Plan studio = PlanFor("An art studio, 6 m x 6 m, with a work table for six.");
+  EXPECT_EQ(studio.Count("work stool"), 6);
+  EXPECT_GE(studio.First("work table").width_m(), 1.79);
+}
+
 }  // namespace
 }  // namespace flair::language

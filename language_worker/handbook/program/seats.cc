@@ -18,42 +18,30 @@ void Seats::SeatPeople() {
 }
 
 void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const std::string& zone) {
-  const auto sits = [&](const hb::Furniture* seat) {
-    return seat != nullptr && IsSeat(*seat) && (seats > 0 || !SitsOtherwise(furniture));
-  };
-  std::vector<std::pair<const hb::Furniture*, const hb::ObjectEntry*>> kinds;
-  int usual = 0;
   for (const hb::ObjectEntry& companion : furniture.companions()) {
     const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
-    if (!sits(seat)) continue;
-    kinds.emplace_back(seat, &companion);
-    usual += std::max(1, companion.count());
-  }
-  // Nobody sits at a work table unless the brief says so.
-  const auto& all = handbook_.contents().furniture();
-  const auto other = std::ranges::find_if(
-      all, [&](const hb::Furniture& one) { return IsSeat(one) && StandsWith(one, furniture); });
-  if (kinds.empty() && seats > 0 && other != all.end()) kinds.emplace_back(&*other, nullptr);
-  // Two at a manicure table are one of either kind.
-  const bool of_each_kind = kinds.size() > 1 && seats == usual;
-  for (const auto& [seat, entry] : kinds) {
-    const int at_each = entry == nullptr || (seats > 0 && !of_each_kind) ? seats : std::max(1, entry->count());
-    const bool first = seat == kinds.front().first;
+    if (seat == nullptr || !IsSeat(*seat) || (seats == 0 && SitsOtherwise(furniture))) continue;
+    const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
     const auto there = std::ranges::find_if(
-        program_.floor_items, [&, seat = seat](const ProgramItem& item) {
+        program_.floor_items, [&](const ProgramItem& item) {
           const bool of_another = item.seat_of != nullptr && item.seat_of != &furniture && seats > 0;
           return item.furniture == seat && item.zone == zone && !of_another;
         });
     if (there == program_.floor_items.end()) {
       if (IsWished(*seat) && seats == 0) continue;
-      program_.floor_items.push_back({seat, entry, count * at_each, zone, false, entry == nullptr ? 0 : entry->drop_order()});
-      if (first) program_.floor_items.back().seat_of = &furniture;
+      program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order(), 0, &furniture});
     } else if (!there->requested) {
-      there->count = seats > 0 || count > 1 ? count * at_each : std::max(there->count, count * at_each);
-      if (first) there->seat_of = &furniture;
+      there->count = seats > 0 || count > 1 ? wanted : std::max(there->count, wanted);
+      there->seat_of = &furniture;
     }
-    if (!of_each_kind) return;
+    return;
   }
+  // Nobody sits at a work table unless the brief says so.
+  const auto& all = handbook_.contents().furniture();
+  const auto other = std::ranges::find_if(
+      all, [&](const hb::Furniture& one) { return seats > 0 && IsSeat(one) && StandsWith(one, furniture); });
+  if (other != all.end())
+    program_.floor_items.push_back({&*other, nullptr, count * seats, zone, false, 0, 0, &furniture});
 }
 
 bool Seats::SitsOtherwise(const hb::Furniture& table) const {

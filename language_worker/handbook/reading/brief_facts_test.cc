@@ -84,6 +84,10 @@ TEST(ReadBrief, AColourBeforeAPieceBelongsToThePiece) {
   ASSERT_EQ(piece.object_colours.size(), 1u);
   EXPECT_EQ(piece.object_colours[0].first->name(), "armchair");
   EXPECT_EQ(FactsOf("A small green boho dining room.").colours.size(), 1u);
+  const BriefFacts wood = FactsOf("A dining room with a dark oak sideboard and a pale armchair");
+  ASSERT_EQ(wood.object_materials.size(), 2u);
+  EXPECT_EQ(wood.object_materials[0].second, "dark oak");
+  EXPECT_EQ(wood.object_materials[1].second, "pale");
 }
 
 TEST(ReadBrief, AWordForFewMakesNoNeed) {

@@ -11,6 +11,7 @@
 #include "english/quantities.h"
 #include "language_worker/handbook/reading/for_each.h"
 #include "language_worker/handbook/reading/meet_later.h"
+#include "language_worker/handbook/reading/no_piece.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_looks.h"
@@ -98,7 +99,7 @@ class FurnitureReader {
         AddOnce(facts_.refusals, furniture);
         if (length == 1) RefuseKind(handbook_, text_, i, facts_);
         last_.reset();
-      } else if (const std::optional<Mention> meant = MeantBefore(i, length)) {
+      } else if (const std::optional<Mention> meant = MeantBefore(text_, i, length, nouns_, facts_, handbook_)) {
         mentions_.push_back(*meant);
         TakeSeatsOfEach(*meant, i, length);
       } else if (!IsSaidTwice(*furniture, i, length)) {
@@ -120,7 +121,8 @@ class FurnitureReader {
       mentions_.back().end = purpose.end;
       i = purpose.end - 1;
       Wish& wish = *std::ranges::find(facts_.wishes, furniture, &Wish::furniture);
-      if (wish.count < 3 && text_.At(noun).ends_with('s')) wish.count = std::max(wish.count, CountAlongWalls(text_, *furniture, purpose.end, facts_));
+      if (wish.count < 3 && text_.At(noun).ends_with('s'))
+        wish.count = std::max(wish.count, CountAlongWalls(text_, *furniture, purpose.end, facts_));
     }
     MeetLater(text_, facts_, mentions_);
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
@@ -222,37 +224,6 @@ class FurnitureReader {
     return found->second;
   }
 
-  // "... a coffee table. The table should be round", "in front of sofa": the piece of that name that was asked for
-  // before, or the seats of one. Nothing where the words ask for another one.
-  std::optional<Mention> MeantBefore(std::size_t i, std::size_t length) const {
-    // "The two beds" are those that were asked for.
-    const bool counted = i > 1 && NumberWord(text_.At(i - 1)) && !text_.Says(i - 1, {"a", "an", "the"});
-    const std::size_t before = i - std::min<std::size_t>(i, counted ? 2 : 1);
-    const bool bare = text_.PhraseBegin(i) == i && !text_.At(i).ends_with('s') && text_.Is(before, "before_known");
-    const Wish* own = NamedAgain(text_, i, LongestAt(names_, tokens_, i, /*plural=*/true).first, facts_, handbook_);
-    if (own != nullptr) return Mention{own->furniture, i, i + length, own->count};
-    if (length != 1 || i == 0 || !(text_.Is(before, "known_before") || bare)) return std::nullopt;
-    const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
-    const auto is_meant = [&](const hb::Furniture& furniture) {
-      const std::string last = LastWord(furniture.name());
-      const bool compound = last.ends_with("chair") && MatchesWord(tokens_[i].text, "chair");
-      return MatchesWord(tokens_[i].text, last) || compound ||
-             (noun != nullptr && std::ranges::any_of(noun->options(), [&](const hb::NounOption& option) {
-                return option.furniture() == furniture.name();
-              }));
-    };
-    for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) {
-      if (is_meant(*wish->furniture)) return Mention{wish->furniture, i, i + length, wish->count};
-      const hb::Furniture* seat = SeatOf(*wish->furniture, handbook_);
-      if (seat != nullptr && wish->seats > 0 && is_meant(*seat)) {
-        Mention seats{wish->furniture, i, i + length, wish->count};
-        seats.seats = true;
-        return seats;
-      }
-    }
-    return std::nullopt;
-  }
-
   // "... six tables, four pupils at each table".
   void TakeSeatsOfEach(const Mention& mention, std::size_t i, std::size_t length) {
     const SeatsSaid seats = SeatsAround(text_, i, length);
@@ -303,7 +274,8 @@ class FurnitureReader {
     if (!count.said) count.number = std::max(count.number, CountAlongWalls(text_, furniture, i + length, facts_));
     // "Four chairs facing mirrors", "four chairs with mirrors".
     if (const std::size_t end = mentions_.empty() ? 0 : mentions_.back().end; !count.said && end > 0) {
-      const bool each = text_.BehindPhrase(end, text_.At(end) == "with" ? "having" : "facing_it") == text_.PhraseBegin(i);
+      const bool each =
+          text_.BehindPhrase(end, text_.At(end) == "with" ? "having" : "facing_it") == text_.PhraseBegin(i);
       if (each) count.number = std::max(count.number, mentions_.back().count);
     }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};

@@ -302,6 +302,45 @@ TEST(FurnitureReader, TheTubIsTheOneThatWasAskedFor) {
        {"A bedroom with a bed. Keep 1.5 m free for turning.", "1 double bed"}});
 }
 
+TEST(FurnitureReader, WhatIsHeldPassedByOrRefusedIsNoPiece) {
+  ExpectWishes({{"A laundry with a tall cupboard for the vacuum cleaner and ironing board.", "1 storage cabinet"},
+                {"A hall with a cabinet to hide the litter box.", "1 storage cabinet"},
+                {"A practice room with a rack holding four guitars.", "1 guitar stand"},
+                {"A shop with a till and aisles wide enough for prams.", "1 cash desk"},
+                {"A clinic with a reception desk, so that wheelchairs and prams can pass.", "1 reception desk"},
+                {"A bedroom with a wardrobe with many small drawers.", "1 wardrobe"},
+                {"A kitchen with navy blue cabinets and an island.", "1 kitchen island"},
+                {"A kitchen with two cabinets in sage green.", "2 storage cabinet"}});
+  EXPECT_TRUE(Refuses(FactsOf("A bathroom with everything except a bath."), "bathtub"));
+  EXPECT_FALSE(Refuses(FactsOf("A waiting room with no seats besides two chairs."), "visitor chair"));
+}
+
+TEST(FurnitureReader, TheCompanyOfANounTellsWhichOneItIs) {
+  ExpectWishes({{"A sewing room with a cutting table and two sewing machines on tables.",
+                 "1 cutting table, 2 sewing machine, 2 sewing machine table"},
+                {"A team office with four desks, each with a low pedestal.", "4 desk, 4 desk pedestal"},
+                {"A gallery with four pedestals.", "4 plinth"},
+                {"A practice room with six chairs and six music stands.", "6 dining chair, 6 music stand"},
+                {"A bedroom with a sofa with cushions.", "1 sofa, 2 cushion"},
+                {"A kitchen with a fold-down table with two chairs.", "1 fold-down table"},
+                {"A pottery with two drying racks.", "2 ware rack"}});
+}
+
+TEST(FurnitureReader, CountsFollowWhatOneStandsWith) {
+  ExpectWishes(
+      {{"A chapel with six pews on each side of the aisle.", "12 pew"},
+       {"A bedroom with two single beds on either side of the window.", "2 single bed"},
+       {"A barber shop with three chairs with mirrors.", "3 barber chair, 3 mirror"},
+       {"A bedroom with a bed and a nightstand with a lamp at each side.", "1 double bed, 2 nightstand, 2 table lamp"},
+       {"A living room with plenty of bookcases.", "5 bookshelf"}});
+  const BriefFacts desks = FactsOf("A classroom with ten double desks.");
+  ASSERT_EQ(desks.wishes.size(), 1u);
+  EXPECT_EQ(desks.wishes[0].count, 10);
+  EXPECT_EQ(desks.wishes[0].seats, 2);
+  EXPECT_NEAR(desks.wishes[0].size.width_m.value_or(0), 1.3, 1e-9);
+  EXPECT_TRUE(FactsOf("A hotel room with twin beds.").needs.empty());
+}
+
 }  // namespace
 
 }  // namespace flair::language

@@ -2,7 +2,6 @@
 #include "language_worker/handbook/reading/meanings.h"
 
 #include <algorithm>
-#include <array>
 
 #include "english/wordnet.h"
 #include "language_worker/handbook/reading/words.h"
@@ -110,14 +109,6 @@ const hb::Archetype* Meanings::RoomAmong(std::string_view noun, std::size_t most
     }
   }
   return nullptr;
-}
-
-bool NamesNoThing(std::string_view word) {
-  const std::vector<NounSense> senses = WordNet::Get().SensesOf(word);
-  if (senses.empty()) return WordNet::Get().Knows(word);
-  constexpr std::array kNone = {Domain::kAttribute, Domain::kFeeling, Domain::kPerson, Domain::kQuantity,
-                                Domain::kState,     Domain::kTime,    Domain::kGroup};
-  return Includes(kNone, senses.front().domain);
 }
 
 bool MeanTheSame(std::string_view a, std::string_view b) {

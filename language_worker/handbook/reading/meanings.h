@@ -61,10 +61,6 @@ class Meanings {
   Anchors<hb::Archetype> rooms_;
 };
 
-// Whether a word is no noun, or one that means a quality, a mood, a time, a number or people first of all: it names
-// nothing that could be missing in a room.
-bool NamesNoThing(std::string_view word);
-
 // Whether two nouns share a sense: "couch" and "sofa".
 bool MeanTheSame(std::string_view a, std::string_view b);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that a brief speaks of before it asks for them: "... on the left of the bed. Hospital bed 100 x 210 ...".
+// Pieces that a brief speaks of before it asks for them, "... on the left of the bed. Hospital bed 100 x 210 ...", and
+// once more later.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "language_worker/handbook/reading/brief_facts.h"
+#include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/words.h"
 
@@ -15,9 +18,10 @@ namespace flair::language {
 // and its mentions are of the other. `mentions` and `facts` are those of the whole text.
 void MeetLater(const BriefText& text, BriefFacts& facts, std::vector<Mention>& mentions);
 
-// "A freestanding bathtub ... opposite the tub": the wish for a class of this brief's own that the words at token `i`
-// speak of once more, which name `named`; null for other words.
-const Wish* NamedAgain(const BriefText& text, std::size_t i, const hb::Furniture* named, const BriefFacts& facts,
-                       const Handbook& handbook);
+// "... a coffee table. The table should be round", "in front of sofa", "opposite the tub": the piece that was asked for
+// before and that the words at token `i` speak of once more, or the seats of one. Nothing where they ask for another
+// one.
+std::optional<Mention> MeantBefore(const BriefText& text, std::size_t i, std::size_t length, const NounBook& nouns,
+                                   const BriefFacts& facts, const Handbook& handbook);
 
 }  // namespace flair::language

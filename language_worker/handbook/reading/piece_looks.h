@@ -16,8 +16,8 @@ namespace flair::language {
 void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
                      std::vector<bool>& used, BriefFacts& facts);
 
-// Whether "cabinets" in "cabinets in navy blue" only tells the colour of fitted furniture, as a kitchen has it, and asks
-// for none.
+// Whether "cabinets" in "cabinets in navy blue" only tells the colour of fitted furniture, as a kitchen has it, and
+// asks for none.
 bool AreFronts(const Handbook& handbook, const BriefText& text, std::size_t i, std::vector<bool>& used,
                BriefFacts& facts);
 

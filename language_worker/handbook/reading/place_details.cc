@@ -48,6 +48,17 @@ int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& plac
   return each && place.target != nullptr && target != facts.wishes.end() ? target->count : 0;
 }
 
+const hb::Furniture* ComesWith(const BriefText& text, const std::vector<Mention>& mentions, std::size_t m) {
+  for (const std::size_t first : {m - 1, m}) {
+    if (first >= mentions.size() || first + 1 == mentions.size() || text.At(mentions[first].end) != "with") continue;
+    const Mention& carried = mentions[first + 1];
+    const bool one = carried.furniture->kind() == hb::FURNITURE_KIND_SURFACE && carried.count == 1 &&
+                     text.PhraseBegin(carried.begin) == mentions[first].end + 1;
+    if (one) return mentions[first == m ? m + 1 : first].furniture;
+  }
+  return nullptr;
+}
+
 std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std::size_t end, std::vector<bool>& used) {
   constexpr std::size_t kMostBefore = 5, kMostBehind = 4;
   for (std::size_t at = begin - std::min(begin, kMostBefore); at < end + kMostBehind; ++at) {

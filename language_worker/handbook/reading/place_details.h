@@ -9,6 +9,7 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/landmark.h"
 #include "language_worker/handbook/reading/place_patterns.h"
+#include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -24,6 +25,10 @@ int MostAlong(const BriefText& text, const BriefFacts& facts, const Place& place
 // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners; 0 where
 // the words tell no number.
 int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin, std::size_t end);
+
+// "A nightstand with a lamp at each side": the piece that the one of mention `m` carries, or that carries it; null for
+// none.
+const hb::Furniture* ComesWith(const BriefText& text, const std::vector<Mention>& mentions, std::size_t m);
 
 // "At least 1.5 m apart", "space behind it of 90 cm": the length told right before or behind the words, then used.
 std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std::size_t end, std::vector<bool>& used);

@@ -264,14 +264,7 @@ class PlaceReader {
     Keep(place, subject, i, match.end);
     NoteLoosely(text_, place, i, i + match.length, facts_);
     // "A lamp on either side" makes two of one, "a nightstand with a lamp on either side" two of both.
-    const hb::Furniture* with = nullptr;
-    for (const std::size_t first : {m - 1, m}) {
-      if (first + 1 >= mentions_.size() || text_.At(mentions_[first].end) != "with") continue;
-      const Mention& carried = mentions_[first + 1];
-      const bool one = carried.furniture->kind() == hb::FURNITURE_KIND_SURFACE && carried.count == 1 &&
-                       text_.PhraseBegin(carried.begin) == mentions_[first].end + 1;
-      if (one) with = mentions_[first == m ? m + 1 : first].furniture;
-    }
+    const hb::Furniture* with = ComesWith(text_, mentions_, m);
     for (Wish& wish : facts_.wishes) {
       const int least = std::max(
           {place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),

@@ -109,9 +109,8 @@ void StyleChoice::Take(const AskedFinish& asked) {
   if (asked.colour != nullptr) return;
   // Of "reclaimed oak boards" the colour is that of oak.
   const auto has_it = [&](const auto& one) {
-    return std::ranges::any_of(TokensOf(asked.material), [&](const Token& word) {
-      return one.material().find(word.text) != std::string::npos;
-    });
+    return std::ranges::any_of(TokensOf(asked.material),
+                               [&](const Token& word) { return one.material().find(word.text) != std::string::npos; });
   };
   for (const hb::Style& style : handbook_.contents().styles()) {
     for (const auto* finishes : {walls ? &style.walls() : &style.floors(), walls ? &style.floors() : &style.walls()}) {
@@ -157,7 +156,8 @@ void StyleChoice::TakeAskedMaterial(const hb::Furniture& furniture, Look& look) 
   if (asked == object_materials_.end()) return;
   const std::string shade = asked->second.substr(0, asked->second.find(' '));
   const bool shaded = IsIn("shades", shade);
-  const std::string material = shaded ? asked->second.substr(std::min(asked->second.size(), shade.size() + 1)) : asked->second;
+  const std::string material =
+      shaded ? asked->second.substr(std::min(asked->second.size(), shade.size() + 1)) : asked->second;
   if (!material.empty()) look.material = asked->second;
   std::vector<hb::NamedColour> colours;
   for (const hb::Style& style : handbook_.contents().styles()) {
