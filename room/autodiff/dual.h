@@ -197,4 +197,10 @@ T SmoothMax(const T& a, const T& b, double width) {
   return (ValueOf(a) > ValueOf(b) ? a : b) + rest * rest * T(1 / (4 * width));
 }
 
+// Smooth minimum: underestimates by at most width / 4.
+template <typename T>
+T SmoothMin(const T& a, const T& b, double width) {
+  return -SmoothMax(-a, -b, width);
+}
+
 }  // namespace flair

@@ -41,7 +41,7 @@ class FurnitureReader {
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i] || IsMeasure(text_, i) || IsAVerb(text_, i) || IsAShape(text_, i)) continue;
+      if (used_[i] || IsMeasure(text_, i) || IsNoNoun(text_, i)) continue;
       if (AreFronts(handbook_, text_, i, used_, facts_)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
@@ -62,8 +62,7 @@ class FurnitureReader {
       auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
       if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
-      if (named != nullptr && (IsHeld(text_, *named, i) || IsBorne(text_, *named, i) || IsOfATale(text_, i) ||
-                               IsPassing(text_, i, name_length))) {
+      if (named != nullptr && IsOnlyTold(text_, *named, i, name_length)) {
         Use(i, name_length);
         continue;
       }

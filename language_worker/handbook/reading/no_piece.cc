@@ -10,32 +10,9 @@
 
 namespace flair::language {
 
-bool IsAVerb(const BriefText& text, std::size_t i) {
-  // "A trolley can pass".
-  if (i > 0 && text.Is(i - 1, "modal_verbs")) return true;
-  return text.Is(i, "verbs_of_having") && (text.Is(i + 1, "thing_articles") || NumberWord(text.At(i + 1)));
-}
+namespace {
 
-bool IsAShape(const BriefText& text, std::size_t i) {
-  const std::size_t next = text.IsHyphen(i + 1) ? i + 2 : i + 1;
-  return text.Says(next, {"shaped", "shape"}) || (text.At(next) == "of" && IsFormIn("groups_of_pieces", text.At(i)));
-}
-
-bool MakesACompound(const BriefText& text, std::size_t end) {
-  const auto goes_on = [&](std::size_t i) { return text.IsWord(i) && !text.Is(i, "thing_ends"); };
-  return goes_on(end) && ((text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
-}
-
-std::size_t BehindParts(const BriefText& text, std::size_t end) {
-  constexpr std::size_t kMostOfAPart = 4;
-  if (!text.Says(end, {"with", "without"})) return end;
-  for (std::size_t i = end + 1; i < text.size() && i <= end + kMostOfAPart; ++i) {
-    if (IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
-    if (!text.IsWord(i) && !text.IsHyphen(i) && !text.IsNumber(i)) break;
-  }
-  return end;
-}
-
+// "A rack for eight bikes", "a stand for his piano".
 bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
   if (!IsFloorPiece(furniture) || PlacesOn(furniture) > 0) return false;
   std::size_t begin = text.PhraseBegin(i);
@@ -51,6 +28,7 @@ bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i
   return false;
 }
 
+// "Wide enough for prams", "so that prams can pass".
 bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   const std::size_t begin = text.PhraseBegin(i);
   const bool wide = begin > 2 && text.At(begin - 1) == "for" && text.At(begin - 2) == "enough";
@@ -58,11 +36,13 @@ bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   return text.Is(i + length, "modal_verbs") && text.Is(i + length + 1, "verbs_of_passing");
 }
 
+// "Waiters with trays".
 bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
   return i > 1 && text.At(i - 1) == "with" && CountsPeople(text.At(i - 2)) && text.At(i).ends_with('s') &&
          furniture.kind() == hb::FURNITURE_KIND_SURFACE;
 }
 
+// "Where customers drop off bikes".
 bool IsOfATale(const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostBack = 6;
   if (!text.At(i).ends_with('s') || text.PhraseBegin(i) == 0) return false;
@@ -75,6 +55,35 @@ bool IsOfATale(const BriefText& text, std::size_t i) {
     if (text.Is(k, "clause_openers")) return people;
   }
   return false;
+}
+
+}  // namespace
+
+bool IsNoNoun(const BriefText& text, std::size_t i) {
+  // "A trolley can pass".
+  if (i > 0 && text.Is(i - 1, "modal_verbs")) return true;
+  const std::size_t next = text.IsHyphen(i + 1) ? i + 2 : i + 1;
+  return (text.Is(i, "verbs_of_having") && (text.Is(i + 1, "thing_articles") || NumberWord(text.At(i + 1)))) ||
+         text.Says(next, {"shaped", "shape"}) || (text.At(next) == "of" && IsFormIn("groups_of_pieces", text.At(i)));
+}
+
+bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length) {
+  return IsHeld(text, furniture, i) || IsPassing(text, i, length) || IsBorne(text, furniture, i) || IsOfATale(text, i);
+}
+
+bool MakesACompound(const BriefText& text, std::size_t end) {
+  const auto goes_on = [&](std::size_t i) { return text.IsWord(i) && !text.Is(i, "thing_ends"); };
+  return goes_on(end) && ((text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
+}
+
+std::size_t BehindParts(const BriefText& text, std::size_t end) {
+  constexpr std::size_t kMostOfAPart = 4;
+  if (!text.Says(end, {"with", "without"})) return end;
+  for (std::size_t i = end + 1; i < text.size() && i <= end + kMostOfAPart; ++i) {
+    if (IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
+    if (!text.IsWord(i) && !text.IsHyphen(i) && !text.IsNumber(i)) break;
+  }
+  return end;
 }
 
 bool IsOfAPurpose(const BriefText& text, std::size_t i) {

@@ -23,18 +23,6 @@ int WallsIn(const BriefText& text, std::size_t begin, std::size_t end) {
   return 1;
 }
 
-int MostAlong(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin) {
-  const bool along = place.walls > 1 || text.Is(begin, "along_a_wall");
-  if (!along || !AskedNames(*place.asked, "{wall}") || place.furniture->back() != hb::BACK_RULE_WALL) return 1;
-  constexpr double kShare = 0.6, kShort = 0.8;
-  constexpr int kMostOfAWall = 5;
-  const SizeRequest& size = facts.size;
-  const double told_m2 = size.width_m && size.depth_m ? *size.width_m * *size.depth_m : UsualArea(*facts.archetype);
-  const double wall_m = std::sqrt(size.area_m2.value_or(told_m2)) * (place.side.starts_with("short") ? kShort : 1);
-  const int each = static_cast<int>(kShare * wall_m / place.furniture->width_m().typical());
-  return place.walls * std::clamp(each, 1, kMostOfAWall);
-}
-
 int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin, std::size_t end) {
   bool each = false;
   constexpr int kCorners = 4;

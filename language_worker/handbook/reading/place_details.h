@@ -18,10 +18,6 @@ namespace flair::language {
 // the pieces out.
 int WallsIn(const BriefText& text, std::size_t begin, std::size_t end);
 
-// "Bookcases all along both side walls": as many as stand there with some room left for openings and corners; 1 where
-// the words at `begin` fill no wall.
-int MostAlong(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin);
-
 // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners; 0 where
 // the words tell no number.
 int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin, std::size_t end);

@@ -266,10 +266,9 @@ class PlaceReader {
     // "A lamp on either side" makes two of one, "a nightstand with a lamp on either side" two of both.
     const hb::Furniture* with = ComesWith(text_, mentions_, m);
     for (Wish& wish : facts_.wishes) {
-      const int least = std::max(
-          {place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),
-           subject.further ? 2 : 1,
-           wish.counted || !text_.At(mentions_[m].end - 1).ends_with('s') ? 1 : MostAlong(text_, facts_, place, i)});
+      const int least =
+          std::max({place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),
+                    subject.further ? 2 : 1, place.walls > 1 && !wish.counted ? 2 * place.walls : 1});
       if (wish.furniture == subject.furniture || wish.furniture == with) wish.count = std::max(wish.count, least);
     }
     return true;
