@@ -56,7 +56,7 @@ double ValueOf(const std::string& text, v1::Unit::Kind kind) {
 
 TEST(Measures, ComeOutInMetresDegreesAndSquareMetres) {
   EXPECT_NEAR(ValueOf("5'6\"", kLength), 1.6764, 1e-9);
-  EXPECT_NEAR(ValueOf("5 ft 6 in", kLength), 1.6764, 1e-9);
+  EXPECT_NEAR(ValueOf("5 ft 6 inches", kLength), 1.6764, 1e-9);
   EXPECT_NEAR(ValueOf("1 m 20 cm", kLength), 1.2, 1e-9);
   EXPECT_NEAR(ValueOf("two metres wide", kLength), 2, 1e-9);
   EXPECT_NEAR(ValueOf("1\u00BD m", kLength), 1.5, 1e-9);

@@ -30,6 +30,8 @@ bool ReachesTop(const hb::Furniture& seat, double top_m) {
   return top_m - LeastOf(seat.seat_height_m()) >= kLeastM && top_m - MostOf(seat.seat_height_m()) <= kMostM;
 }
 
+double WidthOf(const ProgramItem& item) { return item.size.width_m.value_or(item.furniture->width_m().typical()); }
+
 std::string RowName(int i) {
   constexpr std::array<const char*, 10> kOrdinals = {"first", "second",  "third",  "fourth", "fifth",
                                                      "sixth", "seventh", "eighth", "ninth",  "tenth"};
@@ -140,7 +142,7 @@ class Grouper {
   int Abreast(const ProgramItem& item) {
     constexpr double kDesksM = 2;
     constexpr int kSeats = 7;
-    if (SeatsOf(item) != nullptr) return std::max(1, static_cast<int>(kDesksM / item.furniture->width_m().typical()));
+    if (SeatsOf(item) != nullptr) return std::max(1, static_cast<int>(kDesksM / WidthOf(item)));
     if (item.furniture->category() == "bench") return 1;
     return item.furniture->category() != "bed" && PlacesOn(*item.furniture) > 0 ? kSeats : 0;
   }
@@ -157,7 +159,7 @@ class Grouper {
     // Pairs are what rows of desks are made of.
     if (item->in_each == 2) item->in_each = 0;
     if (item->in_each > 1 && !item->in_rows) return;
-    const double side_m = std::sqrt(area_m2_), width_m = item->furniture->width_m().typical();
+    const double side_m = std::sqrt(area_m2_), width_m = WidthOf(*item);
     const double row_m = item->furniture->depth_m().typical() + (SeatsOf(*item) ? kBehindDeskM : kBehindSeatM);
     int across = item->in_each;
     // "Two rows of five pews" that are too long to stand across the room are five pews on either side of an aisle.
