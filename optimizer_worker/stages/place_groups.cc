@@ -131,6 +131,15 @@ struct Setting {
 constexpr Setting kSettings[] = {{false, false, false}, {true, false, false}, {false, true, false},
                                  {false, false, true},  {true, true, false},  {true, false, true}};
 
+// Two pieces side to side.
+struct Joint {
+  int from, to;
+  Side from_side, to_side;
+  double gap_m;
+
+  Joint Reversed() const { return {to, from, to_side, from_side, gap_m}; }
+};
+
 class GroupArranger {
  public:
   GroupArranger(const SolveInput& input, const Group& group) : input_(input), group_(group), scene_(input.scene) {
@@ -158,6 +167,7 @@ class GroupArranger {
     start_ = {left, back, 0};
     const bool free = !setting.back && !setting.left && !setting.right;
     terms_.clear();
+    joints_.clear();
     const std::vector<Vec2<double>> centers(scene_.zones.size(), Vec2<double>{kEmptyZone_m, kEmptyZone_m});
     for (int e : group_.edges) {
       v1::ConstraintEdge edge = input_.graph.edges(e);
@@ -169,22 +179,8 @@ class GroupArranger {
                       arguments.end());
       // What a lone piece wants of the room is for later.
       if (free && named.size() < 2) continue;
+      AddJoints(edge, named, setting);
       AddCall(edge, named, centers);
-      // Told of all of a row, one would not know where to stand until the last is placed.
-      for (size_t k = 0; edge.type() == "row" && k + 1 < named.size(); ++k) {
-        v1::ConstraintEdge neighbours;
-        neighbours.set_type("next_to");
-        neighbours.set_weight(edge.weight());
-        for (const auto& [name, text] : {std::pair<const char*, std::string>("object", scene_.objects[named[k + 1]].id),
-                                         {"object_side", "left"},
-                                         {"target", scene_.objects[named[k]].id},
-                                         {"target_side", "right"}}) {
-          v1::Argument& argument = *neighbours.add_arguments();
-          argument.set_name(name);
-          argument.mutable_value()->set_text(text);
-        }
-        AddCall(neighbours, {named[k], named[k + 1]}, centers);
-      }
     }
     for (size_t k = 1; k < group_.objects.size(); ++k) {
       const int object = group_.objects[k];
@@ -195,6 +191,55 @@ class GroupArranger {
                kNoOverlapTerm);
       }
     }
+  }
+  // Neighbours of a row, and pieces alike of which sides are to touch, have their places from each other.
+  void AddJoints(const v1::ConstraintEdge& edge, const std::vector<int>& named, const Setting& setting) {
+    const auto argument = [&](const char* name) {
+      const auto found = std::ranges::find(edge.arguments(), name, &v1::Argument::name);
+      return found == edge.arguments().end() ? v1::ArgumentValue() : found->value();
+    };
+    if (edge.type() == "row") {
+      for (size_t k = 0; k + 1 < named.size(); ++k) {
+        const Side on = setting.right ? Side::kLeft : Side::kRight, other = setting.right ? Side::kRight : Side::kLeft;
+        joints_.push_back({named[k], named[k + 1], on, other, argument("gap_m").number()});
+      }
+      return;
+    }
+    const std::optional<Side> side = SideFromName(argument("object_side").text());
+    const std::optional<Side> target_side = SideFromName(argument("target_side").text());
+    if (edge.type() != "next_to" || !side || !target_side) return;
+    const int object = scene_.IndexOf(argument("object").text()), target = scene_.IndexOf(argument("target").text());
+    const Footprint &one = scene_.objects[object].footprint, &other = scene_.objects[target].footprint;
+    if (one.width_m == other.width_m && one.depth_m == other.depth_m)
+      joints_.push_back({target, object, *target_side, *side, 0});
+  }
+  // Places those that have their places from the first, and says who is left.
+  std::vector<int> PlaceJoined(Problem& problem, Layout& layout) const {
+    std::vector<int> rest(group_.objects.begin() + 1, group_.objects.end());
+    const auto is_open = [&](int object) { return std::ranges::find(rest, object) != rest.end(); };
+    for (bool more = true; more;) {
+      more = false;
+      for (const Joint& joint : joints_) {
+        if (is_open(joint.from) == is_open(joint.to)) continue;
+        const Joint way = is_open(joint.to) ? joint : joint.Reversed();
+        layout[way.to] = Joined(layout[way.from], way);
+        problem.SetPlaced(way.to, true);
+        std::erase(rest, way.to);
+        more = true;
+      }
+    }
+    return rest;
+  }
+  Pose<double> Joined(const Pose<double>& from, const Joint& joint) const {
+    const Footprint &one = scene_.objects[joint.from].footprint, &other = scene_.objects[joint.to].footprint;
+    const Vec2<double> n = LocalNormal(joint.from_side), m = LocalNormal(joint.to_side);
+    const double out_m =
+        (ExtentBehind(one, joint.from_side) + ExtentBehind(other, joint.to_side)) / 2 + joint.gap_m + kKeptApart_m;
+    // Side by side the backs are in line.
+    const double ahead_m = n.x != 0 && m.x != 0 ? (other.depth_m - one.depth_m) / 2 : 0;
+    const Vec2<double> p = FrameOf(from).ToRoom(out_m * n.x, out_m * n.y + ahead_m);
+    const double turn_rad = std::atan2(n.y, n.x) + kPi - std::atan2(m.y, m.x);
+    return {p.x, p.y, WrapHeading(from.theta_rad + turn_rad)};
   }
   void AddCall(const v1::ConstraintEdge& edge, std::vector<int> named, std::span<const Vec2<double>> centers) {
     absl::StatusOr<std::unique_ptr<Cost>> cost = Bind(edge, {scene_, centers, &input_.linked});
@@ -224,12 +269,13 @@ class GroupArranger {
     Layout layout(static_cast<size_t>(count));
     problem.SetPlaced(group_.objects[0], true);
     layout[group_.objects[0]] = start_;
+    const std::vector<int> others = PlaceJoined(problem, layout);
     const KeepOut keep_out(scene_.room);
     const SearchInput search_input{scene_, input_.partners, {}, input_.solver, keep_out, nullptr, {}, nullptr};
     LayoutSearch search(search_input, std::move(problem), std::move(layout));
     const std::vector<int> members(group_.objects.begin() + 1, group_.objects.end());
     Random random(CombineSeeds({input_.settings.seed, static_cast<uint64_t>(group_.objects[0]), attempt}));
-    search.Construct(members, attempt == 0 ? 0.0 : kArrangeNoise, random);
+    search.Construct(others, attempt == 0 ? 0.0 : kArrangeNoise, random);
     search.Sweep(members, 2, kBesideOnly, random);
     search.Descend(members, {.max_evaluations = 60, .relative_tolerance = 1e-6, .absolute_tolerance = 1e-7});
     layout = search.layout();
@@ -272,6 +318,7 @@ class GroupArranger {
   double reach_m_ = 0.5;
   Pose<double> start_;
   std::vector<Term> terms_;
+  std::vector<Joint> joints_;
   std::vector<Arrangement> found_;
 };
 

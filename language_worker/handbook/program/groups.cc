@@ -183,6 +183,8 @@ class Grouper {
       if (item->abreast > 0) item->abreast = each;
       break;
     }
+    const int ways = item->abreast > 0 ? (across - 1) / item->abreast : 0;
+    item->way_m = std::max(kWayM, ways > 0 ? rows.aisles_m() / ways : 0);
     std::vector<hb::ZoneSpec> zones;
     for (int i = 0; i < (item->count + across - 1) / across; ++i) {
       zones.emplace_back().set_name(RowName(i));

@@ -104,11 +104,12 @@ TEST(Groups, AClassroomHasRowsOfDesksThatLookToTheTeacher) {
   ASSERT_GE(across, 4);
   const int rows = (24 + across - 1) / across;
   EXPECT_EQ(plan.Count("school chair", "first_row"), across) << "everyone sits in the row of the desk";
-  EXPECT_EQ(plan.Sentences("is 1 m in front of the"), rows - 1) << "every row behind the one before";
+  EXPECT_EQ(plan.Sentences("is 1 m in front of the"), 2 * (rows - 1))
+      << "every row behind the one before, at both ends";
   EXPECT_EQ(plan.Sentences("faces the teacher desk"), rows + 1) << "every row, and whoever teaches";
   EXPECT_EQ(plan.Sentences("The left side of the"), 12) << "two side by side, then a way";
-  EXPECT_EQ(plan.Sentences("faces the same way as the first school desk"), across / 2 - 1 + 1)
-      << "one row, and the teacher";
+  EXPECT_EQ(plan.Sentences("desks stand in a row 0.75 m apart"), rows * (across / 2 - 1)) << "the row goes on";
+  EXPECT_EQ(plan.Sentences("faces the same way as the first school desk"), 1) << "whoever teaches";
   EXPECT_EQ(plan.Sentences("The teacher desk is 2 m in front of the first school desk."), 1);
 }
 

@@ -28,6 +28,7 @@ struct ProgramItem {
   int in_each = 0;                         // that many are a group of their own; 0 when nobody says so
   bool in_rows = false;                    // those stand side by side, not back to back
   int abreast = 0;                         // of a row, so many stand without a way between them; 0 for all
+  double way_m = 0;                        // that way
   int essential = 0;                       // so many of them the room cannot do without
 };
 

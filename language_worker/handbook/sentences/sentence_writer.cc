@@ -147,6 +147,9 @@ std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, co
     const bool front = relation.pairing() == hb::PAIRING_FRONT_ROW;
     if (targets.empty() != front || (front && !FindTargets(relation, *group.front(), targets))) return sentences;
     sentences.push_back(WriteOne(relation, {group.front()}, targets, 0));
+    // Beyond an aisle the last has one before it, too.
+    if (!front && HasWays(group) && targets.size() == group.size())
+      sentences.push_back(WriteOne(relation, {group.back()}, {targets.back()}, 1));
     return sentences;
   }
   const std::size_t count = relation.pairing() == hb::PAIRING_FIRST ? 1 : group.size();
@@ -206,35 +209,27 @@ bool SentenceWriter::IsTogether(const Group& group) const {
   return line != nullptr && line->in_each > 1 && group.size() > 1;
 }
 
-// To the right and to the left of the first by turns, so many as stand without a way between them; beyond a way, where
-// the relation names no side, the next ones with the first. In an island every second one stands at the back of the one
-// before.
+// Two by two: an island has every second one at the back of the one before, and the next pair at its right. In a row
+// each has the one before at its left; where as many stand as nobody climbs over, the next follow beyond a way, which a
+// relation without a side tells.
 std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& relation, const Group& group) const {
   const ProgramItem* line = LineOf(*group.front());
   const bool island = IsTogether(group) && !line->in_rows;
   const std::size_t abreast =
       island || line == nullptr || line->abreast == 0 ? group.size() : static_cast<std::size_t>(line->abreast);
-  const bool sideless = relation.text().find("{side}") == std::string::npos;
-  const bool beyond = sideless && abreast < group.size();
+  const bool beyond = relation.text().find("{side}") == std::string::npos;
   std::vector<v1::Sentence> sentences;
-  if (island && sideless) return sentences;
   for (std::size_t i = 1; i < group.size(); ++i) {
-    const std::size_t k = i % abreast;
-    if ((k == 0) != beyond) continue;
+    if ((i % abreast == 0) != beyond) continue;
     if (beyond) {
-      sentences.push_back(WriteOne(relation, {group[i]}, {group[0]}, i));
+      sentences.push_back(WriteOne(relation, {group[i - 1], group[i]}, {}, i));
       continue;
     }
     hb::Relation sided = relation;
-    const bool odd = k % 2 == 1, behind = island && odd, right = island || odd;
-    const std::map<std::string, std::string, std::less<>> sides = {{"side", behind  ? "back"
-                                                                            : right ? "left"
-                                                                                    : "right"},
-                                                                   {"other_side", behind  ? "back"
-                                                                                  : right ? "right"
-                                                                                          : "left"}};
-    sided.set_text(Fill(relation.text(), sides));
-    sentences.push_back(WriteOne(sided, {group[i]}, {group[behind || k < 2 ? i - 1 : i - 2]}, i));
+    const bool behind = island && i % 2 == 1;
+    sided.set_text(
+        Fill(relation.text(), {{"side", behind ? "back" : "left"}, {"other_side", behind ? "back" : "right"}}));
+    sentences.push_back(WriteOne(sided, {group[i]}, {group[island && !behind ? i - 2 : i - 1]}, i));
   }
   return sentences;
 }
@@ -270,6 +265,7 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   const bool run_left = choice_.Index("side of the room", 2) == 0;
   slots["room_side"].words = run_left ? "left" : "right";
   slots["other_room_side"].words = run_left ? "right" : "left";
+  if (const ProgramItem* line = LineOf(object)) slots["way_m"].words = Metres(line->way_m);
   if (furniture != nullptr) {
     slots["front_m"].words = Metres(furniture->clear_front_m());
     slots["sides_m"].words = Metres(furniture->clear_sides_m());

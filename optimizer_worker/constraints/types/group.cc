@@ -21,7 +21,8 @@ namespace flair::optimizer {
 namespace {
 
 // Stands objects side by side.
-//   cost = sum over neighbours (a left of b) of  out(gap, [0, 0.05])^2 + offset^2 + (1 - cos(theta_a - theta_b)) [m2]
+//   cost = sum over neighbours (a left of b) of  out(gap - gap_m, [0, 0.05])^2 + offset^2
+//          + (1 - cos(theta_a - theta_b))                                                                        [m2]
 //   gap     air between the right side of a and the left side of b;  offset  of b's back from the line of a's back
 // Neighbours are next to each other in order along the first object's right, wherever they stand in the list. Zero
 // exactly when they form one row with flush backs and the same heading.
@@ -31,7 +32,7 @@ class RowCost final : public Cost {
   static constexpr int kMaxObjects = 16;
 
   // Two to kMaxObjects objects.
-  RowCost(const Scene& scene, const std::vector<int>& objects) : objects_(objects) {
+  RowCost(const Scene& scene, const std::vector<int>& objects, double gap_m) : objects_(objects), gap_m_(gap_m) {
     std::ranges::sort(objects_);
     for (int i : objects_) footprints_.push_back(scene.objects[static_cast<size_t>(i)].footprint);
   }
@@ -79,10 +80,11 @@ class RowCost final : public Cost {
     const Vec2<T> p = left_frame.ToObject(right_frame.center);
     const T gap = p.x - (left.width_m + right.width_m) / 2;
     const T offset = p.y - (right.depth_m - left.depth_m) / 2;
-    return SquaredOutside(gap, 0, kAir_m) + Square(offset) + Turn(left_frame.front, right_frame.front);
+    return SquaredOutside(gap, gap_m_, gap_m_ + kAir_m) + Square(offset) + Turn(left_frame.front, right_frame.front);
   }
 
   std::vector<int> objects_;
+  double gap_m_;
   std::vector<Footprint> footprints_;
 };
 
@@ -98,7 +100,7 @@ BoundCost BindRow(const Arguments& a, const BindContext& context) {
     return InvalidArgument("argument objects: {} cannot form a row; give 2 to {}", objects.size(),
                            RowCost::kMaxObjects);
   }
-  return std::make_unique<RowCost>(context.scene, objects);
+  return std::make_unique<RowCost>(context.scene, objects, a.Number("gap_m"));
 }
 
 constexpr double kAir_m = 0.1;

@@ -175,7 +175,9 @@ void Row(const Match& match, std::string_view, Composer& composer) {
     composer.Refuse("unknown_sentence", "a row needs at least two objects; name them");
     return;
   }
-  if (composer.Emit(Call("row").Texts("objects", IdsOf(movers, composer)))) return;
+  Call row = Call("row").Texts("objects", IdsOf(movers, composer));
+  if (match.distance != nullptr) row.Number("gap_m", match.distance->Nominal());
+  if (composer.Emit(row)) return;
   for (size_t i = 0; i + 1 < movers.size(); ++i) {
     composer.EmitFirst({Call("next_to")
                             .Text("object", composer.id(movers[i + 1]))
