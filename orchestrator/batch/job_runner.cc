@@ -83,6 +83,11 @@ void JobRunner::Complain(const std::string& trouble) {
   if (complaints_.try_emplace(trouble, now).second) logger_.error("{}", trouble);
 }
 
+void JobRunner::Complain(const std::string& what, const absl::Status& why) {
+  Complain(fmt::format("{}: {}; will keep trying", what, std::string(why.message())));
+  if (absl::IsDataLoss(why)) options_.damaged(why);
+}
+
 void JobRunner::Work() {
   std::unique_lock lock(mutex_);
   while (!stopping_) {
@@ -92,8 +97,7 @@ void JobRunner::Work() {
     if (lease.ok() && *lease != nullptr) RunJob(**lease);
     const bool idle = !lease.ok() || *lease == nullptr;
     if (!lease.ok()) {
-      Complain(
-          fmt::format("cannot take a job from the queue: {}; will keep trying", std::string(lease.status().message())));
+      Complain("cannot take a job from the queue", lease.status());
       (void)WaitBeforeRepeat();
     }
     // The lease ends before the thread sleeps.
@@ -164,7 +168,7 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
   const absl::Duration delay = DelayAfterFailure(failed, lease.job().id());
   absl::Status returned = lease.Return(delay, reason);
   while (!returned.ok() && !lease.lost()) {
-    Complain(fmt::format("cannot return a job to the queue: {}; will keep trying", std::string(returned.message())));
+    Complain("cannot return a job to the queue", returned);
     if (!WaitBeforeRepeat()) break;
     returned = lease.Return(delay, reason);
   }
@@ -180,7 +184,7 @@ void JobRunner::Fail(Lease& lease, const PipelineResult& result) {
 void JobRunner::End(Lease& lease, const JobEnd& end) {
   absl::Status stored = lease.End(end);
   while (!stored.ok() && !lease.lost() && !IsArtifactGone(stored)) {
-    Complain(fmt::format("cannot store how a job ended: {}; will keep trying", std::string(stored.message())));
+    Complain("cannot store how a job ended", stored);
     if (!WaitBeforeRepeat()) return;
     stored = lease.End(end);
   }

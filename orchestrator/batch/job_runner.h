@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -23,6 +24,8 @@ struct JobRunnerOptions {
   bool requested_jobs_only = false;
   // Runs of a job of a batch whose failures may pass. A job that stands alone is run once: somebody waits for it.
   int attempt_limit = 3;
+  // Is told, again and again, that the queue is damaged (DATA_LOSS): jobs are no longer taken, or do not end.
+  std::function<void(const absl::Status&)> damaged = [](const absl::Status&) {};
 };
 
 // What a runner has done since it was made.
@@ -65,6 +68,8 @@ class JobRunner {
   bool WaitBeforeRepeat();
   // Says what does not work, the same once a minute, however many threads meet it.
   void Complain(const std::string& trouble);
+  // The same of what the queue did not do, and will be asked for again.
+  void Complain(const std::string& what, const absl::Status& why);
   bool stopping();
 
   WorkQueue& queue_;

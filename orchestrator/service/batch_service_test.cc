@@ -5,6 +5,7 @@
 #include <atomic>
 #include <set>
 
+#include "orchestrator/store/database.h"
 #include "orchestrator/testing/embedded_for_test.h"
 #include "orchestrator/testing/fake_stages.h"
 #include "orchestrator/testing/fake_workers.h"
@@ -240,6 +241,21 @@ TEST_F(BatchServiceTest, FailuresThatMayPassAreRunAgainInABatchButNotAlone) {
     waited += event.kind() == v1::JOB_EVENT_KIND_WAITING ? 1 : 0;
   }
   EXPECT_EQ(waited, 1);
+}
+
+// Where the damage is met by those who write alone, nobody else would tell the watchers.
+TEST_F(BatchServiceTest, WatchersAreToldThatTheStoreIsDamaged) {
+  hold_ = true;
+  Start();
+  const v1::Batch batch = *Open();
+  ASSERT_TRUE(Add(batch.id(), 0, 2, true).ok());
+  begun_.Wait();
+  ASSERT_TRUE((*Database::Open(folder_.path() + "/jobs.db", {}))->Execute("DROP TABLE events").ok());
+  release_.Open();
+  absl::Status status;
+  Watch(batch.id(), 0, &status);
+  EXPECT_EQ(status.code(), absl::StatusCode::kDataLoss);
+  EXPECT_THAT(std::string(status.message()), HasSubstr("/jobs.db: store: no such table: events"));
 }
 
 TEST_F(BatchServiceTest, RunsAreLimited) {

@@ -74,8 +74,11 @@ PipelineOptions PipelineOptionsOf(const config::v1::OrchestratorConfig& config, 
   return options;
 }
 
-JobRunnerOptions RunnerOptionsOf(const config::v1::OrchestratorConfig& config) {
+JobRunnerOptions RunnerOptionsOf(const config::v1::OrchestratorConfig& config,
+                                 std::function<void(const absl::Status&)> damaged = {}) {
   JobRunnerOptions options;
+  // On NATS, a damaged record is one job's or one batch's.
+  if (!config.has_queue()) options.damaged = std::move(damaged);
   options.running_job_limit = config.takes_no_jobs() ? 0 : RunningJobLimit(config);
   options.requested_jobs_only = config.requested_jobs_only();
   if (config.attempt_limit() > 0) options.attempt_limit = config.attempt_limit();
@@ -149,10 +152,11 @@ class Service final : public OrchestratorService {
         introduction_(Introduce(config, worker)),
         pipeline_(*stores_.queue, *stores_.artifacts, workers_.clients(), worker.clock,
                   PipelineOptionsOf(config, worker.build)),
-        runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger, RunnerOptionsOf(config)),
+        watches_(hub_, worker),
+        runner_(*stores_.queue, pipeline_, worker.clock, *worker.logger,
+                RunnerOptionsOf(config, [this](const absl::Status& why) { watches_.EndAll(why); })),
         handlers_(*stores_.queue, *stores_.artifacts, runner_, worker.clock, QueuedJobLimit(config),
                   [this] { return Status(); }),
-        watches_(hub_, worker),
         sweeper_(*stores_.queue, *stores_.artifacts, worker.clock, *worker.logger, KeepEnded(config)) {
     Serve(&OrchestratorHandlers::CreateJob, "CreateJob");
     Serve(&OrchestratorHandlers::GetJob, "GetJob");
@@ -262,9 +266,9 @@ class Service final : public OrchestratorService {
   const v1::OrchestratorStatus introduction_;
   EventHub hub_;
   const Pipeline pipeline_;
+  Watches watches_;
   JobRunner runner_;
   OrchestratorHandlers handlers_;
-  Watches watches_;
   bool report_failed_ = false;
   std::optional<Repeater> reporter_;
   Sweeper sweeper_;

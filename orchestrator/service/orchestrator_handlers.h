@@ -185,6 +185,8 @@ class Watches {
 
   // Ends all streams with UNAVAILABLE, now and from now on: the server is stopping.
   void Stop();
+  // Ends those that there are.
+  void EndAll(const absl::Status& status);
 
  private:
   template <typename Response>

@@ -240,13 +240,20 @@ void Watches::Remove(const std::shared_ptr<WatchStream>& stream) {
 }
 
 void Watches::Stop() {
-  std::set<std::shared_ptr<WatchStream>> streams;
   {
     std::lock_guard lock(mutex_);
     stopped_ = true;
+  }
+  EndAll(Stopping());
+}
+
+void Watches::EndAll(const absl::Status& status) {
+  std::set<std::shared_ptr<WatchStream>> streams;
+  {
+    std::lock_guard lock(mutex_);
     streams = streams_;
   }
-  for (const auto& stream : streams) stream->End(Stopping());
+  for (const auto& stream : streams) stream->End(status);
 }
 
 }  // namespace flair::orchestrator
