@@ -124,6 +124,7 @@ struct Session::Calls {
         told = false;
         return response;
       }
+      if (runtime::TurnedAway(response.status())) answered = true;
       // A full queue is waited for elsewhere, and longer.
       const bool is_full =
           absl::IsResourceExhausted(response.status()) && !std::is_same_v<Request, v1::AddToBatchRequest>;

@@ -86,6 +86,18 @@ TEST(ClusterClient, SaysThatTheQueueIsSilent) {
   EXPECT_EQ(ExitCodeOf(look.status()), kExitUnreachable);
 }
 
+// What gRPC says for a server that is sent more large messages than it has room for.
+TEST(Session, AsksAgainWhereItWasTurnedAway) {
+  for (const grpc::Status& refusal :
+       {grpc::Status(grpc::StatusCode::UNAVAILABLE, "GOAWAY received"),
+        grpc::Status(grpc::StatusCode::RESOURCE_EXHAUSTED, "Received RST_STREAM with error code 11")}) {
+    Cluster cluster(refusal);
+    Session session(cluster.server->channel(), "the test");
+    const auto answer = session.GetCluster();
+    EXPECT_TRUE(answer.ok()) << answer.status();
+  }
+}
+
 // As a batch waits for a queue whose disk is full, longer than for an orchestrator that is not there.
 TEST(Session, WaitsWhileAnOrchestratorSaysThatItsQueueIsSilent) {
   Cluster cluster({grpc::StatusCode::UNAVAILABLE, "the queue at nats://n does not answer"});

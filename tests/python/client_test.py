@@ -18,6 +18,32 @@ from programs import BIN, Program, orchestrator, program
 TEXT = "A bedroom that is 3m x 4m."
 
 
+class TurnedAway(unittest.TestCase):
+    """A server that has no room for a large message says so to gRPC, which tells it in words of its own."""
+
+    def test_the_call_is_made_again(self) -> None:
+        refusals = [(grpc.StatusCode.UNAVAILABLE, "GOAWAY received"),
+                    (grpc.StatusCode.RESOURCE_EXHAUSTED, "Received RST_STREAM with error code 11")]
+
+        class Orchestrator(grpc.GenericRpcHandler):
+            def service(self, details):
+                return grpc.unary_unary_rpc_method_handler(self.answer)
+
+            def answer(self, request: bytes, context: grpc.ServicerContext) -> bytes:
+                if refusals:
+                    context.abort(*refusals.pop())
+                return v1.GetJobResponse(job=v1.Job(id="7")).SerializeToString()
+
+        server = grpc.server(ThreadPoolExecutor(1))
+        server.add_generic_rpc_handlers((Orchestrator(),))
+        port = server.add_insecure_port("127.0.0.1:0")
+        server.start()
+        with flair.Client(f"127.0.0.1:{port}") as client:
+            self.assertEqual(client.job("7").id, "7")
+        self.assertEqual(refusals, [])
+        server.stop(None)
+
+
 class WithOrchestrator(unittest.TestCase):
     """All five programs, for all tests of a class."""
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "absl/strings/cord.h"
@@ -39,10 +40,16 @@ constexpr std::array kConnectionErrors = {
                 "{0} closed the connection at once; does it expect TLS, or another certificate?"},
 };
 
+// Of a server that is sent more large messages than it has room for, and of one that stops.
+constexpr std::array kTurnedAway = {"the server has no room for so large a message at the moment; try again later",
+                                    "the server closed the connection before it took the call; try again"};
+
 // Whole messages without an address.
 constexpr std::array kWholeMessages = {
     Translation{"Deadline Exceeded", "no answer in time"},
     Translation{"Socket closed", "the connection was closed during the call"},
+    Translation{"Received RST_STREAM with error code 11", kTurnedAway[0]},
+    Translation{"GOAWAY received", kTurnedAway[1]},
 };
 
 // Errors of name resolution; {0} is the name with its port.
@@ -117,6 +124,10 @@ std::string InPlainWords(std::string_view message) {
     if (message == error.sign) return std::string(error.words);
   }
   return std::string(message);
+}
+
+bool TurnedAway(const absl::Status& status) {
+  return std::ranges::find(kTurnedAway, status.message()) != kTurnedAway.end();
 }
 
 bool HandshakeTimedOut(const absl::Status& status) {

@@ -37,6 +37,9 @@ std::string InPlainWords(std::string_view message);
 // the handshake in time, for example because it is very busy. The server has not seen the call.
 bool HandshakeTimedOut(const absl::Status& status);
 
+// Whether a server that is there did not take the call, in which nothing was wrong: it may be made again.
+bool TurnedAway(const absl::Status& status);
+
 // The package of messages and services that this program speaks; see GetWorkerResponse.protocols.
 inline constexpr char kProtocol[] = "flair.v1";
 

@@ -84,6 +84,8 @@ TEST(ConnectionErrors, TlsNamesAndOtherServersAreNamedInPlainWords) {
   EXPECT_EQ(InPlainWords("DNS resolution failed for no.such:80: C-ares status is not ARES_SUCCESS qtype=A name=no.such "
                          "is_balancer=0: Domain name not found"),
             "the host name no.such:80 is unknown");
+  EXPECT_EQ(InPlainWords("Received RST_STREAM with error code 11"),
+            "the server has no room for so large a message at the moment; try again later");
   EXPECT_EQ(InPlainWords("Received http2 header with status: 404"),
             "a web server or proxy answers there (status 404), not a gRPC server");
 }

@@ -2,6 +2,7 @@
 """Connections to servers of Flair, and the client of flair-orchestrator."""
 
 import ipaddress
+import time
 import uuid
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any, NamedTuple, Self
 import grpc
 
 from flair import v1
-from flair.errors import JobFailed, NotFound, error_of, status_of
+from flair.errors import JobFailed, NotFound, error_of, status_of, turned_away
 from flair.events import STAGES, Event, event_of
 
 # A job, or its id.
@@ -71,10 +72,13 @@ class Connection:
         self._channel.close()
 
     def _call(self, method: Callable[..., Any], request: Any, timeout_s: float | None = None) -> Any:
-        try:
-            return method(request, timeout=timeout_s or self._timeout_s)
-        except grpc.RpcError as error:
-            raise error_of(error) from error
+        for pause_s in (0.1, 0.3, 1.0, 3.0, None):
+            try:
+                return method(request, timeout=timeout_s or self._timeout_s)
+            except grpc.RpcError as error:
+                if pause_s is None or not turned_away(error):
+                    raise error_of(error) from error
+            time.sleep(pause_s)
 
 
 class Client(Connection):

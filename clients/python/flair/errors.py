@@ -71,6 +71,11 @@ def error_of(error: grpc.RpcError) -> FlairError:
     return _CLASSES.get(error.code(), FlairError)(error.code(), error.details() or "no reason given")
 
 
+def turned_away(error: grpc.RpcError) -> bool:
+    """Whether a server that is there did not take the call: it had no room for so large a message, or was stopping."""
+    return error.details() in ("Received RST_STREAM with error code 11", "GOAWAY received")
+
+
 def status_of(code: int) -> grpc.StatusCode:
     """The status of a gRPC code."""
     return _STATUS.get(code, grpc.StatusCode.UNKNOWN)
