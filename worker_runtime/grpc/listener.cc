@@ -7,12 +7,14 @@
 #include <netdb.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <utility>
 
@@ -23,10 +25,17 @@ namespace flair::runtime {
 namespace {
 
 constexpr size_t kNetworkBytes = 8;
-constexpr int kLookEveryMs = 50;
+// What is taken between two looks comes on top of kUnansweredBytes. Measuring one connection takes a microsecond.
+constexpr absl::Duration kMeasureEvery = absl::Milliseconds(5);
+constexpr absl::Duration kMeasureOne = absl::Microseconds(10);
 constexpr absl::Duration kCountEvery = absl::Seconds(20);
 constexpr int kUnansweredCounts = 3;
 constexpr int64_t kUnansweredBytes = 32 << 20;
+// gRPC copies all of a header that is not whole whenever it takes more of it, and does nothing else meanwhile. Longer
+// than a message is ever on its way without leave to send more, which takes no longer than a packet there and back.
+constexpr absl::Duration kUnansweredFor = absl::Seconds(1);
+constexpr int kUnansweredLooks = 4;
+constexpr int64_t kUnansweredOfOne = 64 << 10;
 
 // Unique among all sockets of the machine's life; 0 when `file` is no socket any more.
 uint64_t CookieOf(int file) {
@@ -109,6 +118,13 @@ std::vector<int> ListenOnAll(addrinfo* first, in_port_t& port) {
 
 }  // namespace
 
+ConnectionGate::ConnectionGate(int file_limit)
+    : file_limit_(file_limit - file_limit / 8),
+      peer_limit_((file_limit_ + 3) / 4),
+      activity_(::epoll_create1(EPOLL_CLOEXEC)) {}
+
+ConnectionGate::~ConnectionGate() { ::close(activity_); }
+
 bool ConnectionGate::Admit(int file, const sockaddr_storage& peer, absl::Duration now) {
   // Whoever had that number has closed it. New files get the lowest free number, so it says how many are open.
   Forget(file);
@@ -119,6 +135,8 @@ bool ConnectionGate::Admit(int file, const sockaddr_storage& peer, absl::Duratio
   if (static_cast<int>(files.size()) >= peer_limit_) return false;
   files.insert(file);
   connections_[file] = {CookieOf(file), key};
+  epoll_event event = {.events = EPOLLIN | EPOLLET, .data = {.fd = file}};
+  ::epoll_ctl(activity_, EPOLL_CTL_ADD, file, &event);
   return true;
 }
 
@@ -131,11 +149,38 @@ void ConnectionGate::Forget(int file) {
   connections_.erase(connection);
 }
 
-bool ConnectionGate::Look(absl::Duration now) {
-  if (now - looked_at_ < absl::Milliseconds(kLookEveryMs)) return !connections_.empty();
+bool ConnectionGate::Connection::Measure(int file, absl::Duration now) {
+  tcp_info info = {};
+  socklen_t size = sizeof info;
+  int unread = 0;
+  if (ended || ::ioctl(file, FIONREAD, &unread) != 0 || ::getsockopt(file, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) {
+    return false;
+  }
+  const int64_t before = std::exchange(taken, static_cast<int64_t>(info.tcpi_bytes_received) - unread);
+  if (before == answered) answered_at = now;
+  if (info.tcpi_bytes_sent != std::exchange(sent, info.tcpi_bytes_sent)) {
+    answered = taken;
+    unanswered_looks = unanswered_counts = 0;
+  }
+  if (taken > before) ++unanswered_looks;
+  return taken > before;
+}
+
+void ConnectionGate::Connection::End(int file) {
+  ::shutdown(file, SHUT_RDWR);
+  ended = true;
+  answered = taken;
+}
+
+absl::Duration ConnectionGate::Look(absl::Duration now) {
+  const absl::Duration rest = std::max(kMeasureEvery, kMeasureOne * static_cast<int64_t>(connections_.size()));
+  if (now - looked_at_ < rest) return rest;
   looked_at_ = now;
+  std::array<epoll_event, 256> seen;
+  (void)::epoll_wait(activity_, seen.data(), seen.size(), 0);
   const bool counts = now - counted_at_ >= kCountEvery;
   if (counts) counted_at_ = now;
+  bool active = false;
   std::vector<int> gone;
   std::vector<std::pair<int64_t, int>> unanswered;
   int64_t all_unanswered = 0;
@@ -144,32 +189,25 @@ bool ConnectionGate::Look(absl::Duration now) {
       gone.push_back(file);
       continue;
     }
-    tcp_info info = {};
-    socklen_t size = sizeof info;
-    int unread = 0;
-    if (::ioctl(file, FIONREAD, &unread) != 0 || ::getsockopt(file, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) {
-      continue;
-    }
-    const int64_t taken = static_cast<int64_t>(info.tcpi_bytes_received) - unread;
-    if (info.tcpi_bytes_sent != std::exchange(connection.sent, info.tcpi_bytes_sent)) {
-      connection.answered = taken;
-      connection.unanswered_counts = 0;
-    }
+    active |= connection.Measure(file, now);
     if (counts) {
-      const bool more = taken > std::exchange(connection.counted, taken);
+      const bool more = connection.taken > std::exchange(connection.counted, connection.taken);
       connection.unanswered_counts = more ? connection.unanswered_counts + 1 : 0;
     }
-    if (connection.unanswered_counts >= kUnansweredCounts) ::shutdown(file, SHUT_RDWR);
-    unanswered.emplace_back(taken - connection.answered, file);
-    all_unanswered += taken - connection.answered;
+    const bool is_long = now - connection.answered_at >= kUnansweredFor &&
+                         connection.unanswered_looks >= kUnansweredLooks &&
+                         connection.taken - connection.answered > kUnansweredOfOne;
+    if (is_long || connection.unanswered_counts >= kUnansweredCounts) connection.End(file);
+    unanswered.emplace_back(connection.taken - connection.answered, file);
+    all_unanswered += connection.taken - connection.answered;
   }
   std::ranges::sort(unanswered, std::greater());
   for (auto largest = unanswered.begin(); all_unanswered > kUnansweredBytes; ++largest) {
-    ::shutdown(largest->second, SHUT_RDWR);
+    connections_[largest->second].End(largest->second);
     all_unanswered -= largest->first;
   }
   for (const int file : gone) Forget(file);
-  return !connections_.empty();
+  return active ? rest : absl::ZeroDuration();
 }
 
 absl::StatusOr<std::unique_ptr<Listener>> Listener::Bind(const std::string& address) {
@@ -203,6 +241,7 @@ Listener::~Listener() {
 
 void Listener::Start(std::function<void(int, int)> take) {
   thread_ = std::thread([this, take = std::move(take)] { Run(take); });
+  watch_ = std::thread([this] { Watch(); });
 }
 
 void Listener::Stop() {
@@ -211,8 +250,22 @@ void Listener::Stop() {
   while (::write(wake_, &one, sizeof one) < 0 && errno == EINTR) {
   }
   thread_.join();
+  watch_.join();
   // What waits to be accepted is refused at once, and another program may have the port.
   for (const int file : files_) ::shutdown(file, SHUT_RDWR);
+}
+
+// Not on the thread that accepts: gRPC reads a new connection on that one, for as long as there is something to read.
+void Listener::Watch() {
+  pollfd polled[] = {{wake_, POLLIN, 0}, {-1, POLLIN, 0}};
+  while (polled[0].revents == 0) {
+    std::unique_lock lock(mutex_);
+    const absl::Duration rest = gate_.Look(SystemClock().Elapsed());
+    lock.unlock();
+    const bool rests = rest > absl::ZeroDuration();
+    polled[1].fd = rests ? -1 : gate_.activity();
+    ::poll(polled, 2, static_cast<int>(absl::ToInt64Milliseconds(rests ? rest : kCountEvery)));
+  }
 }
 
 void Listener::Run(const std::function<void(int, int)>& take) {
@@ -220,10 +273,8 @@ void Listener::Run(const std::function<void(int, int)>& take) {
   for (const int file : files_) polled.push_back({file, POLLIN, 0});
   bool out_of_files = false;
   while (true) {
-    const bool looks = gate_.Look(SystemClock().Elapsed());
     // Without files, the waiting ones are left alone for a moment: only the wake is looked at.
-    const int wait_ms = out_of_files ? kOutOfFilesMs : (looks ? kLookEveryMs : -1);
-    if (::poll(polled.data(), out_of_files ? 1 : polled.size(), wait_ms) < 0) continue;
+    if (::poll(polled.data(), out_of_files ? 1 : polled.size(), out_of_files ? kOutOfFilesMs : -1) < 0) continue;
     if (polled[0].revents != 0) return;
     const bool all = out_of_files;
     out_of_files = false;
@@ -241,7 +292,10 @@ bool Listener::AcceptAll(int listener, const std::function<void(int, int)>& take
     const int connection = ::accept4(listener, reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (connection < 0 && (errno == EINTR || errno == ECONNABORTED)) continue;
     if (connection < 0) return errno != EMFILE && errno != ENFILE && errno != ENOBUFS && errno != ENOMEM;
-    if (!gate_.Admit(connection, peer, SystemClock().Elapsed())) {
+    std::unique_lock lock(mutex_);
+    const bool admitted = gate_.Admit(connection, peer, SystemClock().Elapsed());
+    lock.unlock();
+    if (!admitted) {
       ::close(connection);
       continue;
     }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <unordered_map>
@@ -23,8 +24,8 @@ class ConnectionGate {
  public:
   // `file_limit`: what the process may open. An eighth of it is kept for everything that is no connection; one address
   // (of IPv6: one network of 64 bits) gets a quarter of the rest. Unix sockets are all one address.
-  explicit ConnectionGate(int file_limit)
-      : file_limit_(file_limit - file_limit / 8), peer_limit_((file_limit_ + 3) / 4) {}
+  explicit ConnectionGate(int file_limit);
+  ~ConnectionGate();
 
   // Whether the connection that was just accepted as `file` from `peer` may stay. Connections that were closed since
   // are noticed by themselves, whoever closes them: of a peer that has its share, within a tenth of a second. `now`
@@ -34,26 +35,38 @@ class ConnectionGate {
   // Forgets connections that are closed, and ends those that take all and are told nothing, which only happens to
   // headers that never end: gRPC 1.51 keeps all of those and waits for more. Everything else is answered, be it by a
   // ping or by leave to send more. Ended are the largest while all together have too much unanswered, and who is not
-  // answered for a minute. Does nothing when it has just looked; false without connections.
-  bool Look(absl::Duration now);
+  // answered for a second, or sends little for a minute. Does nothing when it has just looked. Returns when to look
+  // again; nothing when `activity` will tell.
+  absl::Duration Look(absl::Duration now);
+  // To be polled: can be read when a connection was sent something.
+  int activity() const { return activity_; }
 
   int peer_limit() const { return peer_limit_; }
 
  private:
   struct Connection {
+    // Whether more was taken of it since the last look.
+    bool Measure(int file, absl::Duration now);
+    void End(int file);
+
     uint64_t cookie = 0;
     std::string peer;
-    // Bytes that were sent to it, those that it had sent then, and at the last count; counts since then that found
-    // more.
+    // Bytes that were sent to it; those that were taken of it, in all, when something was last sent to it, and at the
+    // last count; since something was sent: when all was answered, and counts and looks that found more.
     uint64_t sent = 0;
+    int64_t taken = 0;
     int64_t answered = 0;
     int64_t counted = 0;
     int unanswered_counts = 0;
+    absl::Duration answered_at = absl::ZeroDuration();
+    int unanswered_looks = 0;
+    bool ended = false;
   };
   void Forget(int file);
 
   const int file_limit_;
   const int peer_limit_;
+  const int activity_;
   std::unordered_map<int, Connection> connections_;
   std::unordered_map<std::string, std::unordered_set<int>> files_of_peers_;
   absl::Duration looked_at_ = -absl::InfiniteDuration();
@@ -84,14 +97,17 @@ class Listener {
   Listener(std::string address, std::vector<int> files, int wake, int file_limit)
       : address_(std::move(address)), files_(std::move(files)), wake_(wake), gate_(file_limit) {}
   void Run(const std::function<void(int, int)>& take);
+  void Watch();
   // False when the process is out of files.
   bool AcceptAll(int listener, const std::function<void(int, int)>& take);
 
   const std::string address_;
   const std::vector<int> files_;
   const int wake_;
+  std::mutex mutex_;
   ConnectionGate gate_;
   std::thread thread_;
+  std::thread watch_;
 };
 
 }  // namespace flair::runtime

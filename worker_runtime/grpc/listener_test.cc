@@ -134,7 +134,7 @@ TEST(ConnectionGate, WhoIsNotAnsweredForAMinuteGoes) {
   Talk endless(gate), answered(gate), silent(gate);
   for (int i = 0; i < 3; ++i) {
     EXPECT_TRUE(endless.is_open());
-    EXPECT_TRUE(gate.Look(absl::Seconds(21 * i)));
+    gate.Look(absl::Seconds(21 * i));
     endless.Send(1);
     answered.Send(1);
     answered.Answer();
@@ -143,6 +143,23 @@ TEST(ConnectionGate, WhoIsNotAnsweredForAMinuteGoes) {
   EXPECT_FALSE(endless.is_open());
   EXPECT_TRUE(answered.is_open());
   EXPECT_TRUE(silent.is_open());
+}
+
+TEST(ConnectionGate, WhoIsNotAnsweredForASecondGoes) {
+  ConnectionGate gate(256);
+  Talk endless(gate), answered(gate), frozen(gate);
+  frozen.Send(100'000);
+  for (int i = 0; i < 11; ++i) {
+    EXPECT_TRUE(endless.is_open()) << i;
+    endless.Send(10'000);
+    answered.Send(10'000);
+    gate.Look(absl::Seconds(1) + i * absl::Milliseconds(100));
+    if (i % 8 == 0) answered.Answer();
+  }
+  gate.Look(absl::Seconds(60));
+  EXPECT_FALSE(endless.is_open());
+  EXPECT_TRUE(answered.is_open());
+  EXPECT_TRUE(frozen.is_open());
 }
 
 TEST(ConnectionGate, WhatIsNotAnsweredDoesNotPileUp) {

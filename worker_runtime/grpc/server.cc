@@ -65,6 +65,8 @@ constexpr int kIdleConnectionMs = 5 * 60 * 1000;
 constexpr int kConnectionAgeMs = 60 * 60 * 1000;
 constexpr int kCallsOfAConnection = 1024;
 constexpr int kMetadataBytes = 16 * 1024;
+// Of one connection at a time: while these are parsed, its thread does nothing for others.
+constexpr int kReadBytes = 64 * 1024;
 // A caller that is not heard of is asked whether it is there; one that asks us more often than this is sent away.
 constexpr int kClientKeepaliveMs = 60 * 1000;
 constexpr int kClientKeepaliveTimeoutMs = 20 * 1000;
@@ -92,6 +94,7 @@ void LimitCallers(int max_message_mib, grpc::ServerBuilder& builder) {
       {GRPC_ARG_MAX_CONNECTION_AGE_MS, kConnectionAgeMs},
       {GRPC_ARG_MAX_CONCURRENT_STREAMS, kCallsOfAConnection},
       {GRPC_ARG_MAX_METADATA_SIZE, kMetadataBytes},
+      {GRPC_ARG_TCP_MAX_READ_CHUNK_SIZE, kReadBytes},
       {GRPC_ARG_KEEPALIVE_TIME_MS, kClientKeepaliveMs},
       {GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kClientKeepaliveTimeoutMs},
       {GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS, kLeastPingIntervalMs}};
