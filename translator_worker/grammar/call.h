@@ -34,16 +34,6 @@ struct Call {
     Add(name).set_flag(value);
     return std::move(*this);
   }
-  // Leaves the argument out when there is no value.
-  template <typename Optional>
-  Call&& MaybeNumber(const std::string& name, const Optional& value) {
-    if (value) Add(name).set_number(*value);
-    return std::move(*this);
-  }
-  Call&& MaybeText(const std::string& name, const std::string& value) {
-    if (!value.empty()) Add(name).set_text(value);
-    return std::move(*this);
-  }
 
   // The argument of that name; null when it has none.
   const v1::ArgumentValue* Find(std::string_view name) const {
