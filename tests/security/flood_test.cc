@@ -124,6 +124,7 @@ TEST(Flood, SmallFieldsDoNotUnfold) {
   };
   const std::string spec("\x12\0", 2);
   const std::string stranger("\xfa\x3e\0", 3);
+  const std::string number("\xf8\x3e\1", 3);
   constexpr char kBatch[] = "/flair.v1.OrchestratorService/CreateBatch";
   constexpr char kWatch[] = "/flair.v1.OrchestratorService/WatchJob";
   constexpr char kWho[] = "/flair.v1.WorkerService/GetWorker";
@@ -131,6 +132,7 @@ TEST(Flood, SmallFieldsDoNotUnfold) {
   PlainOrchestrator orchestrator;
   for (const char* token : {"bad", "good"}) {
     EXPECT_LT(peak(orchestrator.address(), orchestrator.process(), kBatch, spec, token), 300);
+    EXPECT_LT(peak(orchestrator.address(), orchestrator.process(), kBatch, number, token), 300);
     EXPECT_LT(peak(orchestrator.address(), orchestrator.process(), kWatch, stranger, token), 300);
   }
   PlainOptimizer optimizer;

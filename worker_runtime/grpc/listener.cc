@@ -28,14 +28,13 @@ constexpr size_t kNetworkBytes = 8;
 // What is taken between two looks comes on top of kUnansweredBytes. Measuring one connection takes a microsecond.
 constexpr absl::Duration kMeasureEvery = absl::Milliseconds(5);
 constexpr absl::Duration kMeasureOne = absl::Microseconds(10);
-constexpr absl::Duration kCountEvery = absl::Seconds(20);
-constexpr int kUnansweredCounts = 3;
 constexpr int64_t kUnansweredBytes = 32 << 20;
 // gRPC copies all of a header that is not whole whenever it takes more of it, and does nothing else meanwhile. Longer
 // than a message is ever on its way without leave to send more, which takes no longer than a packet there and back.
 constexpr absl::Duration kUnansweredFor = absl::Seconds(1);
 constexpr int kUnansweredLooks = 4;
 constexpr int64_t kUnansweredOfOne = 64 << 10;
+constexpr absl::Duration kUnansweredAtAll = absl::Minutes(1);
 
 // Unique among all sockets of the machine's life; 0 when `file` is no socket any more.
 uint64_t CookieOf(int file) {
@@ -160,7 +159,7 @@ bool ConnectionGate::Connection::Measure(int file, absl::Duration now) {
   if (before == answered) answered_at = now;
   if (info.tcpi_bytes_sent != std::exchange(sent, info.tcpi_bytes_sent)) {
     answered = taken;
-    unanswered_looks = unanswered_counts = 0;
+    unanswered_looks = 0;
   }
   if (taken > before) ++unanswered_looks;
   return taken > before;
@@ -178,8 +177,6 @@ absl::Duration ConnectionGate::Look(absl::Duration now) {
   looked_at_ = now;
   std::array<epoll_event, 256> seen;
   (void)::epoll_wait(activity_, seen.data(), seen.size(), 0);
-  const bool counts = now - counted_at_ >= kCountEvery;
-  if (counts) counted_at_ = now;
   bool active = false;
   std::vector<int> gone;
   std::vector<std::pair<int64_t, int>> unanswered;
@@ -190,14 +187,9 @@ absl::Duration ConnectionGate::Look(absl::Duration now) {
       continue;
     }
     active |= connection.Measure(file, now);
-    if (counts) {
-      const bool more = connection.taken > std::exchange(connection.counted, connection.taken);
-      connection.unanswered_counts = more ? connection.unanswered_counts + 1 : 0;
-    }
-    const bool is_long = now - connection.answered_at >= kUnansweredFor &&
-                         connection.unanswered_looks >= kUnansweredLooks &&
-                         connection.taken - connection.answered > kUnansweredOfOne;
-    if (is_long || connection.unanswered_counts >= kUnansweredCounts) connection.End(file);
+    const int64_t bytes = connection.taken - connection.answered;
+    const absl::Duration limit = bytes > kUnansweredOfOne ? kUnansweredFor : kUnansweredAtAll;
+    if (connection.unanswered_looks >= kUnansweredLooks && now - connection.answered_at >= limit) connection.End(file);
     unanswered.emplace_back(connection.taken - connection.answered, file);
     all_unanswered += connection.taken - connection.answered;
   }
@@ -264,7 +256,7 @@ void Listener::Watch() {
     lock.unlock();
     const bool rests = rest > absl::ZeroDuration();
     polled[1].fd = rests ? -1 : gate_.activity();
-    ::poll(polled, 2, static_cast<int>(absl::ToInt64Milliseconds(rests ? rest : kCountEvery)));
+    ::poll(polled, 2, rests ? static_cast<int>(absl::ToInt64Milliseconds(rest)) : -1);
   }
 }
 

@@ -51,13 +51,11 @@ class ConnectionGate {
 
     uint64_t cookie = 0;
     std::string peer;
-    // Bytes that were sent to it; those that were taken of it, in all, when something was last sent to it, and at the
-    // last count; since something was sent: when all was answered, and counts and looks that found more.
+    // Bytes that were sent to it; those that were taken of it, in all and when something was last sent to it; since
+    // then, when the first was taken, and looks that found more.
     uint64_t sent = 0;
     int64_t taken = 0;
     int64_t answered = 0;
-    int64_t counted = 0;
-    int unanswered_counts = 0;
     absl::Duration answered_at = absl::ZeroDuration();
     int unanswered_looks = 0;
     bool ended = false;
@@ -70,7 +68,6 @@ class ConnectionGate {
   std::unordered_map<int, Connection> connections_;
   std::unordered_map<std::string, std::unordered_set<int>> files_of_peers_;
   absl::Duration looked_at_ = -absl::InfiniteDuration();
-  absl::Duration counted_at_ = -absl::InfiniteDuration();
 };
 
 // Accepts TCP connections in place of gRPC 1.51, which stops accepting for ever when the process has once run out of

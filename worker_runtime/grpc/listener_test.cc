@@ -132,14 +132,14 @@ class Talk {
 TEST(ConnectionGate, WhoIsNotAnsweredForAMinuteGoes) {
   ConnectionGate gate(256);
   Talk endless(gate), answered(gate), silent(gate);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 4; ++i) {
     EXPECT_TRUE(endless.is_open());
     gate.Look(absl::Seconds(21 * i));
     endless.Send(1);
     answered.Send(1);
     answered.Answer();
   }
-  gate.Look(absl::Seconds(63));
+  gate.Look(absl::Seconds(84));
   EXPECT_FALSE(endless.is_open());
   EXPECT_TRUE(answered.is_open());
   EXPECT_TRUE(silent.is_open());

@@ -100,14 +100,14 @@ class Unfolding {
   // False when more is taken than is left. Stops at what is no field: so will the parser.
   bool Fits(const Descriptor& type, int nesting = 0) {
     while (const uint32_t tag = left_ > 0 ? in_.ReadTag() : 0) {
+      const FieldDescriptor* field = type.FindFieldByNumber(WireFormatLite::GetTagFieldNumber(tag));
       if (WireFormatLite::GetTagWireType(tag) != WireFormatLite::WIRETYPE_LENGTH_DELIMITED) {
-        left_ -= kScalarBytes;
+        left_ -= field != nullptr ? kScalarBytes : kObjectBytes;
         if (!SkipScalar(tag)) break;
         continue;
       }
       uint32_t length = 0;
       if (!in_.ReadVarint32(&length)) break;
-      const FieldDescriptor* field = type.FindFieldByNumber(WireFormatLite::GetTagFieldNumber(tag));
       left_ -= kObjectBytes;
       if (field != nullptr && field->message_type() != nullptr && nesting < kNestingLimit) {
         const Descriptor& inner = *field->message_type();
