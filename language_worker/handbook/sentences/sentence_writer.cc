@@ -217,8 +217,10 @@ std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& re
   const bool island = IsTogether(group) && !line->in_rows;
   const std::size_t abreast =
       island || line == nullptr || line->abreast == 0 ? group.size() : static_cast<std::size_t>(line->abreast);
-  const bool beyond = relation.text().find("{side}") == std::string::npos;
+  const bool sideless = relation.text().find("{side}") == std::string::npos;
+  const bool beyond = sideless && abreast < group.size();
   std::vector<v1::Sentence> sentences;
+  if (island && sideless) return sentences;
   for (std::size_t i = 1; i < group.size(); ++i) {
     if ((i % abreast == 0) != beyond) continue;
     if (beyond) {
