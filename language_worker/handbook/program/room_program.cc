@@ -93,6 +93,18 @@ class ProgramMaker {
     }
   }
 
+  // Of what comes in numbers a hall has more than the largest room that its kind lists, where people come and the brief
+  // leaves the furniture to us: a library of 80 m2 has more than eight bookcases.
+  int GrowthOf(const hb::Archetype& archetype, const hb::Band& band, double share_m2) const {
+    constexpr double kOfListed = 1.5, kMost = 3;
+    if (band.max_area_m2() > 0 || program_.listed || facts_.people || archetype.per_person().empty()) return 1;
+    const int bands = archetype.bands_size();
+    const double listed_m2 =
+        std::max(UsualArea(archetype), bands > 1 ? archetype.bands(bands - 2).max_area_m2() : 0.0) * kOfListed;
+    // Whole times, so that tables keep their chairs.
+    return static_cast<int>(std::lround(std::clamp(share_m2 / listed_m2, 1.0, kMost)));
+  }
+
   void TakeBand(const hb::Archetype& archetype, double share_m2, const std::string& owner) {
     const hb::Band& band = BandFor(archetype, share_m2);
     for (const std::string& name : band.zones()) {
@@ -101,9 +113,15 @@ class ProgramMaker {
       }
     }
     const bool further = !owner.empty();
+    const int grown = GrowthOf(archetype, band, share_m2);
     for (const hb::ObjectEntry& entry : band.objects()) {
       if (IsOnlyGuessed()) break;
-      if (!further || !IsThereAlready(entry.furniture())) Add(entry, owner + "band", archetype);
+      if (further && IsThereAlready(entry.furniture())) continue;
+      const std::size_t before = program_.floor_items.size();
+      Add(entry, owner + "band", archetype);
+      if (entry.count() < 2 || program_.floor_items.size() == before) continue;
+      int& count = program_.floor_items.back().count;
+      count = std::min(kMostOfAKind, count * grown);
     }
     for (const hb::ObjectEntry& entry : archetype.tertiaries()) {
       if (!further || !Lists(program_, entry.furniture())) Add(entry, owner + "tertiary", archetype);
@@ -239,8 +257,8 @@ class ProgramMaker {
     if (middle.empty()) middle = zone_of("coffee_table");
     for (ProgramItem& item : program_.floor_items) {
       if (middle.empty() || item.furniture->category() != "armchair" || item.seat_of != nullptr) continue;
-      const bool placed = std::ranges::any_of(
-          facts_.places, [&](const Place& place) { return place.furniture == item.furniture; });
+      const bool placed =
+          std::ranges::any_of(facts_.places, [&](const Place& place) { return place.furniture == item.furniture; });
       const bool alone = std::ranges::none_of(program_.floor_items, [&](const ProgramItem& other) {
         return &other != &item && other.zone == item.zone && other.requested;
       });
