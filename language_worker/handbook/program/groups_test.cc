@@ -306,6 +306,12 @@ TEST(Groups, ChairsOfATableDoNotLookAtTheDesksElsewhere) {
   EXPECT_EQ(plan.Sentences("office chair faces the"), plan.Count("desk"));
 }
 
+TEST(Groups, ANestOfTablesStandsForTheCoffeeTable) {
+  const Plan plan = PlanFor("A living room, 5 m x 4 m, with a corner sofa, an armchair and a nest of tables.");
+  EXPECT_EQ(plan.Count("nest of tables"), 1);
+  EXPECT_EQ(plan.Count("coffee table"), 0);
+}
+
 TEST(Groups, WhoIsSaidToSitAtAWorkTableHasAStool) {
   const Plan studio = PlanFor("An art studio, 6 m x 6 m, with a work table for six.");
   EXPECT_EQ(studio.Count("work stool"), 6);

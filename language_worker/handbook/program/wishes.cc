@@ -234,14 +234,13 @@ class WishMaker {
 
   // Whether one word may mean either: a single bed and a double bed.
   bool ShareANoun(const hb::Furniture& one, const hb::Furniture& other) const {
-    return one.category() == other.category() &&
-           std::ranges::any_of(handbook_.contents().nouns(), [&](const hb::Noun& noun) {
-             const auto means = [&](const hb::Furniture& furniture) {
-               return std::ranges::any_of(noun.options(),
-                                          [&](const auto& option) { return option.furniture() == KinOf(furniture); });
-             };
-             return means(one) && means(other);
-           });
+    return std::ranges::any_of(handbook_.contents().nouns(), [&](const hb::Noun& noun) {
+      const auto means = [&](const hb::Furniture& furniture) {
+        return std::ranges::any_of(noun.options(),
+                                   [&](const auto& option) { return option.furniture() == KinOf(furniture); });
+      };
+      return (noun.one_of() || one.category() == other.category()) && means(one) && means(other);
+    });
   }
 
   // Of pieces that stand for one another the room has the one that is asked for: a corner sofa comes instead of the

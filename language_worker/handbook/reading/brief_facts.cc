@@ -139,6 +139,12 @@ class BriefReader {
     for (const NamedRoom& one : kind_.named) {
       constexpr double kCorner = 0.4;
       if (used_[one.begin] || text.At(one.end) == "of") continue;  // "a bank of tall units"
+      // The treatment room of a physiotherapist is the room itself.
+      const bool same = std::ranges::any_of(handbook_.contents().needs(), [&](const hb::Need& need) {
+        return need.changes().becomes_room() == facts_.archetype->name() &&
+               Includes(need.condition().rooms(), one.archetype->name());
+      });
+      if (same) continue;
       const bool own = one.archetype->serving() || facts_.archetype->serving();
       if (!own) facts_.also.push_back({one.archetype, kCorner});
       if (own) facts_.other_rooms.push_back(Quote(one));
@@ -229,6 +235,14 @@ class BriefReader {
     // Needs look at the same words.
     std::vector<bool> peoples_words = used_;
     facts_.year = ReadYear(tokens_, peoples_words);
+    // A "wizard's study" is of his time, though the words name the kind of room.
+    for (const hb::Theme& theme : handbook_.contents().themes()) {
+      const int year = theme.changes().year();
+      for (std::size_t i = kind_.room.begin; i < kind_.room.end && year != 0 && !facts_.year; ++i) {
+        const auto here = [&](const std::string& word) { return Phrase(word).MatchAt(tokens_, i) > 0; };
+        if (std::ranges::any_of(theme.keywords(), here)) facts_.year = year;
+      }
+    }
     const std::vector<bool> before = peoples_words;
     facts_.people = ReadPeople(tokens_, peoples_words);
     for (std::size_t i = 0; i < tokens_.size() && facts_.people; ++i) {

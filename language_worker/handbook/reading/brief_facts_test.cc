@@ -90,6 +90,21 @@ TEST(ReadBrief, AColourBeforeAPieceBelongsToThePiece) {
   EXPECT_EQ(wood.object_materials[1].second, "pale");
 }
 
+TEST(ReadBrief, WordsTellHowLargeAPieceIs) {
+  const BriefFacts facts = FactsOf("A study with a long narrow desk, a small bookcase and a wardrobe");
+  ASSERT_EQ(facts.wishes.size(), 3u);
+  EXPECT_GT(facts.wishes[0].size.width_m.value_or(0), 1.2);
+  EXPECT_LT(facts.wishes[0].size.depth_m.value_or(1), 0.6);
+  EXPECT_LT(facts.wishes[1].size.width_m.value_or(1), 0.8);
+  EXPECT_FALSE(facts.wishes[2].size.any());
+}
+
+TEST(ReadBrief, ARoomOfAWizardIsOfHisTimeAndATreatmentRoomOfAPhysioOneRoom) {
+  EXPECT_EQ(FactsOf("A wizard's study with a desk").year, 1500);
+  EXPECT_FALSE(FactsOf("A study with a desk").year.has_value());
+  EXPECT_TRUE(FactsOf("A physiotherapy practice, one treatment room with a couch").also.empty());
+}
+
 TEST(ReadBrief, AWordForFewMakesNoNeed) {
   const auto needs = [](const std::string& text) { return FactsOf(text).needs.size(); };
   EXPECT_EQ(needs("A living room with plants"), 1u);

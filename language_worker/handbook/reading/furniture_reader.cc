@@ -298,7 +298,9 @@ class FurnitureReader {
     if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
     const bool further = IsFurther(text_, i);
     Mentioned(furniture, i, length, count);
-    last_ = Last{AddWish(wish, further), i + length, IsSeat(furniture) && length == 1};
+    const std::size_t end =
+        std::max(i + length, groups.begin < i ? 0 : groups.end);  // "desks in two rows, each with ..."
+    last_ = Last{AddWish(wish, further), end, IsSeat(furniture) && length == 1};
     TakeLooksBefore(handbook_, text_, furniture, i, used_, facts_);
     if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text_, i)) {
       if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text_.BehindPhrase(*at, "wall_mounted") - *at);

@@ -305,6 +305,8 @@ TEST(FurnitureReader, TheTubIsTheOneThatWasAskedFor) {
 TEST(FurnitureReader, WhatIsHeldPassedByOrRefusedIsNoPiece) {
   ExpectWishes({{"A laundry with a tall cupboard for the vacuum cleaner and ironing board.", "1 storage cabinet"},
                 {"A hall with a cabinet to hide the litter box.", "1 storage cabinet"},
+                {"A home gym with a rack with dumbbells.", "1 dumbbell rack"},
+                {"A physiotherapy room with a desk and one chair for the patient.", "1 desk, 1 visitor chair"},
                 {"A practice room with a rack holding four guitars.", "1 guitar stand"},
                 {"A shop with a till and aisles wide enough for prams.", "1 cash desk"},
                 {"A clinic with a reception desk, so that wheelchairs and prams can pass.", "1 reception desk"},
@@ -339,6 +341,9 @@ TEST(FurnitureReader, CountsFollowWhatOneStandsWith) {
   EXPECT_EQ(desks.wishes[0].seats, 2);
   EXPECT_NEAR(desks.wishes[0].size.width_m.value_or(0), 1.3, 1e-9);
   EXPECT_TRUE(FactsOf("A hotel room with twin beds.").needs.empty());
+  const BriefFacts nails = FactsOf("A nail salon with four manicure tables in two rows each with two chairs.");
+  ASSERT_EQ(nails.wishes.size(), 1u);
+  EXPECT_EQ(nails.wishes[0].seats, 2);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "english/wordnet.h"
 #include "english/words.h"
+#include "language_worker/handbook/reading/other_words.h"
 
 namespace flair::language {
 namespace {
@@ -112,11 +113,14 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
 
 NounBook::Purpose NounBook::PurposeOf(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) const {
   const BriefText text(tokens);
-  const std::optional<std::size_t> behind = text.BehindPhrase(end, "made_for");
+  std::optional<std::size_t> behind = text.BehindPhrase(end, "made_for");
+  // "A rack with dumbbells".
+  const bool holds = end > 0 && text.At(end) == "with" && IsFormIn("holders_of_things", text.At(end - 1));
+  if (holds && english::IsPlural(text.At(end + 1))) behind = end + 1;
   if (!behind || !text.IsWord(begin)) return {};
   std::size_t at = *behind;
   while (text.Is(at, "thing_articles") || text.IsNumber(at) || NumberWord(text.At(at))) ++at;
-  if (!text.IsWord(at) || text.At(at - 1) == "the") return {};
+  if (!text.IsWord(at) || (text.At(at - 1) == "the" && !CountsPeople(text.At(at)))) return {};
   std::vector<Token> name = {tokens[at]};
   name.front().text = english::Singular(name.front().text);
   for (std::size_t i = begin; i < end; ++i) name.push_back(tokens[i]);

@@ -175,6 +175,21 @@ class LooksReader {
   BriefFacts& facts_;
 };
 
+// "A big table", "a long narrow desk": half the way from what is usual to the largest or least.
+PieceSize SizeInWords(const BriefText& text, const Mention& mention, const std::vector<bool>& taken) {
+  PieceSize size;
+  const hb::Extent &width = mention.furniture->width_m(), &depth = mention.furniture->depth_m();
+  const auto towards = [](const hb::Extent& extent, double bound_m) { return (extent.typical() + bound_m) / 2; };
+  for (std::size_t k = text.PhraseBegin(mention.begin); k < mention.end; ++k) {
+    if (taken[k] && k < mention.begin) continue;
+    if (text.Is(k, "large_pieces")) size.width_m = towards(width, MostOf(width));
+    if (text.Is(k, "deep_pieces")) size.depth_m = towards(depth, MostOf(depth));
+    if (text.Is(k, "small_pieces") && k < mention.begin) size.width_m = towards(width, LeastOf(width));
+    if (text.Is(k, "narrow_pieces") && k < mention.begin) size.depth_m = towards(depth, LeastOf(depth));
+  }
+  return size;
+}
+
 }  // namespace
 
 void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
@@ -215,6 +230,11 @@ void TakeSizes(const std::vector<Token>& tokens, const std::vector<Mention>& men
   for (const Mention& mention : mentions) {
     const PieceSize size = ReadPieceSize(tokens, mention.begin, mention.end, taken).For(*mention.furniture);
     if (size.any()) take(mention, size);
+  }
+  for (Wish& wish : facts.wishes) {
+    const auto mention = std::ranges::find(mentions, wish.furniture, &Mention::furniture);
+    const bool free = !wish.size.any() && wish.seats < 2 && IsFloorPiece(*wish.furniture);
+    if (free && mention != mentions.end()) wish.size = SizeInWords(BriefText(tokens), *mention, taken);
   }
   // "Two desks at the window, 140 x 70 cm each".
   constexpr std::size_t kMostOfASize = 6;

@@ -24,12 +24,14 @@ int WallsIn(const BriefText& text, std::size_t begin, std::size_t end) {
 }
 
 int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin, std::size_t end) {
-  bool each = false;
-  constexpr int kCorners = 4;
+  bool each = false, all = false, which = false;
   for (std::size_t i = begin; i < end; ++i) {
-    if (place.side == "each" && text.Says(i, {"each", "every", "all", "four"})) return kCorners;
+    which = which || text.Is(i, "which_corner");
     each = each || text.Says(i, {"each", "every"});
+    all = all || text.Says(i, {"all", "four"});
   }
+  // "In each of the back corners".
+  if (place.side == "each" && (each || all)) return which ? 2 : 4;
   // "A barre along both long walls".
   if (place.walls > 1) return place.walls;
   const auto target = std::ranges::find(facts.wishes, place.target, &Wish::furniture);
