@@ -9,7 +9,6 @@
 
 #include "english/words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
-#include "language_worker/handbook/reading/guess_kind.h"
 #include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"

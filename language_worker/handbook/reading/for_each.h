@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces of which there is one for each of several: "each needs his own bed and desk", "two groups of armchairs, each
-// with a table", "one stool at each", "a locker per child".
+// with a table", "one stool at each", "a locker per child"; and walls of them: "bookcases along both side walls".
 #pragma once
 
 #include <cstddef>
@@ -17,5 +17,10 @@ namespace flair::language {
 // something else.
 int TimesForEach(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end,
                  const std::vector<Mention>& mentions, const std::vector<Wish>& wishes, int people);
+
+// How many of a class, named in the plural before token `end`, stand along the walls that are told behind it: most of
+// each wall, as long as they leave the floor free. 0 where no wall is told, or for what stands at none. `facts` must
+// know the kind of room, and its size if the brief says it.
+int CountAlongWalls(const BriefText& text, const hb::Furniture& furniture, std::size_t end, const BriefFacts& facts);
 
 }  // namespace flair::language

@@ -17,7 +17,6 @@
 #include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
-#include "language_worker/handbook/reading/wall_fill.h"
 
 namespace flair::language {
 namespace {
