@@ -37,6 +37,8 @@ class BriefReader {
     ReadArchetype();
     TakeRoomOfNeeds();
     facts_.shape = ReadShape(tokens_, handbook_);
+    if (IsIn("rooms_with_runs", facts_.archetype->name()))
+      facts_.run_form = ReadRunForm(tokens_, facts_.shape, facts_.told);
     ReadParts();
     const std::vector<bool> room_words = used_;
     facts_.finishes = ReadFinishes(handbook_, tokens_, used_);

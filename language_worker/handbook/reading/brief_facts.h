@@ -66,6 +66,7 @@ inline int MostOf(const hb::Furniture& furniture) {
 struct BriefFacts {
   SizeRequest size;
   ShapeRequest shape;
+  RunForm run_form = RunForm::kAny;  // of a kitchen's units
   const hb::Archetype* archetype = nullptr;
   std::vector<FurtherKind> also;               // the room is these, too: "kitchen/living/dining"
   std::vector<std::string> other_rooms;        // named beside it, not furnished: "ensuite"

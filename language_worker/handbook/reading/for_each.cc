@@ -47,7 +47,9 @@ class EachReader {
 
  private:
   bool IsEach(std::size_t i) const {
-    return text_.Is(i, "each_words") && !text_.Says(i + 1, {"side", "end", "wall", "corner", "other", "way"});
+    const bool corners = text_.At(i + 1) == "of" && (text_.Is(i + 3, "corners") || text_.Is(i + 4, "corners"));
+    return text_.Is(i, "each_words") && !text_.Says(i + 1, {"side", "end", "wall", "corner", "other", "way"}) &&
+           !corners;
   }
 
   // Of the people, or of what was asked for last.

@@ -186,8 +186,17 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
   if (landmark.kind == Landmark::Kind::kCorner) {
     for (std::size_t i = start; i < landmark.end; ++i) {
       if (text_.Is(i, "other_corners")) sides = "opposite";
-      const bool each = text_.Says(i, {"each", "every", "all", "four"}) || (text_.At(i) == "corners" && sides.empty());
-      if (each) sides = "each";
+      // "In one of the far corners" is one of them.
+      const bool several = text_.At(i) == "corners" && !(start > 0 && text_.At(start - 1) == "of");
+      const bool each = text_.Says(i, {"each", "every", "all", "four"}) || several;
+      if (each && !sides.starts_with("each")) sides = sides.empty() ? "each" : "each " + sides;
+    }
+    // "The corner left of the door": as those see it who come in.
+    const std::size_t hand = landmark.end + (text_.Says(landmark.end, {"to", "on"}) ? 2 : 0);
+    if (sides.empty() && text_.Says(hand, {"left", "right"}) && text_.At(hand + 1) == "of" &&
+        FeatureAt(BehindDeterminers(hand + 2)) == Landmark::Kind::kDoor) {
+      sides = "near " + std::string(text_.At(hand));
+      landmark.end = BehindDeterminers(hand + 2) + 1;
     }
     // "The corner by the kitchen door".
     if (by && sides.empty()) {

@@ -36,7 +36,7 @@ class PeopleReader {
     // Nobody counts twins, or oneself and one's wife.
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const std::optional<std::size_t> end = used_[i] ? std::nullopt : text_.BehindPhrase(i, "two_people");
-      if (end) return Take(i, *end, 2);
+      if (end) return Take(i, *end, WithOthers(*end, 2).value_or(2));
     }
     return std::nullopt;
   }
@@ -92,7 +92,7 @@ class PeopleReader {
 
   // "... and three children": they come on top.
   std::optional<int> WithOthers(std::size_t at, int number) const {
-    if (text_.At(at) != "and") return std::nullopt;
+    if (!text_.Says(at, {"and", "with"})) return std::nullopt;
     ++at;
     while (text_.Says(at, {"their", "her", "his"})) ++at;
     std::optional<int> more = NumberAt(at);
@@ -230,16 +230,20 @@ std::vector<std::string> UnheardClauses(const std::vector<Token>& tokens, const 
     }
     // What is left of a clause that was heard in part.
     for (std::size_t i = begin, stop = begin; i < end; i = stop + 1) {
-      bool asked = false, plainly = false;
+      bool asked = false, plainly = false, denied = false, place = false;
       std::size_t saying = 0;
       for (stop = i; stop < end && !used[stop]; ++stop) {
         asked = asked || asks(stop);
         plainly = plainly ||
                   (asks(stop) && (text.IsNumber(stop) || LongestAt(vocabulary.names, tokens, stop, true).second > 0));
+        denied = denied || text.Says(stop, {"not", "nothing", "never", "nobody"});
+        place = place || (text.Is(stop, "place_words") && stop + 1 < end);
         saying += !asks(stop) ? (says_something(stop) ? 1 : 0) : text.IsNumber(stop) ? 2 : 1;
       }
-      // A number or a piece that nothing was made of is told in whatever company.
-      if (asked && (plainly || (stop - i >= kFewest && saying >= kFewestSaying))) tell(i, stop);
+      // A number, a piece or a place that nothing was made of is told in whatever company.
+      if (asked &&
+          (plainly || ((denied || place) && stop - i >= kFewest) || (stop - i >= kFewest && saying >= kFewestSaying)))
+        tell(i, stop);
     }
   }
   return all;

@@ -4,13 +4,92 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "language_worker/handbook/program/room_program.h"
+#include "language_worker/handbook/reading/own_classes.h"
 
 namespace flair::language {
+namespace {
+
+bool Stands(const Mention& mention) {
+  return !mention.seats && IsOnTheFloor(*mention.furniture) && !mention.furniture->walk_over();
+}
+
+bool BelongsToAWall(const hb::Furniture& furniture) {
+  return furniture.back() == hb::BACK_RULE_WALL || furniture.back() == hb::BACK_RULE_CORNER;
+}
+
+// "A rocking chair stands by the window with a side table": the chair, of the table.
+std::optional<std::size_t> HolderOf(const BriefText& text, const std::vector<Mention>& mentions,
+                                    const MentionList& named, const std::vector<bool>& used, std::size_t held) {
+  while (held > 0 && named.AreListed(held - 1, held)) --held;
+  std::size_t at = text.PhraseBegin(mentions[held].begin);
+  if (at == 0 || text.At(at - 1) != "with") return std::nullopt;
+  for (--at; at > 0 && !named.At(at - 1) && (used[at - 1] || text.Is(at - 1, "place_fillers"));) --at;
+  return named.EndingAt(at);
+}
+
+}  // namespace
+
+bool IsPartOfTheRoom(const Landmark& landmark) {
+  using Kind = Landmark::Kind;
+  return landmark.kind == Kind::kWall || landmark.kind == Kind::kWindow || landmark.kind == Kind::kDoor;
+}
+
+bool GoesAlong(const hb::Furniture& furniture, Landmark::Kind kind) {
+  return IsOnATop(furniture) || (kind == Landmark::Kind::kWall && furniture.run() != hb::RUN_PART_UNSPECIFIED);
+}
+
+bool IsOfTheHolder(const PlacePatterns::Match& match, const hb::Furniture& held, const hb::Furniture& holder) {
+  // "A table with six chairs and a sideboard on the left wall".
+  const bool at_wall = match.landmark.kind == Landmark::Kind::kWall && held.back() == hb::BACK_RULE_WALL;
+  if (at_wall && IsOnTheFloor(held) && holder.back() != hb::BACK_RULE_WALL) return false;
+  switch (match.landmark.kind) {
+    case Landmark::Kind::kPronoun:
+      return false;
+    case Landmark::Kind::kPiece:
+      return IsOnATop(held);
+    case Landmark::Kind::kNone:
+      return !AskedNames(*match.asked, "{target}") && !AskedNames(*match.asked, "{first}") &&
+             match.asked->relation().pairing() != hb::PAIRING_TOGETHER;
+    default:
+      return true;
+  }
+}
+
+void TakeStand(const Handbook& handbook, const PlacePatterns::Match& match, const hb::Furniture*& piece) {
+  if (piece->kind() != hb::FURNITURE_KIND_SURFACE || piece->companions().empty() || match.asked->carried() != 0) return;
+  const std::string& side = match.landmark.side;
+  if (match.landmark.kind == Landmark::Kind::kWall && (side.empty() || side == "opposite")) return;
+  const hb::Furniture* stand = handbook.FindFurniture(piece->companions(0).furniture());
+  if (stand != nullptr && IsOnTheFloor(*stand) && !IsFor(*match.asked, *piece, false) &&
+      IsFor(*match.asked, *stand, false))
+    piece = stand;
+}
+
+const hb::Furniture* StorageAlong(const Handbook& handbook, const BriefText& text, std::size_t i,
+                                  const hb::AskedPlace& asked, const hb::Furniture& piece, BriefFacts& facts) {
+  constexpr double kTallM = 1.5;
+  constexpr int kCases = 3;
+  if (!text.Is(i, "along_a_wall") || !AskedNames(asked, "{wall}") || !IsOnATop(piece)) return &piece;
+  for (const std::string& name : piece.hosts()) {
+    const hb::Furniture* host = handbook.FindFurniture(name);
+    if (host == nullptr || host->back() != hb::BACK_RULE_WALL || host->height_m().typical() < kTallM) continue;
+    facts.wishes.push_back({.furniture = host, .count = kCases, .counted = false});
+    return host;
+  }
+  return &piece;
+}
+
+std::string SeenByAnAudience(std::string side) {
+  for (const auto& [said, seen] : {std::pair("front", "far"), std::pair("back", "near"), std::pair("rear", "near")}) {
+    const std::size_t at = side.find(said);
+    if (at != std::string::npos) return side.replace(at, std::string_view(said).size(), seen);
+  }
+  return side;
+}
 
 int WallsIn(const BriefText& text, std::size_t begin, std::size_t end) {
   if (!text.At(end - 1).ends_with('s')) return 1;
@@ -31,7 +110,8 @@ int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& plac
     all = all || text.Says(i, {"all", "four"});
   }
   // "In each of the back corners".
-  if (place.side == "each" && (each || all)) return which ? 2 : 4;
+  const bool told = place.side.starts_with("each ");
+  if (told || (place.side == "each" && (each || all))) return told || which ? 2 : 4;
   // "A barre along both long walls".
   if (place.walls > 1) return place.walls;
   const auto target = std::ranges::find(facts.wishes, place.target, &Wish::furniture);
@@ -61,6 +141,47 @@ std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std
   return std::nullopt;
 }
 
+std::optional<PlacePatterns::Match> PlaceByItself(const BriefText& text, std::size_t i, const PlacePatterns& patterns,
+                                                  const std::string& across) {
+  const bool corner = text.Says(i, {"front", "back", "rear", "far", "near"}) && text.Says(i + 1, {"left", "right"});
+  const bool wall = text.At(i) == "opposite" && !across.empty() && !text.Says(i - std::min<std::size_t>(i, 1), {"the"});
+  PlacePatterns::Match match;
+  match.length = corner ? 2 : 1;
+  const std::size_t end = match.landmark.end = match.end = i + match.length;
+  const bool sign = end >= text.size() || (text.IsSign(end) && !text.IsHyphen(end));
+  const bool ends = sign || text.Is(end, "place_ends") || text.BehindPhrase(end, "of_the_room");
+  if (!(corner && ends) && !(wall && (ends || text.Says(end, {"a", "an", "is", "are"})))) return std::nullopt;
+  match.asked = patterns.Find(corner ? "in" : "against", corner ? "corner" : "wall", hb::FURNITURE_KIND_FLOOR);
+  match.landmark.kind = corner ? Landmark::Kind::kCorner : Landmark::Kind::kWall;
+  match.landmark.side = corner ? text.Quote(i, end) : across;
+  return match.asked == nullptr ? std::nullopt : std::optional(match);
+}
+
+bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std::size_t before, std::size_t begin,
+                       std::size_t end, Place& place, OpeningWishes& openings) {
+  const auto says_windows = [&](std::size_t from, std::size_t to) {
+    while (from < to && text.At(from) != "windows") ++from;
+    return from < to;
+  };
+  // "Two windows with a desk between them".
+  const bool them = text.Says(end - 1, {"them", "between", "two"}) && says_windows(before, begin);
+  if (!text.Says(begin, {"between", "in"}) || !(them || says_windows(begin, end))) return false;
+  const hb::AskedPlace* middle = patterns.Find("in the middle of", "wall", place.furniture->kind());
+  if (middle == nullptr) middle = patterns.Find("in the middle of", "wall", hb::FURNITURE_KIND_FLOOR);
+  if (middle == nullptr) return false;
+  place.asked = middle;
+  place.side = "window";
+  const auto is_window = [](const OpeningWish& one) { return !one.door; };
+  auto windows = std::ranges::find_if(openings.wishes, is_window);
+  if (windows == openings.wishes.end()) {
+    openings.wishes.push_back({.count = 2, .said = text.Quote(begin, end)});
+    windows = openings.wishes.end() - 1;
+  }
+  // All of them are in one wall.
+  if (windows->side.empty() && windows->count > 1) windows->side = "far";
+  return true;
+}
+
 void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, Place& place) {
   const bool door = kind == Landmark::Kind::kDoor;
   if (!(door || kind == Landmark::Kind::kWindow) || place.furniture->back() != hb::BACK_RULE_WALL ||
@@ -75,7 +196,7 @@ void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, Place& p
 
 void TakeCorner(Landmark::Kind kind, BriefFacts& facts, Place& place) {
   if (kind == Landmark::Kind::kDoor) place.side = "across at door";
-  if (place.side == "each") place.which = -1;
+  if (place.side.starts_with("each")) place.which = -1;
   if (place.side != "opposite") return;
   for (std::size_t p = facts.places.size(); p-- > 0;) {
     Place& before = facts.places[p];
@@ -83,7 +204,7 @@ void TakeCorner(Landmark::Kind kind, BriefFacts& facts, Place& place) {
       place.side = "across " + before.side;
       return;
     }
-    if (!AskedNames(*before.asked, "in a corner") || before.side == "each") continue;
+    if (!AskedNames(*before.asked, "in a corner") || before.side.starts_with("each")) continue;
     if (before.side.empty()) before.side = "far right";
     place.side = "across " + before.side;
     return;
@@ -98,6 +219,7 @@ void NoteLoosely(const BriefText& text, const Place& place, std::size_t begin, s
   if (place.asked->carried() == hb::CARRIED_ALONG) return note("stands on the same top.");
   for (std::size_t k = begin; k < end; ++k) {
     if (!text.Is(k, "exact_directions") || sentence.find(text.At(k)) != std::string::npos) continue;
+    if (place.side.find(text.At(k)) != std::string::npos) continue;
     // "Right in the centre", "just inside the door".
     if (text.Is(k + 1, "right_before_places") || text.Is(k - 1, "just_words")) continue;
     if (sentence.find("left") != std::string::npos || sentence.find("right") != std::string::npos) {
@@ -118,6 +240,67 @@ void DropRowsAround(std::vector<Place>& places) {
            std::ranges::any_of(
                places, [&](const Place& one) { return one.target == row.furniture && one.other == row.furniture; });
   });
+}
+
+std::vector<NamedArea> AreasIn(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named) {
+  constexpr std::size_t kMostBetween = 10;
+  std::vector<NamedArea> areas;
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (!text.Is(i, "areas_of_rooms") || named.At(i)) continue;
+    const bool corner = text.Says(i, {"corner", "nook"}), plain = text.Says(i - 1, {"a", "an"});
+    if (text.Is(i - 1, "told_sides") || (text.Is(i - 1, "determiners") && !(corner && plain))) continue;
+    for (std::size_t k = i + 1; k < i + kMostBetween && !text.EndsSentence(k) && !named.At(k); ++k) {
+      if (!text.Is(k, "listing_an_area")) continue;
+      const std::optional<std::size_t> first = named.From(k + 1);
+      if (!first) break;
+      NamedArea area{i, *first, *first, *first, corner};
+      while (area.last + 1 < mentions.size() && named.AreListed(area.last, area.last + 1)) ++area.last;
+      for (std::size_t m = area.last + 1; m-- > area.first;) {
+        const bool stands = Stands(mentions[m]) && mentions[m].count == 1;
+        if (stands && (!corner || BelongsToAWall(*mentions[m].furniture))) area.main = m;
+      }
+      areas.push_back(area);
+      break;
+    }
+  }
+  return areas;
+}
+
+void StandTogether(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named,
+                   const std::vector<NamedArea>& areas, const PlacePatterns& patterns, const std::vector<bool>& used,
+                   BriefFacts& facts) {
+  constexpr double kSmallM2 = 1.5;
+  const hb::AskedPlace* near = patterns.Find("near", "target", hb::FURNITURE_KIND_FLOOR);
+  const hb::AskedPlace* in_corner = patterns.Find("in", "corner", hb::FURNITURE_KIND_FLOOR);
+  if (near == nullptr || in_corner == nullptr) return;
+  const auto is_placed = [&](const Mention& mention) {
+    return std::ranges::find(facts.places, mention.furniture, &Place::furniture) != facts.places.end();
+  };
+  const auto put = [&](const Mention& mention, const hb::AskedPlace* asked, const hb::Furniture* target,
+                       std::string said) {
+    if (!Stands(mention) || mention.furniture == target || is_placed(mention)) return;
+    const int which = target == nullptr && mention.count > 1 ? 0 : -1;
+    facts.places.push_back({.furniture = mention.furniture,
+                            .asked = asked,
+                            .target = target,
+                            .which = which,
+                            .said = std::move(said),
+                            .called = text.Quote(mention.begin, mention.end)});
+  };
+  for (const NamedArea& area : areas) {
+    const std::size_t begin = text.BehindArticle(text.PhraseBegin(area.word));
+    const std::string said = "in the " + text.Quote(begin, area.word + 1);
+    if (area.corner) put(mentions[area.main], in_corner, nullptr, said);
+    for (std::size_t m = area.first; m <= area.last; ++m) put(mentions[m], near, mentions[area.main].furniture, said);
+  }
+  for (std::size_t m = 0; m < mentions.size(); ++m) {
+    const hb::Furniture& furniture = *mentions[m].furniture;
+    const std::optional<std::size_t> holder = HolderOf(text, mentions, named, used, m);
+    const bool small = furniture.width_m().typical() * furniture.depth_m().typical() <= kSmallM2;
+    if (!holder || !small || !Stands(mentions[*holder]) || furniture.run() != hb::RUN_PART_UNSPECIFIED) continue;
+    put(mentions[m], near, mentions[*holder].furniture,
+        "with the " + text.Quote(mentions[*holder].begin, mentions[*holder].end));
+  }
 }
 
 }  // namespace flair::language

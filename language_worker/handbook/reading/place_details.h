@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/landmark.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/place_reader.h"
+#include "language_worker/handbook/reading/target_finder.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -25,6 +27,33 @@ int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& plac
 // "A nightstand with a lamp at each side": the piece that the one of mention `m` carries, or that carries it; null for
 // none.
 const hb::Furniture* ComesWith(const BriefText& text, const std::vector<Mention>& mentions, std::size_t m);
+bool IsPartOfTheRoom(const Landmark& landmark);
+
+// Small things, and what shares a worktop: the place of one is that of all in a list.
+bool GoesAlong(const hb::Furniture& furniture, Landmark::Kind kind);
+
+// "A table with a lamp on it by the window", "a bath with a ramp along the back wall": where a thing that comes with
+// another one is told to be in the room, that one is; but "a bed with a bench at the foot of it".
+bool IsOfTheHolder(const PlacePatterns::Match& match, const hb::Furniture& held, const hb::Furniture& holder);
+
+// "The TV opposite the window": what it comes with stands there. On a wall it hangs, but for one of a list.
+void TakeStand(const Handbook& handbook, const PlacePatterns::Match& match, const hb::Furniture*& piece);
+
+// "Our books along the wall": what holds such things stands there, and is wished for. The piece itself elsewhere.
+const hb::Furniture* StorageAlong(const Handbook& handbook, const BriefText& text, std::size_t i,
+                                  const hb::AskedPlace& asked, const hb::Furniture& piece, BriefFacts& facts);
+
+// The front is what they look at.
+std::string SeenByAnAudience(std::string side);
+
+// "The teacher's desk front left"; "Opposite, a drying rack": along `across`, the wall across from the last one.
+std::optional<PlacePatterns::Match> PlaceByItself(const BriefText& text, std::size_t i, const PlacePatterns& patterns,
+                                                  const std::string& across);
+
+// "Two windows with a desk between them": in the middle of their wall. [begin, end) are the words of the place, the
+// sentence begins at `before`. False where they speak of no windows.
+bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std::size_t before, std::size_t begin,
+                       std::size_t end, Place& place, OpeningWishes& openings);
 
 // "At least 1.5 m apart", "space behind it of 90 cm": the length told right before or behind the words, then used.
 std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std::size_t end, std::vector<bool>& used);
@@ -40,5 +69,22 @@ void NoteLoosely(const BriefText& text, const Place& place, std::size_t begin, s
 
 // "Two beds side by side with a nightstand between" are not flush.
 void DropRowsAround(std::vector<Place>& places);
+
+// A part of the room that a brief names with what stands there.
+struct NamedArea {
+  std::size_t word = 0;             // the token of "corner" or "area"
+  std::size_t first = 0, last = 0;  // the mentions that it lists
+  std::size_t main = 0;             // that which the others stand by
+  bool corner = false;
+};
+
+// Linear in the number of tokens.
+std::vector<NamedArea> AreasIn(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named);
+
+// Adds places for what has none of its own, once all others are read: by the main piece of its area, or by what it
+// comes with. `used` are the tokens that have been read.
+void StandTogether(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named,
+                   const std::vector<NamedArea>& areas, const PlacePatterns& patterns, const std::vector<bool>& used,
+                   BriefFacts& facts);
 
 }  // namespace flair::language

@@ -158,10 +158,10 @@ void TakeWhatHangs(const PlacePatterns& patterns, Place& place, bool at_the_fron
   if (!on_wall && kind != hb::FURNITURE_KIND_CEILING) return;
   const auto says = [&](std::string_view words) { return AskedNames(*place.asked, words); };
   const std::string_view converse =
-      says("under the {target}")                                                                      ? "above"
-      : !on_wall || !IsOnTheFloor(*place.furniture)                                                   ? ""
-      : says("near the {target}") || says("next to the {target}") || says("in front of the {target}") ? "near"
-                                                                                                      : "";
+      says("under the {target}")                                                                       ? "above"
+      : !on_wall || !IsOnTheFloor(*place.furniture)                                                    ? ""
+      : says(" m of the {target}") || says("next to the {target}") || says("in front of the {target}") ? "near"
+                                                                                                       : "";
   const hb::AskedPlace* hanging = converse.empty() ? nullptr : patterns.Find(converse, "target", kind);
   if (hanging == nullptr) return;
   const hb::AskedPlace* near = patterns.Find("near", "target", hb::FURNITURE_KIND_FLOOR);

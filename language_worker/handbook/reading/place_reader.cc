@@ -39,8 +39,9 @@ class PlaceReader {
         landmarks_(tokens, names, std::move(rank)),
         patterns_(handbook, tokens, landmarks_),
         named_(tokens, mentions),
+        areas_(AreasIn(text_, mentions, named_)),
         by_landmark_(mentions.size(), false),
-        subjects_(tokens, mentions, named_, by_landmark_, landmarks_),
+        subjects_(tokens, mentions, named_, by_landmark_, landmarks_, areas_),
         targets_(mentions, named_, by_landmark_, facts.places) {}
 
   void Read() {
@@ -50,6 +51,7 @@ class PlaceReader {
       if (i < read_to_ || used || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
+    StandTogether(text_, mentions_, named_, areas_, patterns_, used_, facts_);
     DropRowsAround(facts_.places);
     HangWhatIsFaced(patterns_, facts_, LooksToTheFront());
   }
@@ -57,34 +59,43 @@ class PlaceReader {
  private:
   using Match = PlacePatterns::Match;
   bool TakePlace(std::size_t i) {
-    if (patterns_.IsDenied(i) || IsByDoing(i)) return false;
-    for (const bool otherwise : {false, true}) {
-      if (TakePlace(i, otherwise)) return true;
-    }
-    return false;
-  }
-
-  // "Accompanied by four chairs" is no place; "placed by the window" is.
-  bool IsByDoing(std::size_t i) const {
-    return text_.At(i) == "by" && i > 0 && text_.At(i - 1).ends_with("ed") && !text_.Is(i - 1, "place_fillers");
-  }
-
-  bool TakePlace(std::size_t i, bool otherwise) {
-    for (const Match& match : patterns_.MatchesAt(i)) {
-      const std::vector<Subject> subjects = SubjectsOf(match, i, otherwise);
-      bool any = false;
-      for (const Subject& subject : subjects) any = Put(subject, match, i, otherwise) || any;
-      if (!any) continue;
-      std::fill(used_.begin() + static_cast<std::ptrdiff_t>(i), used_.begin() + static_cast<std::ptrdiff_t>(match.end),
-                true);
-      for (std::size_t k = i; k < match.end; ++k) {
-        if (const std::optional<std::size_t> m = named_.At(k)) by_landmark_[*m] = true;
+    if (patterns_.IsDenied(i) || IsNoPlace(i)) return false;
+    // The longest words first: "on the wall above it" is more than "on the wall".
+    std::vector<Match> matches = patterns_.MatchesAt(i);
+    const std::optional<Subject> before = subjects_.Before(i);
+    const bool of_a_wall = OpensSentence(i) || (before && before->furniture->back() == hb::BACK_RULE_WALL);
+    if (const auto match = PlaceByItself(text_, i, patterns_, of_a_wall ? targets_.OppositeOfLast() : ""))
+      matches.insert(matches.begin(), *match);
+    for (auto begin = matches.begin(), end = begin; begin != matches.end(); begin = end) {
+      end = std::find_if(begin, matches.end(), [&](const Match& one) { return one.length != begin->length; });
+      for (const bool otherwise : {false, true}) {
+        if (std::any_of(begin, end, [&](const Match& match) { return Take(match, i, otherwise); })) return true;
       }
-      subjects_.Remember(subjects.front(), match.end);
-      read_to_ = match.end;
-      return true;
     }
     return false;
+  }
+
+  // "Accompanied by four chairs" is no place, "placed by the window" is; nor are "three round tables".
+  bool IsNoPlace(std::size_t i) const {
+    if (i == 0) return false;
+    const bool counted = text_.IsNumber(i - 1) || NumberWord(text_.At(i - 1)) || text_.Is(i - 1, "thing_articles");
+    if (text_.At(i) == "round" && (counted || text_.Is(i - 1, "looks"))) return true;
+    return text_.At(i) == "by" && text_.At(i - 1).ends_with("ed") && !text_.Is(i - 1, "place_fillers");
+  }
+
+  bool Take(const Match& match, std::size_t i, bool otherwise) {
+    const std::vector<Subject> subjects = SubjectsOf(match, i, otherwise);
+    bool any = false;
+    for (const Subject& subject : subjects) any = Put(subject, match, i, otherwise) || any;
+    if (!any) return false;
+    std::fill(used_.begin() + static_cast<std::ptrdiff_t>(i), used_.begin() + static_cast<std::ptrdiff_t>(match.end),
+              true);
+    for (std::size_t k = i; k < match.end; ++k) {
+      if (const std::optional<std::size_t> m = named_.At(k)) by_landmark_[*m] = true;
+    }
+    subjects_.Remember(subjects.front(), match.end);
+    read_to_ = match.end;
+    return true;
   }
 
   // Whose place it is: one piece, or several that are named together.
@@ -110,14 +121,15 @@ class PlaceReader {
     const bool after = subject.has_value();
     if (!after) subject = subjects_.Before(i, match.landmark.kind == Landmark::Kind::kPronoun);
     if (!subject) return {};
-    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(match, *subject);
+    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(handbook_, match, subject->furniture);
     const std::optional<Subject> holder = after ? std::nullopt : subjects_.HolderOf(*subject);
     // "A basin with a mirror on the right wall": nobody tells the mirror's wall apart from the basin's.
     const bool of_both = holder && !match.landmark.side.empty() && AskedNames(asked, "{wall}") &&
                          IsOnTheFloor(*holder->furniture) && !IsOnTheFloor(*subject->furniture);
     if (of_both && !otherwise && !IsFor(asked, *holder->furniture, false)) return {};
     if (holder && IsFor(asked, *holder->furniture, otherwise) && !IsSideOfItsTable(match, *subject) &&
-        (!IsFor(asked, *subject->furniture, otherwise) || IsOfTheHolder(match, *subject))) {
+        (!IsFor(asked, *subject->furniture, otherwise) ||
+         IsOfTheHolder(match, *subject->furniture, *holder->furniture))) {
       subject = holder;
     }
     if (!IsFor(asked, *subject->furniture, otherwise)) return {};
@@ -134,17 +146,14 @@ class PlaceReader {
     return all;
   }
 
+  std::size_t BeginOfSentence(std::size_t i) const {
+    constexpr std::size_t kMostWords = 40;
+    const std::size_t least = i - std::min(i, kMostWords);
+    while (i > least && !OpensSentence(i)) --i;
+    return i;
+  }
+
   bool OpensSentence(std::size_t i) const { return i == 0 || text_.EndsSentence(i - 1); }
-
-  static bool IsPartOfTheRoom(const Landmark& landmark) {
-    using Kind = Landmark::Kind;
-    return landmark.kind == Kind::kWall || landmark.kind == Kind::kWindow || landmark.kind == Kind::kDoor;
-  }
-
-  // Small things, and what shares a worktop.
-  static bool GoesAlong(const hb::Furniture& furniture, Landmark::Kind kind) {
-    return IsOnATop(furniture) || (kind == Landmark::Kind::kWall && furniture.run() != hb::RUN_PART_UNSPECIFIED);
-  }
 
   // "On the right wall a desk with a chair, a TV and a cabinet": all that stand on the floor and have no place of their
   // own behind them.
@@ -152,45 +161,20 @@ class PlaceReader {
     std::vector<Subject> all = {first};
     for (std::size_t m = first.mention + 1; m < mentions_.size() && named_.AreListed(m - 1, m); ++m) {
       Subject one = subjects_.Of(m);
-      if (HasOwnPlace(m)) break;
-      TakeStand(match, one);
+      // "Wall bars, a mat in front of them and a rack": the mat's place is at that wall, too.
+      if (const auto place = OwnPlace(m); place && place->landmark.kind != Landmark::Kind::kPronoun) break;
+      if (OwnPlace(m)) continue;
+      TakeStand(handbook_, match, one.furniture);
       if (!subjects_.HolderOf(one) && IsFor(*match.asked, *one.furniture, false)) all.push_back(one);
     }
     return all;
   }
 
-  bool HasOwnPlace(std::size_t m) const {
+  std::optional<Match> OwnPlace(std::size_t m) const {
     std::size_t end = mentions_[m].end;
     while (end < tokens_.size() && text_.Is(end, "place_fillers")) ++end;
-    return end < tokens_.size() && !patterns_.MatchesAt(end).empty();
-  }
-
-  // "The TV opposite the window": what it comes with stands there. On a wall it hangs, but for one of a list.
-  void TakeStand(const Match& match, Subject& subject) const {
-    const hb::Furniture& piece = *subject.furniture;
-    if (piece.kind() != hb::FURNITURE_KIND_SURFACE || piece.companions().empty() || match.asked->carried() != 0) return;
-    const std::string& side = match.landmark.side;
-    if (match.landmark.kind == Landmark::Kind::kWall && (side.empty() || side == "opposite")) return;
-    const hb::Furniture* stand = handbook_.FindFurniture(piece.companions(0).furniture());
-    if (stand != nullptr && IsOnTheFloor(*stand) && !IsFor(*match.asked, piece, false) &&
-        IsFor(*match.asked, *stand, false))
-      subject.furniture = stand;
-  }
-
-  // "A table with a lamp on it by the window", "a bath with a ramp along the back wall": where a thing that comes with
-  // another one is told to be in the room, that one is; but "a bed with a bench at the foot of it".
-  static bool IsOfTheHolder(const Match& match, const Subject& held) {
-    switch (match.landmark.kind) {
-      case Landmark::Kind::kPronoun:
-        return false;
-      case Landmark::Kind::kPiece:
-        return IsOnATop(*held.furniture);
-      case Landmark::Kind::kNone:
-        return !AskedNames(*match.asked, "{target}") && !AskedNames(*match.asked, "{first}") &&
-               match.asked->relation().pairing() != hb::PAIRING_TOGETHER;
-      default:
-        return true;
-    }
+    const std::vector<Match> matches = end < tokens_.size() ? patterns_.MatchesAt(end) : std::vector<Match>();
+    return matches.empty() ? std::nullopt : std::optional(matches.front());
   }
 
   // Whether the place of what is listed before or behind it is its place, too: small things that have none of their
@@ -203,7 +187,7 @@ class PlaceReader {
     const bool placed = std::ranges::any_of(facts_.places, [&](const Place& place) {
       return place.furniture == &furniture && place.asked->carried() != hb::CARRIED_UNSPECIFIED;
     });
-    return !placed && !(step > 0 && HasOwnPlace(m));
+    return !placed && !(step > 0 && OwnPlace(m));
   }
 
   // The mention and its neighbours to one side that are listed with it: "a vase, a wooden tray and two candles".
@@ -237,14 +221,20 @@ class PlaceReader {
     const bool together = mentions_[subject.mention].seats && asked.relation().pairing() == hb::PAIRING_TOGETHER;
     if (together || IsSideOfItsTable(match, subject)) return true;
     Place place;
-    place.furniture = subject.furniture;
+    place.furniture =
+        otherwise ? StorageAlong(handbook_, text_, i, asked, *subject.furniture, facts_) : subject.furniture;
     place.asked = &asked;
     place.which = subject.which;
+    const std::size_t m = subject.mention;
+    if ((m == 0 || BeginOfSentence(i) >= mentions_[m - 1].end) &&
+        PutBetweenWindows(text_, patterns_, BeginOfSentence(i), i, match.end, place, facts_.openings)) {
+      Keep(place, subject, i, match.end);
+      return true;
+    }
     if (!(asked.target_first() ? TakeCarrier(i, place) : targets_.Find(subject.mention, match, place))) {
       // Seats that are counted with their table stand there anyway.
       return asked.target_first() && place.target == place.furniture;
     }
-    const std::size_t m = subject.mention;
     if (m > 0 && mentions_[m].count == 1 && named_.AreListed(m - 1, m)) {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
@@ -252,8 +242,7 @@ class PlaceReader {
     TakeWallAcross(patterns_, match.landmark.kind, place);
     if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, facts_, place);
     // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
-    const bool back = place.side == "back" || place.side == "rear";
-    if (LooksToTheFront() && (back || place.side == "front")) place.side = back ? "near" : "far";
+    if (LooksToTheFront()) place.side = SeenByAnAudience(place.side);
     if (AskedNames(asked, "{wall}")) place.walls = WallsIn(text_, i, match.end);
     if (asked.length_m() > 0) place.length_m = LengthBeside(text_, i, match.end, used_).value_or(asked.length_m());
     if (subject.further) {
@@ -269,7 +258,7 @@ class PlaceReader {
       const int least =
           std::max({place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),
                     subject.further ? 2 : 1, place.walls > 1 && !wish.counted ? 2 * place.walls : 1});
-      if (wish.furniture == subject.furniture || wish.furniture == with) wish.count = std::max(wish.count, least);
+      if (wish.furniture == place.furniture || wish.furniture == with) wish.count = std::max(wish.count, least);
     }
     return true;
   }
@@ -319,6 +308,13 @@ class PlaceReader {
 
   // Words for a place of which nothing could be made, so that they do not go unheard.
   void NoteUnread(std::size_t i) {
+    // "A store room behind the kitchen": where it lies in the house.
+    for (std::size_t k = i + 1; k < i + 4 && !subjects_.Before(i); ++k) {
+      const bool room = LongestAt(handbook_.vocabulary().rooms, tokens_, k, /*plural=*/false).second > 0;
+      if (!room || landmarks_.FeatureAt(k) != Landmark::Kind::kNone || named_.At(k)) continue;
+      for (std::size_t told = i; told <= k; ++told) facts_.told.push_back(told);
+      return;
+    }
     const bool phrase = std::ranges::any_of(
         PhrasesOf("place_phrases"), [&](const Phrase& one) { return one.MatchAt(tokens_, i, /*plural=*/false) > 0; });
     const auto named = [&](const Match& match) { return match.length > 1; };
@@ -365,6 +361,7 @@ class PlaceReader {
   const LandmarkReader landmarks_;
   const PlacePatterns patterns_;
   const MentionList named_;
+  const std::vector<NamedArea> areas_;
   std::vector<bool> by_landmark_;  // of a mention: it only tells where another one goes
   SubjectFinder subjects_;
   const TargetFinder targets_;

@@ -130,6 +130,30 @@ class ShapeReader {
 
 }  // namespace
 
+RunForm ReadRunForm(const std::vector<Token>& tokens, ShapeRequest& shape, std::vector<std::size_t>& told) {
+  constexpr std::size_t kMostLooks = 6;
+  const BriefText text(tokens);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto tell = [&](std::size_t begin, std::size_t end, RunForm form) {
+      for (std::size_t k = begin; k < end; ++k) told.push_back(k);
+      return form;
+    };
+    if (const auto end = text.BehindPhrase(i, "runs_in_line")) return tell(i, *end, RunForm::kStraight);
+    if (const auto end = text.BehindPhrase(i, "runs_that_face")) return tell(i, *end, RunForm::kFacing);
+    if (!text.Says(i, {"l", "u"})) continue;
+    std::size_t noun = text.IsHyphen(i + 1) ? i + 2 : i + 1;
+    const bool shaped = text.Says(noun, {"shaped", "shape"});
+    const bool in =
+        i > 1 && text.Says(i - 1, {"a", "an"}) && text.Says(i - 2, {"in", "as", "forming", "form", "forms"});
+    for (noun += shaped ? 1 : 0; noun < i + kMostLooks && !text.Is(noun, "kitchen_units") && text.IsWord(noun);) ++noun;
+    if (!in && !(shaped && text.Is(noun, "kitchen_units"))) continue;
+    if (shape.begin <= i && i < shape.end) shape = {.parts = shape.parts};
+    const std::size_t begin = in ? i - (i > 2 && text.Is(i - 3, "kitchen_units") ? 3 : 2) : i;
+    return tell(begin, in ? i + 1 : noun + 1, text.At(i) == "l" ? RunForm::kRoundCorner : RunForm::kRoundTwoCorners);
+  }
+  return RunForm::kAny;
+}
+
 ShapeRequest ReadShape(const std::vector<Token>& tokens, const Handbook& handbook) {
   return ShapeReader(tokens, handbook).Read();
 }

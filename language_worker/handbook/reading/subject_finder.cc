@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language_worker/handbook/reading/subject_finder.h"
 
+#include <algorithm>
+
 namespace flair::language {
 
 // Goes back from the words to the piece that their clause speaks of. What is not known on the way must be of that
@@ -17,6 +19,7 @@ std::optional<Subject> SubjectFinder::Before(std::size_t i, bool of_it) const {
       const bool aside = unknown && (by_landmark_[*m] || (joined && !relative));
       return aside ? std::nullopt : std::optional(Of(*m));
     }
+    if (const std::optional<Subject> main = MainOfArea(at - 1)) return main;
     if (const std::optional<Subject> counted = Counted(at)) return counted;
     const std::string_view before = text_.At(at - 1);
     if (before == "nothing" || text_.EndsSentence(at - 1)) return std::nullopt;
@@ -67,15 +70,15 @@ bool SubjectFinder::IsFiller(std::size_t i) const {
   // "At least a metre of".
   const bool least = word == "least" || (word == "at" && text_.At(i + 1) == "least");
   const bool metre = text_.Says(i, {"a", "an"}) && text_.Is(i + 1, "metres");
-  const bool size = least || metre || text_.IsNumber(i) || (NumberWord(word) && !text_.Says(i, {"a", "an"})) || word == "x" || text_.Is(i, "unit_words") ||
-                    (word[0] >= '0' && word[0] <= '9');
+  const bool size = least || metre || text_.IsNumber(i) || (NumberWord(word) && !text_.Says(i, {"a", "an"})) ||
+                    word == "x" || text_.Is(i, "unit_words") || (word[0] >= '0' && word[0] <= '9');
   return size || text_.Is(i, "place_fillers") || text_.Is(i, "pronouns") || text_.Is(i, "group_fillers") ||
          word.ends_with("ed") || word.ends_with("ing") || word.ends_with("ly") || text_.Says(i, {"the", "of", "in"}) ||
          IsFormIn("groups_of_pieces", word);
 }
 
 std::optional<Subject> SubjectFinder::After(std::size_t begin, std::size_t end) const {
-  constexpr std::size_t kMostBetween = 6;
+  constexpr std::size_t kMostBetween = 9;
   const bool first = begin == 0 || text_.EndsSentence(begin - 1) || text_.At(begin - 1) == ":";
   const bool aside = begin > 1 && text_.At(begin - 1) == "," && text_.Is(begin - 2, "place_openers");
   const bool opens = first || text_.At(begin - 1) == "," || text_.Is(begin - 1, "place_openers");
@@ -84,8 +87,11 @@ std::optional<Subject> SubjectFinder::After(std::size_t begin, std::size_t end) 
   bool noun_phrase = false;
   for (std::size_t i = end; i < text_.size() && i < end + kMostBetween; ++i) {
     if (const std::optional<std::size_t> m = named_.At(i)) {
-      return first || noun_phrase ? std::optional(Of(*m)) : std::nullopt;
+      // "..., on the right wall shelves".
+      const bool bare = i == end && text_.At(begin - 1) == "," && text_.At(mentions_[*m].end - 1).ends_with('s');
+      return first || noun_phrase || bare ? std::optional(Of(*m)) : std::nullopt;
     }
+    if (const std::optional<Subject> main = MainOfArea(i)) return main;
     if (text_.IsSign(i) && !((first || aside) && text_.At(i) == ",")) return std::nullopt;
     if (text_.Says(i, {"and", "with", "or"})) return std::nullopt;
     const bool number = NumberWord(text_.At(i)) || text_.IsNumber(i);
@@ -95,6 +101,11 @@ std::optional<Subject> SubjectFinder::After(std::size_t begin, std::size_t end) 
     if (!known && (!noun_phrase || ++others > 2)) return std::nullopt;
   }
   return std::nullopt;
+}
+
+std::optional<Subject> SubjectFinder::MainOfArea(std::size_t i) const {
+  const auto area = std::ranges::find(areas_, i, &NamedArea::word);
+  return area == areas_.end() ? std::nullopt : std::optional(Of(area->main));
 }
 
 std::optional<Subject> SubjectFinder::HolderOf(const Subject& held) const {

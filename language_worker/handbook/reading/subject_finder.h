@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/place_details.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/target_finder.h"
@@ -26,8 +27,14 @@ class SubjectFinder {
  public:
   // `by_landmark`: of a mention, whether it only tells where another one goes.
   SubjectFinder(const std::vector<Token>& tokens, const std::vector<Mention>& mentions, const MentionList& named,
-                const std::vector<bool>& by_landmark, const LandmarkReader& landmarks)
-      : text_(tokens), mentions_(mentions), named_(named), by_landmark_(by_landmark), landmarks_(landmarks) {}
+                const std::vector<bool>& by_landmark, const LandmarkReader& landmarks,
+                const std::vector<NamedArea>& areas)
+      : text_(tokens),
+        mentions_(mentions),
+        named_(named),
+        by_landmark_(by_landmark),
+        landmarks_(landmarks),
+        areas_(areas) {}
 
   Subject Of(std::size_t mention) const { return {mentions_[mention].furniture, mention, mentions_[mention].which}; }
 
@@ -59,12 +66,15 @@ class SubjectFinder {
   std::optional<Subject> Counted(std::size_t at) const;
   std::optional<std::size_t> LastMentionBefore(std::size_t i) const;
   bool IsFiller(std::size_t i) const;
+  // "A lounge corner by the window with a sofa": the sofa, of the area that is named at a token.
+  std::optional<Subject> MainOfArea(std::size_t i) const;
 
   const BriefText text_;
   const std::vector<Mention>& mentions_;
   const MentionList& named_;
   const std::vector<bool>& by_landmark_;
   const LandmarkReader& landmarks_;
+  const std::vector<NamedArea>& areas_;
   std::optional<Last> last_;
 };
 

@@ -83,7 +83,6 @@ const hb::Furniture* TargetFinder::Partner(const hb::Furniture& piece) const {
   return partner == mentions_.end() ? nullptr : partner->furniture;
 }
 
-// Of the wall where a piece was put last the one across the room; empty where no wall was named.
 std::string TargetFinder::OppositeOfLast() const {
   for (std::size_t i = places_.size(); i-- > 0;) {
     const std::string& side = places_[i].side;
@@ -155,6 +154,8 @@ std::optional<std::size_t> MentionList::HolderOf(std::size_t held) const {
   std::size_t first = held;
   while (first > 0 && AreListed(first - 1, first)) --first;
   if (first == 0) return std::nullopt;
+  // "A carpet with cushions": where its words go on as those of a part.
+  if (mentions_[first - 1].end >= mentions_[first].end) return first - 1;
   bool with = false;
   for (std::size_t i = mentions_[first - 1].end; i < mentions_[first].begin; ++i) {
     with = with || text_.At(i) == "with";

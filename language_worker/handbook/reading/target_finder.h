@@ -58,11 +58,13 @@ class TargetFinder {
   // Sets what the sentence of the place needs, for the piece of a mention; false when there is no such thing.
   bool Find(std::size_t subject, const PlacePatterns::Match& match, Place& place) const;
 
+  // Of the wall where a piece was put last the one across the room; empty where no wall was named.
+  std::string OppositeOfLast() const;
+
  private:
   bool FindPair(std::size_t subject, const Landmark& landmark, Place& place) const;
   bool FindNamedBefore(std::size_t subject, bool plural, Place& place) const;
   const hb::Furniture* Partner(const hb::Furniture& piece) const;
-  std::string OppositeOfLast() const;
 
   const std::vector<Mention>& mentions_;
   const MentionList& named_;

@@ -56,6 +56,16 @@ OpeningPlan PlanOpenings(const BriefFacts& facts, const hb::Archetype& archetype
     if (text.find("{wall}") != text.npos && !side.starts_with("window")) plan.sides_of_pieces.push_back(side);
     seen(place.side);
   }
+  // "Two desks under the window": one that is wide enough for both.
+  for (const Place& place : facts.places) {
+    constexpr double kWidestM = 3;
+    const auto wish = std::ranges::find(facts.wishes, place.furniture, &Wish::furniture);
+    const bool under = place.asked->relation().text().find("is under the window") != std::string::npos;
+    if (!under || place.which >= 0 || wish == facts.wishes.end() || wish->count < 2 || plan.asked.windows_meant)
+      continue;
+    const double pieces_m = wish->count * wish->size.width_m.value_or(place.furniture->width_m().typical());
+    plan.rules.set_window_width_m(std::max(plan.rules.window_width_m(), std::min(pieces_m, kWidestM)));
+  }
   for (const OpeningWish& wish : plan.asked.wishes) {
     if (wish.side != "near") seen(wish.side);
   }

@@ -45,9 +45,10 @@ double OffWindow(const RunPlace& place, const v1::Opening& window) {
 
 class RunPlanner {
  public:
-  // `asked` is the wall where the brief wants it; `first` comes first of those that are as good.
-  RunPlanner(const v1::Room& room, Units units, std::optional<int> asked, int first)
-      : room_(room), units_(std::move(units)), asked_(asked), first_(first) {
+  // `asked` is the wall where the brief wants it, `form` how it is to go round the room; `first` comes first of those
+  // that are as good.
+  RunPlanner(const v1::Room& room, Units units, std::optional<int> asked, RunForm form, int first)
+      : room_(room), units_(std::move(units)), asked_(asked), form_(form), first_(first) {
     for (const Unit& unit : units_) depth_m_ = std::max(depth_m_, unit.depth_m);
   }
 
@@ -63,8 +64,11 @@ class RunPlanner {
   void OfferAll() {
     for (int i = 0; i < room_.walls_size(); ++i) {
       const int wall = (first_ + i) % room_.walls_size();
-      Straight(units_, wall, [&](const Units& run) { Offer(run, 0); });
+      Straight(units_, wall, [&](const Units& run) { Offer(run, RunForm::kStraight, 0); });
       for (std::size_t k = 0; k < units_.size(); ++k) RoundCorner(wall, k);
+      for (std::size_t k = 0; form_ == RunForm::kRoundTwoCorners && k + 2 < units_.size(); ++k) {
+        for (std::size_t second = k + 2; second < units_.size(); ++second) RoundTwoCorners(wall, k, second);
+      }
       for (std::size_t k = 1; k < units_.size(); ++k) OnFacingWalls(wall, k);
     }
   }
@@ -187,8 +191,38 @@ class RunPlanner {
       PutAt(first, wall, here.back().to_m - WidthOf(first));
       PutAt(second, next, there.front().from_m);
       first.insert(first.end(), second.begin(), second.end());
-      Offer(first, 0.4);
+      Offer(first, RunForm::kRoundCorner, 0.4);
     }
+  }
+
+  // Round both ends of the wall behind `wall`: the worktops k and `second` fill its corners, what is between them
+  // stands before it.
+  void RoundTwoCorners(int wall, std::size_t k, std::size_t second) {
+    const int middle_wall = Turned(wall, 1), last_wall = Turned(wall, 2);
+    Units all = units_;
+    for (const std::size_t corner : {k, second}) {
+      Unit& unit = all[corner];
+      const double least_m = unit.depth_m + kShownM;
+      if (unit.place.part != hb::RUN_PART_WORKTOP || unit.most_m < least_m) return;
+      unit.least_m = std::max(unit.least_m, least_m);
+      unit.place.width_m = std::max(unit.place.width_m, least_m);
+    }
+    if (IsReentrant(room_, middle_wall) || IsReentrant(room_, last_wall)) return;
+    const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+    Units first(all.begin(), at(k + 1)), middle(at(k + 1), at(second)), last(at(second), all.end());
+    const double length_m = WallLength(room_, wall);
+    const double between_m = WallLength(room_, middle_wall) - all[k].depth_m - all[second].depth_m;
+    const std::vector<Span> here = Free(wall), before = Free(middle_wall), there = Free(last_wall);
+    if (here.empty() || before.size() != 1 || there.empty() || here.back().to_m < length_m || there.front().from_m > 0)
+      return;
+    if (!FitTo(first, here.back().length_m()) || !FitTo(middle, between_m) || !FitTo(last, there.front().length_m()))
+      return;
+    PutAt(first, wall, length_m - WidthOf(first));
+    PutAt(middle, middle_wall, all[k].depth_m + (between_m - WidthOf(middle)) / 2);
+    PutAt(last, last_wall, 0);
+    first.insert(first.end(), middle.begin(), middle.end());
+    first.insert(first.end(), last.begin(), last.end());
+    Offer(first, RunForm::kRoundTwoCorners, 0.8);
   }
 
   // Fills what is left, or takes back what is too much.
@@ -209,7 +243,8 @@ class RunPlanner {
         Straight(second, Turned(wall, 2), [&](const Units& there) {
           Units both = here;
           both.insert(both.end(), there.begin(), there.end());
-          Offer(both, (aisle_m < kGalleyM ? -0.3 : 1.5) + WithoutWorktop(here) + WithoutWorktop(there));
+          Offer(both, RunForm::kFacing,
+                (aisle_m < kGalleyM ? -0.3 : 1.5) + WithoutWorktop(here) + WithoutWorktop(there));
         });
       });
       std::ranges::reverse(second);
@@ -229,7 +264,9 @@ class RunPlanner {
     return windows;
   }
 
-  void Offer(const Units& run, double cost) {
+  void Offer(const Units& run, RunForm form, double cost) {
+    constexpr double kOtherForm = 8;
+    if (form_ != RunForm::kAny && form != form_) cost += kOtherForm;
     for (std::size_t i = 0; i < run.size(); ++i) cost += CostOf(run, i);
     if (cost >= least_ - kSmallM) return;
     least_ = cost;
@@ -280,6 +317,7 @@ class RunPlanner {
   const v1::Room& room_;
   Units units_;
   const std::optional<int> asked_;
+  const RunForm form_;
   const int first_;
   double depth_m_ = 0;
   double least_ = HUGE_VAL;
@@ -299,6 +337,14 @@ bool ReadWall(const BriefFacts& facts, const v1::Room& room, std::optional<int>&
 }
 
 }  // namespace
+
+bool HasForm(const std::vector<RunPlace>& run, RunForm form) {
+  std::set<int> walls;
+  for (const RunPlace& place : run) walls.insert(place.wall);
+  const bool facing = std::ranges::any_of(walls, [&](int wall) { return walls.contains((wall + 2) % 4); });
+  if (walls.size() == 2) return form == RunForm::kAny || form == (facing ? RunForm::kFacing : RunForm::kRoundCorner);
+  return form == RunForm::kAny || form == (walls.size() == 1 ? RunForm::kStraight : RunForm::kRoundTwoCorners);
+}
 
 std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& objects, const BriefFacts& facts,
                               const Handbook& handbook, const Choice& choice, const std::set<std::string>& fitted) {
@@ -327,7 +373,7 @@ std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& object
   if (wet + hot == 2 && worktops.size() > 1) std::rotate(worktops.begin() + 1, worktops.end(), units.end());
   const auto first = static_cast<int>(choice.Index("wall of the run", static_cast<std::size_t>(room.walls_size())));
   std::vector<RunPlace> places;
-  for (const Unit& unit : RunPlanner(room, std::move(units), asked, first).Best()) {
+  for (const Unit& unit : RunPlanner(room, std::move(units), asked, facts.run_form, first).Best()) {
     RunPlace& place = places.emplace_back(unit.place);
     const double middle_m = place.offset_m + place.width_m / 2;
     place.clear_above_m = WallLength(room, place.wall);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units in a run along walls, such as a kitchen's: one worktop without gaps, on one wall, round a corner or on two walls
-// that face each other.
+// Units in a run along walls, such as a kitchen's: one worktop without gaps, on one wall, round a corner or on two
+// walls that face each other.
 #pragma once
 
 #include <set>
@@ -30,9 +30,13 @@ struct RunPlace {
   double end_m() const { return offset_m + width_m; }
 };
 
-// The best run of those objects that have a part in one, by walls and along each from its start, clear of doors and their
-// leaves. Worktops whose ids are in `fitted` may take another width of their class. Empty when there is no basin or hob,
-// more than one of either, no room for them, or a brief that tells the units' places in other words than a wall's.
+// Whether a run goes round the room in that way.
+bool HasForm(const std::vector<RunPlace>& run, RunForm form);
+
+// The best run of those objects that have a part in one, by walls and along each from its start, clear of doors and
+// their leaves. Worktops whose ids are in `fitted` may take another width of their class. Empty when there is no basin
+// or hob, more than one of either, no room for them, or a brief that tells the units' places in other words than a
+// wall's.
 std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& objects, const BriefFacts& facts,
                               const Handbook& handbook, const Choice& choice, const std::set<std::string>& fitted = {});
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "language_worker/handbook/objects/list_objects.h"
 #include "language_worker/handbook/rooms/describe_room.h"
@@ -90,16 +91,40 @@ TEST_P(WallRun, UnitsStandSideBySideClearOfEachOtherAndOfDoors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kitchens, WallRun,
-                         testing::Values("A kitchen, 3 m x 4 m.", "A kitchen, 2.4 m x 4.5 m.", "A kitchen, 2.5 m x 3 m.",
-                                         "A large kitchen, 5 m x 6 m.", "An L-shaped kitchen, 4 m x 4 m.",
-                                         "A studio flat, 6 m x 5 m."));
+                         testing::Values("A kitchen, 3 m x 4 m.", "A kitchen, 2.4 m x 4.5 m.",
+                                         "A kitchen, 2.5 m x 3 m.", "A large kitchen, 5 m x 6 m.",
+                                         "An L-shaped kitchen, 4 m x 4 m.", "A studio flat, 6 m x 5 m."));
 
 TEST(WallRunWishes, TheRunTakesTheWallThatTheBriefNames) {
-  const Kitchen kitchen = KitchenOf("A kitchen, 4 m x 5 m, with the cooker along the east wall and the door in the west.", 0);
+  const Kitchen kitchen =
+      KitchenOf("A kitchen, 4 m x 5 m, with the cooker along the east wall and the door in the west.", 0);
   ASSERT_FALSE(kitchen.run.empty());
   const auto on_east = std::ranges::count_if(
       kitchen.run, [&](const RunPlace& place) { return kitchen.room.walls(place.wall).name() == "east"; });
   EXPECT_GT(2 * on_east, static_cast<std::ptrdiff_t>(kitchen.run.size()));
+}
+
+TEST(WallRunWishes, TheRunGoesRoundTheRoomAsTheBriefSays) {
+  const struct {
+    const char* text;
+    std::size_t walls;
+    bool facing;
+  } kCases[] = {{"A U-shaped kitchen, 3.5 m x 4 m.", 3, true},
+                {"A kitchen, 4 m x 4.5 m, in a U.", 3, true},
+                {"A kitchen, 4 m x 3 m, with units in an L.", 2, false},
+                {"An L-shaped kitchen, 4 m x 3.5 m.", 2, false},
+                {"A galley kitchen, 2.4 m x 4 m.", 2, true},
+                {"A kitchen, 5 m x 4 m, everything along one wall.", 1, false}};
+  for (const auto& one : kCases) {
+    const Kitchen kitchen = KitchenOf(one.text, 0);
+    std::set<int> walls;
+    for (const RunPlace& place : kitchen.run) walls.insert(place.wall);
+    EXPECT_EQ(walls.size(), one.walls) << one.text;
+    const bool facing =
+        std::ranges::any_of(walls, [&](int wall) { return walls.contains((wall + 2) % kitchen.room.walls_size()); });
+    EXPECT_EQ(facing, one.facing) << one.text;
+    EXPECT_EQ(kitchen.room.floor().vertices_size(), 4) << one.text;
+  }
 }
 
 TEST(WallRunWishes, ASinkAloneIsNoRun) {

@@ -59,6 +59,7 @@ class ConstraintLister {
         writer_(room, zones, objects, handbook, program_, choice, spoken),
         place_writer_(room, program_, places_, writer_),
         run_(PlanRun(room, objects, facts, handbook, choice)),
+        form_kept_(HasForm(run_, facts.run_form)),
         kept_(facts.places.size(), false) {}
 
   // What of all that is how one uses the pieces.
@@ -193,6 +194,13 @@ class ConstraintLister {
   // Places of which no sentence came, of pieces that are there: the others are told of where they are left out.
   void RemarkOnPlaces(v1::ConstraintList& list) const {
     std::set<std::string> told;
+    if (!form_kept_) {
+      v1::Diagnostic& remark = *list.add_diagnostics();
+      remark.set_severity(v1::SEVERITY_WARNING);
+      remark.set_code("place_not_kept");
+      remark.set_message(
+          "The kitchen units do not go along the walls as the brief asks; doors leave no room for that.");
+    }
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const bool there = std::ranges::any_of(
           writer_.groups(), [&](const auto& group) { return IsMeant(*places_[i].furniture, group.first); });
@@ -280,7 +288,8 @@ class ConstraintLister {
   const SentenceWriter writer_;
   const PlaceWriter place_writer_;
   const std::vector<RunPlace> run_;  // of what has a part in one
-  std::vector<bool> kept_;           // of a place: sentences were written
+  const bool form_kept_;
+  std::vector<bool> kept_;  // of a place: sentences were written
   std::vector<v1::Sentence> sentences_;
   std::vector<UseSentence> uses_;
 };

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "language_worker/handbook/reading/own_classes.h"
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/rooms/walls.h"
 #include "language_worker/handbook/sentences/fill.h"
 
@@ -73,6 +73,15 @@ bool HasOpenings(const v1::Room& room, int wall) {
                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
 }
 
+// The corners of a side, "in each of the back corners"; all for no side.
+std::vector<std::string> CornersOn(const std::string& side) {
+  if (side.empty()) return {"far left", "near right", "far right", "near left"};
+  if (side.starts_with("north") || side.starts_with("south")) return {side + " west", side + " east"};
+  if (IsIn("compass", side)) return {"north " + side, "south " + side};
+  const bool hand = side == "left" || side == "right";
+  return hand ? std::vector{"far " + side, "near " + side} : std::vector{side + " left", side + " right"};
+}
+
 // The walls that a place names, or those that are meant where it only counts them.
 std::vector<std::string> SeveralSides(const Place& place) {
   if (place.walls > 2) {
@@ -91,7 +100,19 @@ std::vector<std::string> SeveralSides(const Place& place) {
 }  // namespace
 
 std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& group) const {
-  Group subjects = SubjectsOf(place, group);
+  const Group subjects = SubjectsOf(place, group);
+  // Four desks that face each other do so in pairs; which chairs are at one table is not told here.
+  const bool in_pairs =
+      place.asked->relation().condition().max_count() == 2 && subjects.size() > 2 && !IsSeat(*place.furniture);
+  if (!in_pairs || subjects.size() % 2 != 0) return WriteAbout(place, subjects);
+  std::vector<v1::Sentence> sentences;
+  for (auto pair = subjects.begin(); pair != subjects.end(); pair += 2) {
+    for (v1::Sentence& sentence : WriteAbout(place, Group(pair, pair + 2))) sentences.push_back(std::move(sentence));
+  }
+  return sentences;
+}
+
+std::vector<v1::Sentence> PlaceWriter::WriteAbout(const Place& place, Group subjects) const {
   if (subjects.empty()) return {};
   if (PlaceNames(place, "{wall}")) subjects = WhatGoesThere(subjects);
   if (PlaceNames(place, "{first}")) return WriteBetween(place, subjects);
@@ -112,7 +133,8 @@ std::vector<v1::Sentence> PlaceWriter::Write(const Place& place, const Group& gr
     }
     // "Tables at the back", "tables along the wall" stand there with their seats, not with their backs to the wall.
     const bool of_the_room = !place.side.empty() && place.said.find("wall") == std::string::npos;
-    const bool region = of_the_room || subjects.front()->category().ends_with("table");
+    const bool region =
+        of_the_room || (subjects.front()->category().ends_with("table") && !place.furniture->companions().empty());
     if (region && place.furniture->back() == hb::BACK_RULE_FREE && place.said.find("against") == std::string::npos &&
         relation.text().find("back is against") != std::string::npos) {
       relation.set_text("The {object} is within 1.5 m of {wall}.");
@@ -293,11 +315,11 @@ std::vector<v1::Sentence> PlaceWriter::WriteAlongTheMiddle(const Place& place, c
 }
 
 std::vector<v1::Sentence> PlaceWriter::WriteCorners(const Place& place, const Group& group) const {
-  if (place.side == "each") {
-    constexpr std::array<std::string_view, 4> kCorners = {"far left", "near right", "far right", "near left"};
+  if (place.side.starts_with("each")) {
+    const std::vector<std::string> corners = CornersOn(place.side.substr(std::min<std::size_t>(5, place.side.size())));
     std::vector<v1::Sentence> sentences;
-    for (std::size_t i = 0; i < std::min(group.size(), kCorners.size()); ++i) {
-      const std::optional<int> corner = CornerOf(room_, kCorners[i]);
+    for (std::size_t i = 0; i < std::min(group.size(), corners.size()); ++i) {
+      const std::optional<int> corner = CornerOf(room_, corners[i]);
       if (!corner) return writer_.Write(place.asked->relation(), group);
       for (v1::Sentence& sentence : WriteCorner(place, {group[i]}, *corner)) sentences.push_back(std::move(sentence));
     }
@@ -315,6 +337,10 @@ std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Gro
   hb::Relation back = place.asked->relation(), side = back;
   back.set_text("The {object}'s back is against {wall}.");
   side.set_text(fmt::format("The {{object}}'s {} side is against {{wall}}.", on_after ? "left" : "right"));
+  // A rug has no back.
+  if (place.furniture->walk_over()) {
+    for (hb::Relation* near : {&back, &side}) near->set_text("The {object} is within 0.4 m of {wall}.");
+  }
   std::vector<v1::Sentence> sentences = writer_.Write(back, one, {{"wall", TheWall(room_, on_after ? after : before)}});
   for (v1::Sentence& sentence : writer_.Write(side, one, {{"wall", TheWall(room_, on_after ? before : after)}})) {
     sentences.push_back(std::move(sentence));

@@ -31,6 +31,7 @@ class PlaceWriter {
   std::vector<v1::Sentence> WriteRun(const std::vector<RunPlace>& run, const Group& group) const;
 
  private:
+  std::vector<v1::Sentence> WriteAbout(const Place& place, Group subjects) const;
   // "One desk by the door": the group may be a part of all that have the name.
   Group SubjectsOf(const Place& place, const Group& group) const;
   // Barber's chairs, or their mirrors, on a wall: what the kind of room has them stand before, or hang above, is there.
