@@ -158,7 +158,9 @@ std::vector<v1::Sentence> PlaceWriter::WriteAbout(const Place& place, Group subj
     const std::string target = StandIn(place, further);
     if (!target.empty()) relation.add_targets(target);
   }
-  if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk") {
+  // A desk opposite the bed stands across from it, whoever sits there looks where they like.
+  const bool across_from = place.target != nullptr && place.said.starts_with("opposite");
+  if (!place.asked->text_of_desks().empty() && subjects.front()->category() == "desk" && !across_from) {
     const std::vector<v1::Sentence> sentences = WriteOfDesks(place, relation, subjects, further);
     if (!sentences.empty()) return named ? AsWritten(sentences) : sentences;
   }
