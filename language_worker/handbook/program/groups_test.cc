@@ -312,6 +312,12 @@ TEST(Groups, ANestOfTablesStandsForTheCoffeeTable) {
   EXPECT_EQ(plan.Count("coffee table"), 0);
 }
 
+TEST(Groups, StoolsAtATableForChairsStayStools) {
+  const Plan plan = PlanFor("A kitchen of 2.4 m x 3.8 m with two stools at a fold-down table.");
+  EXPECT_EQ(plan.Count("bar stool"), 2);
+  EXPECT_EQ(plan.Count("dining chair"), 0);
+}
+
 TEST(Groups, WhoIsSaidToSitAtAWorkTableHasAStool) {
   const Plan studio = PlanFor("An art studio, 6 m x 6 m, with a work table for six.");
   EXPECT_EQ(studio.Count("work stool"), 6);

@@ -22,11 +22,10 @@ void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const s
     const hb::Furniture* seat = handbook_.FindFurniture(companion.furniture());
     if (seat == nullptr || !IsSeat(*seat) || (seats == 0 && SitsOtherwise(furniture))) continue;
     const int wanted = count * (seats > 0 ? seats : std::max(1, companion.count()));
-    const auto there = std::ranges::find_if(
-        program_.floor_items, [&](const ProgramItem& item) {
-          const bool of_another = item.seat_of != nullptr && item.seat_of != &furniture && seats > 0;
-          return item.furniture == seat && item.zone == zone && !of_another;
-        });
+    const auto there = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& item) {
+      const bool of_another = item.seat_of != nullptr && item.seat_of != &furniture && seats > 0;
+      return item.furniture == seat && item.zone == zone && !of_another;
+    });
     if (there == program_.floor_items.end()) {
       if (IsWished(*seat) && seats == 0) continue;
       program_.floor_items.push_back({seat, &companion, wanted, zone, false, companion.drop_order(), 0, &furniture});
@@ -47,6 +46,11 @@ void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const s
 bool Seats::SitsOtherwise(const hb::Furniture& table) const {
   const auto wish = std::ranges::find(facts_.wishes, &table, &Wish::furniture);
   if (wish == facts_.wishes.end() || !(table.category().ends_with("table") || table.category() == "desk")) return false;
+  // "Two stools at a fold-down table".
+  for (const Place& place : facts_.places) {
+    const std::string& seat = place.furniture->category();
+    if (place.target == &table && table.category() != "desk" && (seat == "stool" || seat == "bench")) return true;
+  }
   const auto next =
       std::find_if(wish + 1, facts_.wishes.end(), [](const Wish& other) { return IsFloorPiece(*other.furniture); });
   if (next == facts_.wishes.end()) return false;

@@ -333,6 +333,8 @@ class FurnitureReader {
     if (!last_ || !last_->seat || SeatOf(*host.furniture, handbook_) == nullptr) return false;
     if (!OnlyWordsBetween(last_->end, i, /*around=*/true)) return false;
     const Wish seats = facts_.wishes[last_->wish];
+    // Stools at a table for chairs stay stools.
+    if (seats.furniture->category() != SeatOf(*host.furniture, handbook_)->category()) return false;
     facts_.wishes.erase(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(last_->wish));
     if (seats.counted) host.seats = std::min(std::max(1, seats.count / std::max(1, host.count)), kMostSeats);
     return true;
