@@ -140,14 +140,12 @@ class BriefReader {
     for (const NamedRoom& one : kind_.named) {
       constexpr double kCorner = 0.4;
       if (used_[one.begin] || text.At(one.end) == "of") continue;  // "a bank of tall units"
-      // The treatment room of a physiotherapist is the room itself.
       const bool same = std::ranges::any_of(handbook_.contents().needs(), [&](const hb::Need& need) {
         return need.changes().becomes_room() == facts_.archetype->name() &&
                Includes(need.condition().rooms(), one.archetype->name());
       });
-      if (same) continue;
       const bool own = one.archetype->serving() || facts_.archetype->serving();
-      if (!own) facts_.also.push_back({one.archetype, kCorner});
+      if (!own && !same) facts_.also.push_back({one.archetype, kCorner});
       if (own) facts_.other_rooms.push_back(Quote(one));
       Use(one.begin, one.end - one.begin);
     }
@@ -240,8 +238,8 @@ class BriefReader {
     for (const hb::Theme& theme : handbook_.contents().themes()) {
       const int year = theme.changes().year();
       for (std::size_t i = kind_.room.begin; i < kind_.room.end && year != 0 && !facts_.year; ++i) {
-        const auto here = [&](const std::string& word) { return Phrase(word).MatchAt(tokens_, i) > 0; };
-        if (std::ranges::any_of(theme.keywords(), here)) facts_.year = year;
+        for (const std::string& word : theme.keywords())
+          if (Phrase(word).MatchAt(tokens_, i) > 0) facts_.year = year;
       }
     }
     const std::vector<bool> before = peoples_words;
@@ -303,8 +301,8 @@ class BriefReader {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
       if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
-      if (AsksForFew(BriefText(tokens_), i)) continue;  // "not too many plants" makes nobody a gardener
-      // "Twin beds" are for no twins.
+      // "Not too many plants" makes nobody a gardener, "twin beds" are for no twins.
+      if (AsksForFew(BriefText(tokens_), i)) continue;
       if (phrase.MatchAt(tokens_, i, /*plural=*/false) == 0 && NamesAPiece(i + length, i + length + 1)) continue;
       number = found;
       return true;
