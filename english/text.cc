@@ -277,8 +277,14 @@ std::vector<Token> KeepClauseMarks(const std::vector<Token>& tokens) {
         break;
       case '\'':
       case '"':
-        if (token.glued && i > 0 && tokens[i - 1].kind == Token::Kind::kNumber)
-          keep_as(Token::Kind::kWord, token.text[0] == '"' ? "inch" : "ft");
+        if (!token.glued || i == 0 || tokens[i - 1].kind != Token::Kind::kNumber) break;
+        // "Bookshelf 13's back" is no length.
+        if (i + 1 < tokens.size() && tokens[i + 1].glued && tokens[i + 1].text == "s") {
+          keep_as(Token::Kind::kWord, "'s");
+          ++i;
+          break;
+        }
+        keep_as(Token::Kind::kWord, token.text[0] == '"' ? "inch" : "ft");
         break;
       default:
         break;

@@ -50,6 +50,7 @@ TEST(KeepClauseMarks, LeavesWhatDividesSentences) {
   EXPECT_EQ(Shown(KeepClauseMarks(Tokenize("side-by-side \u2014 \"good\"! A & B; approx. 2 m"))),
             "side by side , good . a and b . approx 2 m");
   EXPECT_EQ(Shown(KeepClauseMarks(Tokenize("0.3-1m, 12'6\""))), "0.3 - 1 m , 12 ft 6 inch");
+  EXPECT_EQ(Shown(KeepClauseMarks(Tokenize("bookshelf 13's back, 13'x12'"))), "bookshelf 13 's back , 13 ft x 12 ft");
 }
 
 }  // namespace

@@ -324,5 +324,23 @@ TEST(Groups, WhoIsSaidToSitAtAWorkTableHasAStool) {
   EXPECT_GE(studio.First("work table").width_m(), 1.79);
 }
 
+TEST(Groups, PewsStandOnEitherSideOfAnAisle) {
+  const Plan plan = PlanFor("A chapel of 7 m x 10 m with twelve pews.");
+  EXPECT_EQ(plan.Count("pew", "first_row"), 2);
+  EXPECT_EQ(plan.Sentences("The pews stand in a row 1.2 m apart."), 6);
+}
+
+TEST(Groups, ManyEasyChairsLeaveRoomForLegsAboutALowTable) {
+  const Plan plan = PlanFor("A reading room, 6 x 5 m, with four armchairs around a low table.");
+  EXPECT_EQ(plan.Sentences("The armchairs surround the coffee table 0.4 m away."), 1);
+  EXPECT_EQ(PlanFor("A dining room with six chairs around the table.").Sentences("m away."), 0);
+}
+
+TEST(Groups, HallsHaveMoreOfWhatComesInNumbers) {
+  EXPECT_GE(PlanFor("A village library of 8 m x 10 m.").Count("bookshelf"), 14);
+  EXPECT_LE(PlanFor("A library of 4 m x 6 m.").Count("bookshelf"), 8);
+  EXPECT_EQ(PlanFor("A library of 8 m x 10 m with six bookcases.").Count("bookshelf"), 6);
+}
+
 }  // namespace
 }  // namespace flair::language

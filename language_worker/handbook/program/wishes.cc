@@ -53,9 +53,10 @@ class WishMaker {
     program_.floor_items.front().in_rows = wish.in_rows;
     seats_.SeatAt(*wish.furniture, wish.count, wish.seats, zone);
     for (const hb::ObjectEntry& companion : wish.furniture->companions()) {
-      const auto& rooms = companion.condition().rooms();
-      if (Lists(program_, companion.furniture()) || (!rooms.empty() && !Includes(rooms, program_.archetype->name())))
-        continue;
+      const hb::Condition& when = companion.condition();
+      const bool elsewhere = !when.rooms().empty() && !Includes(when.rooms(), program_.archetype->name());
+      const bool too_many = when.max_count() > 0 && wish.count > when.max_count();
+      if (Lists(program_, companion.furniture()) || elsewhere || too_many) continue;
       const hb::Furniture* furniture = handbook_.FindFurniture(companion.furniture());
       const bool in_another_form =
           furniture != nullptr && !IsSeat(*furniture) && std::ranges::any_of(facts_.wishes, [&](const Wish& other) {

@@ -176,7 +176,7 @@ TEST(ListConstraints, PlacesOfSeveralAreSharedOut) {
   EXPECT_THAT(said("A student room, 3.2 x 2.6 m, with a single bed along the south wall."),
               testing::HasSubstr("One long side of the single bed is against the south wall."));
   EXPECT_THAT(said("A lounge, 6 x 6 m, with four armchairs around a coffee table."),
-              testing::HasSubstr("The armchairs surround the coffee table."));
+              testing::HasSubstr("The armchairs surround the coffee table 0.4 m away."));
   EXPECT_THAT(said("A bedroom, 4 x 5 m, with a bed and a dresser at the foot of the bed."),
               testing::HasSubstr("The dresser faces the double bed."));
 }

@@ -178,6 +178,10 @@ std::vector<v1::Sentence> PlaceWriter::WriteAbout(const Place& place, Group subj
   constexpr std::size_t kMany = 3;
   if (!place.asked->text_of_many().empty() && subjects.size() >= kMany && !place.target->walk_over()) {
     relation.set_text(place.asked->text_of_many());
+    // Easy chairs leave room for legs before a low table.
+    constexpr double kEasyM = 0.65;
+    if (relation.text().ends_with("surround the {target}.") && subjects.front()->width_m() >= kEasyM)
+      relation.set_text("The {objects} surround the {target} 0.4 m away.");
     relation.set_pairing(hb::PAIRING_TOGETHER);
   }
   if (relation.targets().empty()) NameTheWall(further, relation);

@@ -110,9 +110,9 @@ size_t PositionOf(const std::vector<int>& sorted, int object) {
 }
 
 // Seats objects round a centre object.
-//   cost = sum over seats of  out(gap, [0, 0.1])^2 + max(|along - place| - play, 0)^2 + (1 + f . n)              [m2]
-//   gap, along  of the middle of the seat's front, outward from and along the side of the centre object
-//   f, n        the seat's front direction and the side's outward normal
+//   cost = sum over seats of  out(gap - gap_m, [0, 0.1])^2 + max(|along - place| - play, 0)^2 + (1 + f . n) [m2] gap,
+//   along  of the middle of the seat's front, outward from and along the side of the centre object f, n        the
+//   seat's front direction and the side's outward normal
 // Places: one on every side of the centre object that has room for a seat, long sides first (two seats: the two long
 // sides), the rest where most length is left; evenly spread along each side, play a quarter of the spare width. Seats
 // take the places that cost least together. Round what is round the places are evenly spread, the first before its
@@ -125,8 +125,9 @@ class SurroundCost final : public Cost {
   static constexpr int kMaxSeats = kMostSeats;
 
   // At most kMaxSeats seats.
-  SurroundCost(const Scene& scene, int center, const std::vector<int>& seats)
+  SurroundCost(const Scene& scene, int center, const std::vector<int>& seats, double gap_m)
       : objects_(seats),
+        gap_m_(gap_m),
         table_(scene.objects[static_cast<size_t>(center)].footprint),
         round_(scene.objects[static_cast<size_t>(center)].round),
         floor_(scene.room.floor) {
@@ -212,21 +213,24 @@ class SurroundCost final : public Cost {
   }
   // False where one of the places has no room.
   bool SpreadEvenly(const Frame<double>& center, double start, Places& places) const {
-    const double radius_m = std::min(table_.width_m, table_.depth_m) / 2;
     const double turn = 2 * kPi / static_cast<double>(seats_.size());
+    double radius_m = std::min(table_.width_m, table_.depth_m) / 2;
+    // Those who keep a distance keep as much as they need to sit side by side.
+    if (gap_m_ > 0 && seats_.size() > 2)
+      radius_m = std::max(radius_m, (widest_m_ + kAir_m) / 2 / std::tan(turn / 2) - gap_m_);
     bool room = true;
     places.count = 0;
     for (size_t i = 0; i < seats_.size(); ++i) {
       const double angle = kPi / 2 + (static_cast<double>(i) + start) * turn;
       const Vec2<double> normal{std::cos(angle), std::sin(angle)};
-      const double outer_m = radius_m + shallowest_m_;
+      const double outer_m = radius_m + gap_m_ + shallowest_m_;
       room = room && floor_.SquaredExcess(center.ToRoom(outer_m * normal.x, outer_m * normal.y)) == 0;
       places.items[static_cast<size_t>(places.count++)] = {normal, radius_m, 0, 0.02};
     }
     return room;
   }
   bool HasRoom(const Frame<double>& center, Side side) const {
-    const Vec2<double> outer = MiddleOf(table_, center, side) + shallowest_m_ * NormalOf(center, side);
+    const Vec2<double> outer = MiddleOf(table_, center, side) + (gap_m_ + shallowest_m_) * NormalOf(center, side);
     return floor_.SquaredExcess(outer) == 0;
   }
   void AddPlaces(Side side, int count, Places& places) const {
@@ -291,11 +295,13 @@ class SurroundCost final : public Cost {
     const Vec2<T> front = center.ToObject(MiddleOf(footprint, seat, Side::kFront));
     const T gap = n.x * front.x + n.y * front.y - place.reach_m;
     const T along = n.x * front.y - n.y * front.x;
-    return SquaredOutside(gap, 0, kAir_m) + SquaredOutside(along - place.along_m, -place.play_m, place.play_m) +
+    return SquaredOutside(gap, gap_m_, gap_m_ + kAir_m) +
+           SquaredOutside(along - place.along_m, -place.play_m, place.play_m) +
            (Dot(seat.front, n.x * center.right + n.y * center.front) + 1.0);
   }
 
   std::vector<int> objects_;
+  double gap_m_;
   // Where the centre and the seats are in objects_.
   size_t center_ = 0;
   std::vector<size_t> seats_;
@@ -310,10 +316,12 @@ class SurroundCost final : public Cost {
 std::optional<Shortfall> SurroundShortfall(const PlacedCall& call) {
   const std::string center = call.Name(call.arguments().Object("center"));
   std::vector<Shortfall> misses;
+  const double gap_m = call.arguments().Number("gap_m");
   for (int seat : call.arguments().Objects("objects")) {
     const Frame<double> frame = call.FrameOf(seat);
     const Vec2<double> to_center = call.FrameOf(call.arguments().Object("center")).center - frame.center;
-    misses.push_back(TooFar(call.Name(seat), center, call.GapBetween(seat, call.arguments().Object("center")), 0.1));
+    misses.push_back(TooFar(call.Name(seat), center, call.GapBetween(seat, call.arguments().Object("center")),
+                            gap_m > 0 ? HUGE_VAL : kAir_m));
     misses.push_back(Turned(SideOf(call.Name(seat), Side::kFront), center, AngleOf(frame.front, to_center), kPi / 4));
   }
   if (const std::optional<Shortfall> worst = Worst(misses)) return worst;
@@ -325,7 +333,7 @@ BoundCost BindSurround(const Arguments& a, const BindContext& context) {
   if (seats.size() > static_cast<size_t>(SurroundCost::kMaxSeats)) {
     return InvalidArgument("argument objects: {} are too many; at most {}", seats.size(), SurroundCost::kMaxSeats);
   }
-  return std::make_unique<SurroundCost>(context.scene, a.Object("center"), seats);
+  return std::make_unique<SurroundCost>(context.scene, a.Object("center"), seats, a.Number("gap_m"));
 }
 
 constexpr ConstraintCode kGroupCode[] = {

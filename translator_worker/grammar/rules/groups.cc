@@ -115,14 +115,15 @@ void OnEachSide(const Match& match, std::string_view, Composer& composer) {
   if (!movers.empty() && !targets.empty()) composer.SetPair(movers, targets);
 }
 
-void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& centers, Composer& composer) {
+void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& centers, const Length* distance,
+                  Composer& composer) {
   if (movers.empty() || centers.empty()) return;
   // "Each table is surrounded by four chairs": the first four stand round the first.
   if (centers.size() > 1 && movers.size() > centers.size() && movers.size() % centers.size() == 0) {
     const auto each = static_cast<long>(movers.size() / centers.size());
     for (size_t i = 0; i < centers.size(); ++i) {
       const auto first = movers.begin() + static_cast<long>(i) * each;
-      EmitSurround({first, first + each}, {centers[i]}, composer);
+      EmitSurround({first, first + each}, {centers[i]}, distance, composer);
     }
     return;
   }
@@ -130,7 +131,9 @@ void EmitSurround(const std::vector<Placed>& movers, const std::vector<Placed>& 
   const std::string& center = composer.id(centers.front());
   std::erase(ids, center);
   if (ids.empty()) return;
-  composer.EmitFirst({Call("surround").Text("center", center).Texts("objects", ids)});
+  Call call = Call("surround").Text("center", center).Texts("objects", ids);
+  if (distance != nullptr) call.Number("gap_m", distance->Nominal());
+  composer.EmitFirst({call});
   composer.SetPair(movers, {centers.front()});
 }
 
@@ -141,12 +144,12 @@ void Surround(const Match& match, std::string_view detail, Composer& composer) {
     composer.Refuse("unknown_sentence", "one object cannot stand around another; say beside or near it");
     return;
   }
-  EmitSurround(movers, composer.TargetObjects(*match.b, movers), composer);
+  EmitSurround(movers, composer.TargetObjects(*match.b, movers), match.distance, composer);
 }
 
 void SurroundedBy(const Match& match, std::string_view, Composer& composer) {
   const std::vector<Placed> centers = composer.Movers(match.a);
-  EmitSurround(composer.TargetObjects(*match.b, centers), centers, composer);
+  EmitSurround(composer.TargetObjects(*match.b, centers), centers, nullptr, composer);
 }
 
 void PlaceBetween(const Match& match, std::string_view, Composer& composer) {
