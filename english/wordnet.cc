@@ -171,15 +171,6 @@ std::vector<Kind> WordNet::KindsOf(const NounSense& sense) const {
   return kinds;
 }
 
-bool WordNet::IsA(std::string_view noun, std::uint32_t kind, std::size_t most) const {
-  std::vector<NounSense> senses = SensesOf(noun);
-  senses.resize(std::min(senses.size(), most));
-  return std::ranges::any_of(senses, [&](const NounSense& sense) {
-    const std::vector<Kind> kinds = KindsOf(sense);
-    return std::ranges::find(kinds, kind, &Kind::id) != kinds.end();
-  });
-}
-
 bool WordNet::IsAdjective(std::string_view word) const {
   return word.size() <= kLongest && !files_->adjectives.LineOf(LemmaOf(word)).empty();
 }

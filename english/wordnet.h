@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 
 namespace flair::english {
@@ -18,20 +17,13 @@ namespace flair::english {
 // Large fields of meaning, by the number of WordNet's lexicographer file.
 enum class Domain : std::uint8_t {
   kOther = 0,
-  kAct = 4,
-  kAnimal = 5,
   kArtifact = 6,
-  kAttribute = 7,
   kCommunication = 10,
-  kFeeling = 12,
   kFood = 13,
   kGroup = 14,
-  kLocation = 15,
   kNaturalObject = 17,
   kPerson = 18,
   kPlant = 20,
-  kQuantity = 23,
-  kState = 26,
   kSubstance = 27,
   kTime = 28,
 };
@@ -71,9 +63,6 @@ class WordNet {
 
   // The sense itself and all that it is a kind of, nearest first.
   std::vector<Kind> KindsOf(const NounSense& sense) const;
-
-  // Whether one of the senses, of the first `most`, is of that kind.
-  bool IsA(std::string_view noun, std::uint32_t kind, std::size_t most = 100) const;
 
   bool IsAdjective(std::string_view word) const;
   bool IsVerb(std::string_view word) const;

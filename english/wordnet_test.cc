@@ -12,7 +12,10 @@ namespace {
 
 bool IsAKindOf(std::string_view word, std::string_view kind) {
   const std::optional<NounSense> sense = WordNet::Get().Find(kind);
-  return sense && WordNet::Get().IsA(word, sense->id);
+  return sense && std::ranges::any_of(WordNet::Get().SensesOf(word), [&](const NounSense& meaning) {
+           const std::vector<Kind> kinds = WordNet::Get().KindsOf(meaning);
+           return std::ranges::find(kinds, sense->id, &Kind::id) != kinds.end();
+         });
 }
 
 TEST(WordNet, IsInstalled) { EXPECT_TRUE(WordNet::CheckInstalled().ok()) << WordNet::CheckInstalled(); }

@@ -2,7 +2,6 @@
 #include "english/frames/noun_phrases.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace flair::english {
 namespace {

@@ -187,20 +187,4 @@ T Turn(const Vec2<T>& a, const Vec2<T>& b) {
   return T(1.0) - Dot(a, b);
 }
 
-// Smooth maximum of a and b: overestimates by at most width / 4, exact when they differ by `width` or more, C1.
-template <typename T>
-T SmoothMax(const T& a, const T& b, double width) {
-  const double difference = ValueOf(a) - ValueOf(b);
-  if (difference >= width) return a;
-  if (-difference >= width) return b;
-  const T rest = T(width) - Magnitude(a - b);
-  return (ValueOf(a) > ValueOf(b) ? a : b) + rest * rest * T(1 / (4 * width));
-}
-
-// Smooth minimum: underestimates by at most width / 4.
-template <typename T>
-T SmoothMin(const T& a, const T& b, double width) {
-  return -SmoothMax(-a, -b, width);
-}
-
 }  // namespace flair

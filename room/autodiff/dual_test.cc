@@ -17,7 +17,7 @@ T Everything(const T& x, const T& y) {
   T sum = x * y + x / y - sqrt(x * x + 2.0 * y * y + 1.0) + 3.0 - y;
   sum += sin(x) * cos(y) + atan2(y, x);
   sum -= abs(-x) / 2.0;
-  return sum + SquaredHinge(x - 0.5) + SquaredOutside(y, -0.2, 0.2) + SmoothMax(x, y, 2.0) + SmoothMin(x, 2.0 * y, 1.5);
+  return sum + SquaredHinge(x - 0.5) + SquaredOutside(y, -0.2, 0.2);
 }
 
 TEST(Dual, AgreesWithCentralDifferencesForEveryOperation) {
@@ -32,12 +32,6 @@ TEST(Dual, AgreesWithCentralDifferencesForEveryOperation) {
           << x << " " << y;
     }
   }
-}
-
-TEST(Smooth, MaximumIsExactAwayFromTheTieAndAQuarterWidthAboveItAtTheTie) {
-  EXPECT_EQ(SmoothMax(3.0, 1.0, 2.0), 3.0);
-  EXPECT_EQ(SmoothMax(1.0, 1.0, 0.4), 1.1);
-  EXPECT_EQ(SmoothMin(1.0, 1.0, 0.4), 0.9);
 }
 
 TEST(Smooth, LengthOfTheZeroVectorHasZeroSlope) {
