@@ -332,6 +332,8 @@ TEST(FurnitureReader, TheCompanyOfANounTellsWhichOneItIs) {
 TEST(FurnitureReader, CountsFollowWhatOneStandsWith) {
   ExpectWishes(
       {{"A chapel with six pews on each side of the aisle.", "12 pew"},
+       {"A dining room with a big table seating eight.", "1 dining table"},
+       {"A meditation hall with sixteen mats with cushions.", "16 floor cushion"},
        {"A bedroom with two single beds on either side of the window.", "2 single bed"},
        {"A barber shop with three chairs with mirrors.", "3 barber chair, 3 mirror"},
        {"A bedroom with a bed and a nightstand with a lamp at each side.", "1 double bed, 2 nightstand, 2 table lamp"},

@@ -72,7 +72,10 @@ bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size
 }
 
 bool MakesACompound(const BriefText& text, std::size_t end) {
-  const auto goes_on = [&](std::size_t i) { return text.IsWord(i) && !text.Is(i, "thing_ends"); };
+  // "A table seating twelve" is no table-seating.
+  const auto goes_on = [&](std::size_t i) {
+    return text.IsWord(i) && !text.Is(i, "thing_ends") && !NumberWord(text.At(i));
+  };
   return goes_on(end) && ((text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
 }
 

@@ -233,6 +233,9 @@ class SizeReader {
     const std::optional<english::Measure> measure = MeasureAt(text_, i);
     if (!measure || measure->unit == 0) return size;
     const std::size_t end = measure->end;
+    // "75 cm deep" is a shelf against three walls, never a room.
+    constexpr double kLeastSideM = 1;
+    if (measure->value < kLeastSideM) return size;
     const bool ceiling = text_.Says(end, {"ceiling", "ceilings"});
     if (IsHeightBefore(i)) {
       size.height_m = measure->value;
