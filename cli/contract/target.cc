@@ -1,37 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/contract/target.h"
 
-#include <google/protobuf/unknown_field_set.h>
 #include <grpcpp/client_context.h>
 #include <grpcpp/completion_queue.h>
 #include <grpcpp/generic/generic_stub.h>
 
 #include <algorithm>
-#include <array>
 #include <random>
 #include <utility>
 
 #include "absl/time/clock.h"
+#include "grpc/health/v1/health.pb.h"
+#include "grpc/reflection/v1alpha/reflection.pb.h"
 #include "worker_runtime/grpc/client_call.h"
 
 namespace flair::contract {
 namespace {
 
-using google::protobuf::UnknownField;
-using google::protobuf::UnknownFieldSet;
-
 constexpr absl::Duration kConnectWithin = absl::Seconds(10);
 // Answers may be larger than what the server takes, and so must be what is sent to see whether it refuses.
 constexpr int kSpareMib = 16;
 constexpr char kGetWorker[] = "/flair.v1.WorkerService/GetWorker";
-
-// Field numbers of grpc/health/v1/health.proto and grpc/reflection/v1/reflection.proto.
-constexpr int kHealthService = 1;
-constexpr int kHealthStatus = 1;
-constexpr int kListServices = 7;
-constexpr int kListServicesResponse = 6;
-constexpr int kService = 1;
-constexpr int kName = 1;
 
 grpc::ByteBuffer ToBuffer(const std::string& bytes) {
   const grpc::Slice slice(bytes);
@@ -44,34 +33,6 @@ std::string ToBytes(const grpc::ByteBuffer& buffer) {
   if (!buffer.Valid() || !buffer.Dump(&slices).ok()) return bytes;
   for (const grpc::Slice& slice : slices) bytes.append(reinterpret_cast<const char*>(slice.begin()), slice.size());
   return bytes;
-}
-
-std::string Encoded(int number, const std::string& text) {
-  UnknownFieldSet fields;
-  fields.AddLengthDelimited(number, text);
-  std::string bytes;
-  fields.SerializeToString(&bytes);
-  return bytes;
-}
-
-// All fields of this number and type.
-std::vector<UnknownField> FieldsOf(const UnknownFieldSet& fields, int number, UnknownField::Type type) {
-  std::vector<UnknownField> found;
-  for (int i = 0; i < fields.field_count(); ++i) {
-    if (fields.field(i).number() == number && fields.field(i).type() == type) found.push_back(fields.field(i));
-  }
-  return found;
-}
-
-// The contents of all fields of this number that hold bytes.
-std::vector<std::string> BytesAt(const std::string& bytes, int number) {
-  std::vector<std::string> contents;
-  UnknownFieldSet fields;
-  if (!fields.ParseFromString(bytes)) return contents;
-  for (const UnknownField& field : FieldsOf(fields, number, UnknownField::TYPE_LENGTH_DELIMITED)) {
-    contents.push_back(field.length_delimited());
-  }
-  return contents;
 }
 
 // The steps of a streaming call, one after the other. Every step ends when the deadline has passed.
@@ -278,31 +239,31 @@ std::string RpcName(const google::protobuf::Message& request) {
 
 absl::StatusOr<std::string> HealthOf(const std::shared_ptr<grpc::Channel>& channel, const std::string& service,
                                      absl::Duration within) {
+  grpc::health::v1::HealthCheckRequest request;
+  request.set_service(service);
   ASSIGN_OR_RETURN(const std::string bytes,
-                   Call(channel, "/grpc.health.v1.Health/Check", Encoded(kHealthService, service), within).Wait());
-  UnknownFieldSet fields;
-  if (!fields.ParseFromString(bytes)) return absl::DataLossError("the answer is no HealthCheckResponse");
-  constexpr std::array<const char*, 4> kNames = {"UNKNOWN", "SERVING", "NOT_SERVING", "SERVICE_UNKNOWN"};
-  uint64_t health = 0;
-  for (const UnknownField& field : FieldsOf(fields, kHealthStatus, UnknownField::TYPE_VARINT)) health = field.varint();
-  return kNames[health < kNames.size() ? health : 0];
+                   Call(channel, "/grpc.health.v1.Health/Check", request.SerializeAsString(), within).Wait());
+  grpc::health::v1::HealthCheckResponse response;
+  if (!response.ParseFromString(bytes)) return absl::DataLossError("the answer is no HealthCheckResponse");
+  const std::string& name = grpc::health::v1::HealthCheckResponse::ServingStatus_Name(response.status());
+  return name.empty() ? "UNKNOWN" : name;
 }
 
 absl::StatusOr<std::vector<std::string>> ReflectedServices(const Target& target) {
+  grpc::reflection::v1alpha::ServerReflectionRequest request;
+  request.set_list_services("*");
   absl::StatusOr<std::vector<std::string>> answers = absl::UnimplementedError("no reflection");
   for (const char* version : {"v1alpha", "v1"}) {
     const std::string path = fmt::format("/grpc.reflection.{}.ServerReflection/ServerReflectionInfo", version);
-    answers = target.Stream(path, {Encoded(kListServices, "*")}, 1);
+    answers = target.Stream(path, {request.SerializeAsString()}, 1);
     if (!absl::IsUnimplemented(answers.status())) break;
   }
   if (!answers.ok()) return answers.status();
   if (answers->empty()) return absl::DataLossError("the stream ended without an answer");
+  grpc::reflection::v1alpha::ServerReflectionResponse response;
+  if (!response.ParseFromString(answers->front())) return absl::DataLossError("the answer is none of reflection");
   std::vector<std::string> names;
-  for (const std::string& list : BytesAt(answers->front(), kListServicesResponse)) {
-    for (const std::string& service : BytesAt(list, kService)) {
-      for (const std::string& name : BytesAt(service, kName)) names.push_back(name);
-    }
-  }
+  for (const auto& service : response.list_services_response().service()) names.push_back(service.name());
   return names;
 }
 

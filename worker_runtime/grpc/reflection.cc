@@ -1,106 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>
-#include <google/protobuf/io/coded_stream.h>
-#include <google/protobuf/wire_format_lite.h>
-#include <grpcpp/impl/codegen/server_callback_handlers.h>
-#include <grpcpp/support/byte_buffer.h>
-#include <grpcpp/support/proto_buffer_reader.h>
-#include <grpcpp/support/server_callback.h>
 
-#include <cstdint>
 #include <set>
 #include <utility>
 
+#include "grpc/reflection/v1alpha/reflection.pb.h"
+#include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/server.h"
+#include "worker_runtime/grpc/server_call.h"
 
 namespace flair::runtime {
 namespace {
 
-using google::protobuf::DescriptorPool;
 using google::protobuf::FileDescriptor;
-using google::protobuf::internal::WireFormatLite;
+using grpc::reflection::v1alpha::ServerReflectionRequest;
+using grpc::reflection::v1alpha::ServerReflectionResponse;
 
 constexpr char kName[] = "grpc.reflection.v1alpha.ServerReflection";
 constexpr char kPath[] = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo";
-constexpr uint32_t kLongestName = 1024;
-
-// Fields of the protocol's messages; these few are written and read by hand.
-constexpr int kFileByName = 3;
-constexpr int kFileOfSymbol = 4;
-constexpr int kListServices = 7;
-constexpr int kFilesAnswer = 4;
-constexpr int kServicesAnswer = 6;
-constexpr int kErrorAnswer = 7;
-
-std::string Field(int number, const std::string& bytes) {
-  std::string field;
-  google::protobuf::io::StringOutputStream stream(&field);
-  google::protobuf::io::CodedOutputStream out(&stream);
-  WireFormatLite::WriteBytes(number, bytes, &out);
-  out.Trim();
-  return field;
-}
-
-// What is asked, and of which name.
-std::pair<int, std::string> ReadQuestion(grpc::ByteBuffer& bytes) {
-  std::pair<int, std::string> question;
-  grpc::ProtoBufferReader reader(&bytes);
-  google::protobuf::io::CodedInputStream in(&reader);
-  while (const uint32_t tag = in.ReadTag()) {
-    uint32_t length = 0;
-    const int number = WireFormatLite::GetTagFieldNumber(tag);
-    const bool is_text = WireFormatLite::GetTagWireType(tag) == WireFormatLite::WIRETYPE_LENGTH_DELIMITED;
-    if (is_text && number >= kFileByName && number <= kListServices) {
-      question.first = number;
-      if (!in.ReadVarint32(&length) || length > kLongestName ||
-          !in.ReadString(&question.second, static_cast<int>(length))) {
-        break;
-      }
-    } else if (!WireFormatLite::SkipField(&in, tag)) {
-      break;
-    }
-  }
-  return question;
-}
 
 // The file behind those that it needs.
-void AddFiles(const FileDescriptor& file, std::set<const FileDescriptor*>& added, std::string& files) {
+void AddFiles(const FileDescriptor& file, std::set<const FileDescriptor*>& added, ServerReflectionResponse& answer) {
   if (!added.insert(&file).second) return;
-  for (int i = 0; i < file.dependency_count(); ++i) AddFiles(*file.dependency(i), added, files);
+  for (int i = 0; i < file.dependency_count(); ++i) AddFiles(*file.dependency(i), added, answer);
   google::protobuf::FileDescriptorProto proto;
   file.CopyTo(&proto);
-  files += Field(1, proto.SerializeAsString());
+  proto.SerializeToString(answer.mutable_file_descriptor_response()->add_file_descriptor_proto());
 }
 
-std::string Answer(const std::pair<int, std::string>& question, const std::vector<std::string>& services) {
-  const auto& [asked, name] = question;
-  std::string answer;
-  if (asked == kListServices) {
-    for (const std::string& service : services) answer += Field(1, Field(1, service));
-    return Field(kServicesAnswer, answer);
+ServerReflectionResponse Answer(const ServerReflectionRequest& question, const std::vector<std::string>& services) {
+  ServerReflectionResponse answer;
+  if (question.has_list_services()) {
+    for (const std::string& service : services) {
+      answer.mutable_list_services_response()->add_service()->set_name(service);
+    }
+    return answer;
   }
-  const DescriptorPool& pool = *DescriptorPool::generated_pool();
-  const FileDescriptor* file = asked == kFileByName     ? pool.FindFileByName(name)
-                               : asked == kFileOfSymbol ? pool.FindFileContainingSymbol(name)
-                                                        : nullptr;
-  // NOT_FOUND, 5.
-  if (file == nullptr) return Field(kErrorAnswer, "\x08\x05" + Field(2, "not found: " + name));
+  const auto& pool = *google::protobuf::DescriptorPool::generated_pool();
+  const std::string& name =
+      question.has_file_by_filename() ? question.file_by_filename() : question.file_containing_symbol();
   std::set<const FileDescriptor*> added;
-  AddFiles(*file, added, answer);
-  return Field(kFilesAnswer, answer);
+  if (const FileDescriptor* file =
+          question.has_file_by_filename() ? pool.FindFileByName(name) : pool.FindFileContainingSymbol(name)) {
+    AddFiles(*file, added, answer);
+  } else {
+    answer.mutable_error_response()->set_error_code(grpc::StatusCode::NOT_FOUND);
+    answer.mutable_error_response()->set_error_message("not found: " + name);
+  }
+  return answer;
 }
 
-class Stream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
+class Stream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, ServerReflectionResponse> {
  public:
   explicit Stream(const std::vector<std::string>& services) : services_(services) { StartRead(&question_); }
 
  private:
   void OnReadDone(bool ok) override {
     if (!ok) return Finish(grpc::Status::OK);
-    const grpc::Slice answer(Answer(ReadQuestion(question_), services_));
-    question_.Clear();
-    answer_ = grpc::ByteBuffer(&answer, 1);
+    ServerReflectionRequest question;
+    if (const absl::Status parsed = ParseShortMessage(question_, question); !parsed.ok()) {
+      return Finish(ToGrpcStatus(parsed));
+    }
+    answer_ = Answer(question, services_);
     StartWrite(&answer_);
   }
   void OnWriteDone(bool ok) override {
@@ -111,7 +73,7 @@ class Stream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::Byte
 
   const std::vector<std::string>& services_;
   grpc::ByteBuffer question_;
-  grpc::ByteBuffer answer_;
+  ServerReflectionResponse answer_;
 };
 
 class Reflection final : public grpc::Service {
@@ -120,7 +82,7 @@ class Reflection final : public grpc::Service {
     services_.emplace_back(kName);
     using grpc::internal::RpcMethod;
     AddMethod(new grpc::internal::RpcServiceMethod(kPath, RpcMethod::BIDI_STREAMING, nullptr));
-    using Handler = grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, grpc::ByteBuffer>;
+    using Handler = grpc::internal::CallbackBidiHandler<grpc::ByteBuffer, ServerReflectionResponse>;
     MarkMethodRawCallback(0, new Handler([this](grpc::CallbackServerContext*) { return new Stream(services_); }));
   }
 

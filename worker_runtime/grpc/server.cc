@@ -2,7 +2,6 @@
 #include "worker_runtime/grpc/server.h"
 
 #include <grpc/grpc.h>
-#include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/impl/codegen/server_callback_handlers.h>
 #include <grpcpp/resource_quota.h>
 #include <grpcpp/security/server_credentials.h>
@@ -116,10 +115,13 @@ absl::Status Server::Listen(const ServerOptions& options, grpc::ServerBuilder& b
   if (options.tls.has_value()) {
     ASSIGN_OR_RETURN(credentials, MakeServerCredentials(*options.tls));
   }
-  // A switch of the whole process that holds for servers built later.
-  [[maybe_unused]] static const bool health = (grpc::EnableDefaultHealthCheckService(true), true);
   std::vector<std::string> names;
   for (const NamedService& service : services_) names.push_back(service.name);
+  std::set<std::string> healthy(names.begin(), names.end());
+  healthy.insert("");
+  auto health = std::make_unique<HealthService>(std::move(healthy));
+  health_ = health.get();
+  services_.push_back({"", std::move(health)});
   services_.push_back({"", MakeReflectionService(std::move(names))});
   if (options.listen_address.starts_with("unix:")) {
     address_ = options.listen_address;
@@ -152,7 +154,6 @@ absl::StatusOr<std::unique_ptr<Server>> Server::Start(const ServerOptions& optio
     return Unavailable("cannot listen on {}: the address is in use, not of this machine, or not permitted",
                        options.listen_address);
   }
-  server->SetServing(true);
   if (server->listener_ != nullptr) {
     server->listener_->Start([acceptor = server->acceptor_.get()](int listener, int connection) {
       grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters parameters;
@@ -173,13 +174,6 @@ std::shared_ptr<grpc::Channel> Server::InProcessChannel() {
   return server_->InProcessChannel(arguments);
 }
 
-void Server::SetServing(bool serving) {
-  grpc::HealthCheckServiceInterface* health = server_->GetHealthCheckService();
-  if (health == nullptr) return;
-  for (const NamedService& service : services_) health->SetServingStatus(service.name, serving);
-  health->SetServingStatus(serving);
-}
-
 // gRPC waits for every connection until its caller has said goodbye, which one that does nothing else does when it
 // happens to look at it (gRPC's own: every 5 s) or never.
 void Server::CloseIdleConnections(const std::future<void>& stopped) {
@@ -192,7 +186,7 @@ void Server::CloseIdleConnections(const std::future<void>& stopped) {
 
 void Server::Shutdown(absl::Duration drain) {
   if (server_ == nullptr) return;
-  SetServing(false);
+  if (health_ != nullptr) health_->Stop();
   if (listener_ != nullptr) listener_->Stop();
   const auto deadline = std::chrono::system_clock::now() + absl::ToChronoMilliseconds(drain);
   const std::future<void> stopped = std::async(std::launch::async, [this, deadline] { server_->Shutdown(deadline); });

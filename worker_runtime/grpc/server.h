@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ class ExternalConnectionAcceptor;
 
 namespace flair::runtime {
 
+class HealthService;
 class Listener;
 
 // A service and the full name under which its health is reported, such as "flair.v1.OptimizerService".
@@ -80,11 +82,12 @@ class Server {
  private:
   Server(const ServerOptions& options, std::vector<NamedService> services);
   absl::Status Listen(const ServerOptions& options, grpc::ServerBuilder& builder);
-  void SetServing(bool serving);
   // Until `stopped` or, when only idle connections are left, closes these.
   void CloseIdleConnections(const std::future<void>& stopped);
 
   std::vector<NamedService> services_;
+  // One of them; null without a port.
+  HealthService* health_ = nullptr;
   const int max_message_bytes_;
   const std::shared_ptr<const std::atomic<int>> open_calls_;
   std::unique_ptr<grpc::Server> server_;
@@ -92,6 +95,21 @@ class Server {
   std::unique_ptr<grpc::experimental::ExternalConnectionAcceptor> acceptor_;
   std::unique_ptr<Listener> listener_;
   std::string address_;
+};
+
+// Serves grpc.health.v1.Health: services of these names are SERVING until Stop. gRPC's own copies messages, however
+// large, before it looks at them. Thread-safe.
+class HealthService final : public grpc::Service {
+ public:
+  explicit HealthService(std::set<std::string> names);
+
+  // From now on all are NOT_SERVING; who watches is told.
+  void Stop();
+
+ private:
+  struct State;
+  class Call;
+  const std::shared_ptr<State> state_;
 };
 
 // Serves grpc.reflection.v1alpha.ServerReflection, by which tools learn the services of these names and their messages.

@@ -91,6 +91,7 @@ constexpr int64_t kScalarBytes = 16;
 constexpr int64_t kObjectBytes = 48;
 constexpr int64_t kPackedBytes = 8;
 constexpr int kNestingLimit = 100;
+constexpr size_t kShortMessageBytes = 4096;
 
 // Goes through the fields of a message without making anything, and counts down what each would take.
 class Unfolding {
@@ -249,6 +250,13 @@ absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& me
   const bool parsed = reader.status().ok() && message.ParseFromZeroCopyStream(&reader);
   bytes.Clear();
   return parsed ? absl::OkStatus() : InvalidArgument("these bytes are no {}", name);
+}
+
+absl::Status ParseShortMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message) {
+  const size_t size = bytes.Length();
+  if (size <= kShortMessageBytes) return ParseMessage(bytes, message);
+  bytes.Clear();
+  return InvalidArgument("{} bytes are too many for this call", size);
 }
 
 }  // namespace flair::runtime

@@ -36,6 +36,9 @@ namespace flair::runtime {
 // much memory, such as millions of empty fields: nothing of it is made then.
 absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message);
 
+// The same of what anybody may ask: INVALID_ARGUMENT for more than 4 KiB too.
+absl::Status ParseShortMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message);
+
 template <typename Message>
 grpc::ByteBuffer BytesOf(const Message& message) {
   grpc::ByteBuffer bytes;

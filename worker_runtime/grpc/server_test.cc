@@ -20,6 +20,7 @@
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "flair/v1/worker_service.grpc.pb.h"
+#include "grpc/health/v1/health.pb.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
@@ -84,14 +85,57 @@ absl::StatusOr<std::string> AskRaw(std::shared_ptr<grpc::Channel> channel, const
   return answer;
 }
 
-// Answers of the health service, as numbers of grpc.health.v1.HealthCheckResponse.ServingStatus; no health.proto is
-// shipped, so the two messages of one field each are written and read by hand.
+using grpc::health::v1::HealthCheckRequest;
+using grpc::health::v1::HealthCheckResponse;
+
 absl::StatusOr<int> Health(std::shared_ptr<grpc::Channel> channel, const std::string& service) {
-  std::string request;
-  if (!service.empty()) request = std::string("\x0a") + static_cast<char>(service.size()) + service;
-  ASSIGN_OR_RETURN(const std::string answer, AskRaw(channel, "/grpc.health.v1.Health/Check", request));
-  return answer.size() < 2 ? 0 : answer[1];
+  HealthCheckRequest request;
+  request.set_service(service);
+  ASSIGN_OR_RETURN(const std::string answer,
+                   AskRaw(channel, "/grpc.health.v1.Health/Check", request.SerializeAsString()));
+  HealthCheckResponse response;
+  return response.ParseFromString(answer) ? response.status() : -1;
 }
+
+// Who watches the health of a service.
+class HealthWatcher {
+ public:
+  HealthWatcher(std::shared_ptr<grpc::Channel> channel, const std::string& service) : stub_(channel) {
+    HealthCheckRequest request;
+    request.set_service(service);
+    stream_ = stub_.PrepareCall(&context_, "/grpc.health.v1.Health/Watch", &queue_);
+    stream_->StartCall(nullptr);
+    Step();
+    stream_->Write(BytesOf(request), nullptr);
+    Step();
+    stream_->WritesDone(nullptr);
+    Step();
+  }
+  ~HealthWatcher() {
+    context_.TryCancel();
+    queue_.Shutdown();
+    while (Step()) continue;
+  }
+  // What it is told next; -1 when that was all.
+  int Next() {
+    grpc::ByteBuffer bytes;
+    stream_->Read(&bytes, nullptr);
+    HealthCheckResponse response;
+    return Step() && ParseMessage(bytes, response).ok() ? response.status() : -1;
+  }
+
+ private:
+  bool Step() {
+    void* tag = nullptr;
+    bool ok = false;
+    return queue_.Next(&tag, &ok) && ok;
+  }
+
+  grpc::GenericStub stub_;
+  grpc::ClientContext context_;
+  grpc::CompletionQueue queue_;
+  std::unique_ptr<grpc::GenericClientAsyncReaderWriter> stream_;
+};
 
 TEST(Server, CarriesCodesAndMessagesOfAHandler) {
   auto server = StartInProcess([](const v1::SolveRequest& request, CallContext& call) {
@@ -201,10 +245,31 @@ TEST_F(ListeningServer, TakesAFreePortAndSaysWhich) {
 }
 
 TEST_F(ListeningServer, ReportsHealthByServiceName) {
-  constexpr int kServing = 1;
-  EXPECT_EQ(*Health(channel_, ""), kServing);
-  EXPECT_EQ(*Health(channel_, "flair.v1.OptimizerService"), kServing);
+  EXPECT_EQ(*Health(channel_, ""), HealthCheckResponse::SERVING);
+  EXPECT_EQ(*Health(channel_, "flair.v1.OptimizerService"), HealthCheckResponse::SERVING);
   EXPECT_EQ(Health(channel_, "flair.v1.LanguageService").status().code(), absl::StatusCode::kNotFound);
+}
+
+TEST_F(ListeningServer, RefusesHealthRequestsThatAreLongOrNone) {
+  EXPECT_EQ(Health(channel_, std::string(4000, 'x')).status().code(), absl::StatusCode::kNotFound);
+  EXPECT_EQ(Health(channel_, std::string(4096, 'x')).status().code(), absl::StatusCode::kInvalidArgument);
+  EXPECT_EQ(AskRaw(channel_, "/grpc.health.v1.Health/Check", "\x0a").status().code(),
+            absl::StatusCode::kInvalidArgument);
+}
+
+TEST_F(ListeningServer, TellsWhoWatchesItsHealthWhenItStops) {
+  HealthWatcher server(channel_, "");
+  HealthWatcher service(channel_, "flair.v1.OptimizerService");
+  HealthWatcher unknown(channel_, "flair.v1.LanguageService");
+  EXPECT_EQ(server.Next(), HealthCheckResponse::SERVING);
+  EXPECT_EQ(service.Next(), HealthCheckResponse::SERVING);
+  EXPECT_EQ(unknown.Next(), HealthCheckResponse::SERVICE_UNKNOWN);
+  auto stopped = std::async(std::launch::async, [&] { server_->Shutdown(absl::Minutes(1)); });
+  for (HealthWatcher* watcher : {&server, &service, &unknown}) {
+    EXPECT_EQ(watcher->Next(), HealthCheckResponse::NOT_SERVING);
+    EXPECT_EQ(watcher->Next(), -1);
+  }
+  stopped.get();
 }
 
 TEST_F(ListeningServer, TellsToolsItsServicesAndTheirMessages) {
