@@ -23,7 +23,6 @@ namespace flair::optimizer {
 namespace {
 
 struct DaylightFromSide {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
 
   // One way for the light: through a window, an interval of its wall, onto a side.

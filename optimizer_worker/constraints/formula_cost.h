@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Turns a formula over one, two or three objects into a Cost. A formula is a struct with
-//   static constexpr int kObjects;
-//   template <typename T> T operator()(const Frames<T, kObjects>& frames) const;   // T: double or a Dual
+//   template <typename T> T operator()(const Frames<T, K>& frames) const;   // K objects; T: double or a Dual
 // It gets frames, not poses: headings only ever enter by sine and cosine, so a full turn changes nothing.
 // It may also say
 //   static constexpr bool kOnlyRelative = true;  // the room does not enter: T has three derivatives fewer, see below
@@ -12,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -92,8 +92,15 @@ concept SeesZero = requires {
 };
 
 template <typename Formula>
+constexpr int ObjectCount() {
+  if constexpr (std::is_invocable_v<const Formula&, Frames<double, 1>>) return 1;
+  if constexpr (std::is_invocable_v<const Formula&, Frames<double, 2>>) return 2;
+  return 3;
+}
+
+template <typename Formula>
 class FormulaCost final : public Cost {
-  static constexpr int kCount = Formula::kObjects;
+  static constexpr int kCount = ObjectCount<Formula>();
   // Of the formula's objects the first so many have derivatives.
   static constexpr int kMoving = OnlyRelative<Formula> ? kCount - 1 : kCount;
   static constexpr int kVariables = 3 * kMoving;
@@ -150,7 +157,7 @@ class FormulaCost final : public Cost {
 };
 
 template <typename Formula>
-std::unique_ptr<Cost> MakeCost(Formula formula, std::array<int, Formula::kObjects> objects) {
+std::unique_ptr<Cost> MakeCost(Formula formula, std::array<int, ObjectCount<Formula>()> objects) {
   return std::make_unique<FormulaCost<Formula>>(std::move(formula), objects);
 }
 

@@ -31,8 +31,6 @@ class LinkedPairs {
 
   // Both belong to each other at all sides.
   void Link(int a, int b);
-  // Symmetric: whether one belongs at some side of the other.
-  bool Linked(int a, int b) const { return sides_.contains({a, b}) || sides_.contains({b, a}); }
   // Whether `other` belongs at that side of `object`.
   bool BelongsAt(int object, int other, Side side) const;
   // Sum of the weights of the calls that put the two beside each other, within a step: 0 for none.

@@ -11,6 +11,7 @@
 #include "flair/constraints/v1/constraint_record.pb.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "optimizer_worker/constraints/measure/walls.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair {
@@ -19,7 +20,6 @@ std::string_view OurRecords();
 }  // namespace flair
 
 namespace flair::optimizer {
-
 namespace {
 
 ConstraintLibrary SortedLibrary() {
@@ -107,6 +107,15 @@ absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const
   }
   ASSIGN_OR_RETURN(Arguments arguments, Arguments::Resolve(facts->type, edge, context.scene));
   return facts->code.bind(arguments, context);
+}
+
+absl::Status CheckHasPlace(const BindContext& context, int zone) {
+  if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
+    return absl::FailedPreconditionError("the zones have no places yet");
+  }
+  if (HasPlace(context.zone_centers[static_cast<size_t>(zone)])) return absl::OkStatus();
+  return FailedPrecondition("nothing stands in zone \"{}\", so it has no place",
+                            context.scene.zones[static_cast<size_t>(zone)].name);
 }
 
 std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene) {

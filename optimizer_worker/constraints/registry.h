@@ -33,6 +33,9 @@ struct BindContext {
 // feature, or the objects are of a kind the type cannot serve); the message names the argument and what would be right.
 absl::StatusOr<std::unique_ptr<Cost>> Bind(const v1::ConstraintEdge& edge, const BindContext& context);
 
+// FAILED_PRECONDITION when nothing stands in the zone.
+absl::Status CheckHasPlace(const BindContext& context, int zone);
+
 // Objects that a call names, ascending, each once; those it merely reads as obstacles are not among them. Empty when
 // the call is not valid.
 std::vector<int> NamedObjects(const v1::ConstraintEdge& edge, const Scene& scene);

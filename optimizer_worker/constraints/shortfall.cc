@@ -113,6 +113,11 @@ std::optional<Shortfall> OffMiddle(const PlacedCall& call, int object, int targe
                       Norm(call.FrameOf(object).center - call.FrameOf(target).center))});
 }
 
+std::optional<Shortfall> OffZone(const PlacedCall& call) {
+  const Zone& zone = call.scene().zones[static_cast<size_t>(call.arguments().Zone("zone"))];
+  return Worst({OffBy(call.NameOf("object"), fmt::format("the {} zone", zone.name), call.CostRoot() / 2)});
+}
+
 std::optional<Shortfall> Worst(const std::vector<Shortfall>& shortfalls) {
   std::optional<Shortfall> worst;
   for (const Shortfall& shortfall : shortfalls) {

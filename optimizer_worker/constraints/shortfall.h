@@ -98,6 +98,8 @@ Shortfall Turned(const std::string& what, const std::string& from, double angle_
 std::vector<Shortfall> OffWall(const PlacedCall& call, int object, Side side, const Wall& wall);
 // From the middle of one to the middle of the other.
 std::optional<Shortfall> OffMiddle(const PlacedCall& call, int object, int target);
+// From the zone that the call names.
+std::optional<Shortfall> OffZone(const PlacedCall& call);
 
 // The one that is missed by most, a degree counting as much as 2 cm; nullopt when none is missed by 1 mm or 0.1
 // degrees.

@@ -34,7 +34,6 @@ T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost
 
 // Sum over areas of the squared depth of an object in each [m2], which is the shortest push out of it.
 struct ClearOfAreas {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<ConvexPiece> areas;

@@ -97,6 +97,26 @@ Polygon Extended(const Polygon& piece, const Vec2<double>& a, const Vec2<double>
 constexpr double kBehind_m = 10;
 constexpr double kOnWall_m = 1e-9;
 
+// A convex area of which one edge lies on the wall, extended behind it.
+ConvexPiece AreaAtWall(const Polygon& area, const Wall& wall) {
+  Polygon extended;
+  for (size_t i = 0; i < area.vertices.size(); ++i) {
+    const auto [p, q] = EdgeAt(area, i);
+    extended.vertices.push_back(p);
+    if (std::abs(wall.Height(p)) < kOnWall_m && std::abs(wall.Height(q)) < kOnWall_m) {
+      extended.vertices.push_back(p - kBehind_m * wall.inward_normal);
+      extended.vertices.push_back(q - kBehind_m * wall.inward_normal);
+    }
+  }
+  ConvexPiece piece(extended);
+  for (size_t i = 0; i < piece.normals.size(); ++i) {
+    if (Dot(piece.normals[i], wall.inward_normal) < -0.5 && wall.Height(piece.vertices[i]) < -kOnWall_m) {
+      piece.exits[i] = false;
+    }
+  }
+  return piece;
+}
+
 }  // namespace
 
 FloorShape::FloorShape(const Polygon& floor) {
@@ -120,25 +140,6 @@ FloorShape::FloorShape(const Polygon& floor) {
       pockets_.push_back(std::move(piece));
     }
   }
-}
-
-ConvexPiece AreaAtWall(const Polygon& area, const Wall& wall) {
-  Polygon extended;
-  for (size_t i = 0; i < area.vertices.size(); ++i) {
-    const auto [p, q] = EdgeAt(area, i);
-    extended.vertices.push_back(p);
-    if (std::abs(wall.Height(p)) < kOnWall_m && std::abs(wall.Height(q)) < kOnWall_m) {
-      extended.vertices.push_back(p - kBehind_m * wall.inward_normal);
-      extended.vertices.push_back(q - kBehind_m * wall.inward_normal);
-    }
-  }
-  ConvexPiece piece(extended);
-  for (size_t i = 0; i < piece.normals.size(); ++i) {
-    if (Dot(piece.normals[i], wall.inward_normal) < -0.5 && wall.Height(piece.vertices[i]) < -kOnWall_m) {
-      piece.exits[i] = false;
-    }
-  }
-  return piece;
 }
 
 ConvexPiece StripAtWall(const Wall& wall, double start_m, double end_m, double depth_m) {

@@ -11,7 +11,6 @@
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Turns an object towards another.
@@ -36,7 +35,6 @@ T Faces(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point)
 }
 
 struct Facing {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint target;
@@ -83,7 +81,6 @@ BoundCost BindFacing(const Arguments& a, const BindContext& context) {
 // from its centre to the target's. Zero exactly when the target is at least 45 degrees off its look. The released
 // io_not_facing is identically zero (SEMANTICS.md section 4).
 struct NotFacing {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>
@@ -113,7 +110,6 @@ BoundCost BindNotFacing(const Arguments& a, const BindContext& context) {
 // released io_parallel squares the difference of headings reduced to [0, 2 pi), which jumps by 39 at the wrap
 // (SEMANTICS.md section 4).
 struct Parallel {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>
@@ -138,7 +134,6 @@ BoundCost BindParallel(const Arguments& a, const BindContext& context) {
 // the middle half of both. The released io_perp drops object 0, reads the pose of another object and divides by zero
 // for parallel ones (SEMANTICS.md section 4).
 struct RightAngle {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>
@@ -154,7 +149,6 @@ T Before(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point
 }
 
 struct PerpendicularAround {
-  static constexpr int kObjects = 3;
   static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint target;

@@ -17,7 +17,6 @@
 #include "room/scene/room.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Keeps an object away from all doors, windows or sockets.
@@ -26,7 +25,6 @@ namespace {
 // Zero exactly when every one is at least min_distance_m away. The released ind_away_from_fixed_object measures from
 // centre to hinge less half a diagonal (SEMANTICS.md section 3).
 struct AwayFromFeature {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   double min_distance_m;
@@ -127,7 +125,6 @@ BoundCost BindClearOfFeature(const Arguments& a, const BindContext& context) {
 // Zero exactly when some feature is within max_distance_m. The released ind_close_to_fixed_object measures to a door's
 // hinge and does not square the excess (SEMANTICS.md section 3).
 struct CloseToFeature {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::optional<Side> side;
@@ -163,7 +160,6 @@ BoundCost BindCloseToFeature(const Arguments& a, const BindContext& context) {
 //                   from the room);  v  how far ahead its middle is
 // Zero exactly when the straight look ahead meets the feature. A socket is taken 0.3 m wide.
 struct FacesFeature {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   std::vector<Segment> features;
 
@@ -221,7 +217,6 @@ struct WindowPlace {
 };
 
 struct UnderWindow {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<WindowPlace> windows;

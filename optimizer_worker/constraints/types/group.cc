@@ -17,7 +17,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Stands objects side by side.

@@ -28,7 +28,6 @@ namespace {
 // walls with headings that are not reduced, so that a painting flush on the south wall at 2 pi costs millions
 // (SEMANTICS.md section 5): here the least wall counts.
 struct OnWallFormula {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<HangingWall> places;
@@ -83,7 +82,6 @@ BoundCost BindOnWall(const Arguments& a, const BindContext& context) {
 //   play      0 for the only thing above the target, else what it can move above it: several share the place
 // Zero exactly when it hangs on the wall that the target stands at, above its middle.
 struct OnWallAbove {
-  static constexpr int kObjects = 2;
   static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
@@ -124,7 +122,6 @@ BoundCost BindOnWallAbove(const Arguments& a, const BindContext& context) {
 //   directions
 // Zero exactly when it hangs on a wall straight ahead of the target's middle half, looking back at it.
 struct OnWallFacing {
-  static constexpr int kObjects = 2;
   Footprint object;
   Footprint target;
   std::vector<HangingWall> places;
@@ -165,7 +162,6 @@ BoundCost BindOnWallFacing(const Arguments& a, const BindContext& context) {
 // Zero exactly when it hangs on a wall, its centre in the zone's Voronoi cell. The released on_wall_in_region is the
 // first part; the second is there so that the call alone says all of its sentence.
 struct OnWallInZone {
-  static constexpr int kObjects = 1;
   Footprint footprint;
   std::vector<HangingWall> places;
   std::vector<Vec2<double>> centers;
@@ -179,21 +175,10 @@ struct OnWallInZone {
   }
 };
 
-std::optional<Shortfall> OnWallInZoneShortfall(const PlacedCall& call) {
-  const Zone& zone = call.scene().zones[static_cast<size_t>(call.arguments().Zone("zone"))];
-  return Worst({OffBy(call.NameOf("object"), fmt::format("the {} zone", zone.name), call.CostRoot() / 2)});
-}
-
 BoundCost BindOnWallInZone(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   const int zone = a.Zone("zone");
-  if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
-    return absl::FailedPreconditionError("the zones have no places yet");
-  }
-  if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
-    return FailedPrecondition("nothing stands in zone \"{}\", so it has no place",
-                              context.scene.zones[static_cast<size_t>(zone)].name);
-  }
+  RETURN_IF_ERROR(CheckHasPlace(context, zone));
   return MakeCost(OnWallInZone{FootprintOf(context, object),
                                HangingWalls(context.scene, object),
                                {context.zone_centers.begin(), context.zone_centers.end()},
@@ -210,7 +195,6 @@ BoundCost BindOnWallInZone(const Arguments& a, const BindContext& context) {
 // beside it. The released on_wall_near adds the squared distance of the centres and is never zero (SEMANTICS.md section
 // 6).
 struct OnWallNear {
-  static constexpr int kObjects = 2;
   static constexpr bool kSeesZero = true;
   Footprint object;
   Footprint target;
@@ -248,7 +232,7 @@ constexpr ConstraintCode kOnWallCode[] = {
     {"on_wall", BindOnWall},
     {"on_wall_above", BindOnWallAbove, OnWallAboveShortfall},
     {"on_wall_facing", BindOnWallFacing, OnWallFacingShortfall},
-    {"on_wall_in_zone", BindOnWallInZone, OnWallInZoneShortfall},
+    {"on_wall_in_zone", BindOnWallInZone, OffZone},
     {"on_wall_near", BindOnWallNear, OnWallNearShortfall},
 };
 

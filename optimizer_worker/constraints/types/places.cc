@@ -17,14 +17,12 @@
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Keeps two objects apart: cost = max(min - gap, 0)^2 [m2], gap the signed gap between the two rectangles.
 // Zero exactly when they are at least min_distance_m apart. The released io_away_from is exp(min - centre distance),
 // never zero (SEMANTICS.md section 4).
 struct AwayFrom {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   static constexpr bool kSeesZero = true;
   Footprint object;
@@ -59,7 +57,6 @@ BoundCost BindAwayFrom(const Arguments& a, const BindContext& context) {
 // Zero exactly when its centre lies over the middle half of the way from one to the other. The released io_between asks
 // it to touch both, with all three facing the same way (SEMANTICS.md section 4).
 struct Between {
-  static constexpr int kObjects = 3;
   static constexpr bool kOnlyRelative = true;
   Footprint footprint;
 
@@ -100,7 +97,6 @@ BoundCost BindBetween(const Arguments& a, const BindContext& context) {
 // half turn is the same). The released io_infront asks for one point, counts a side shift like a distance and jumps
 // where headings wrap (SEMANTICS.md section 4).
 struct InFrontOf {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint target;
@@ -155,7 +151,6 @@ BoundCost BindInFrontOf(const Arguments& a, const BindContext& context) {
 // Zero exactly when they are at most max_distance_m apart. The released io_near measures from centre to centre
 // (SEMANTICS.md section 4).
 struct Near {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   static constexpr bool kSeesZero = true;
   Footprint object;
@@ -210,7 +205,6 @@ T SidesMeet(const Footprint& first, const Frame<T>& first_frame, Side first_side
 }
 
 struct NextTo {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   static constexpr bool kSeesZero = true;
   Footprint object;

@@ -17,7 +17,6 @@ namespace {
 // Weakly prefers headings along the room's axes: cost = sin^2(2 theta) / 5, [Paper] Eq. aligned, as released.
 // In a room that is not an upright rectangle theta is measured from its longest wall. Zero at every quarter turn.
 struct AlignedFormula {
-  static constexpr int kObjects = 1;
   // Unit vector along the longest wall.
   Vec2<double> axis;
 
@@ -92,7 +91,6 @@ BoundCost BindDoorClear(const Arguments& a, const BindContext& context) {
 // Zero exactly when the whole rectangle is on the floor. For a rectangular room [Paper] Eq. in_bounds: the released
 // function is 10 times this. The weight is the solver's.
 struct InBoundsFormula {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   FloorShape floor;
@@ -114,7 +112,6 @@ BoundCost BindInBounds(const Arguments& a, const BindContext& context) {
 // direction. The paper's Eq. no_overlap sums squared edge lengths of the intersection, which jumps from 0 to 10 at
 // contact and has no usable slope (SEMANTICS.md section 5).
 struct NoOverlap {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   Footprint first;
   Footprint second;
@@ -143,7 +140,6 @@ BoundCost BindNoOverlap(const Arguments& a, const BindContext& context) {
 // [Paper] Eq. wall_attraction without its factor 1/lambda_2. Zero exactly when the object is within T of a wall. The
 // released term also asks for the back to be the nearest side; that is against_wall's matter.
 struct WallAttractionFormula {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   std::vector<Wall> walls;
   // r + T.

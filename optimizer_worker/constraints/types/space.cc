@@ -224,7 +224,6 @@ BoundCost BindAccessible(const Arguments& a, const BindContext& context) {
 // Zero exactly when the centre is in the middle third along one axis (or both). The released ind_central multiplies hx
 // and hy, so that it is flat along either third, and adds a heading term that whole-room alignment has already.
 struct Central {
-  static constexpr int kObjects = 1;
   BoundingBox box;
   bool both;
 
@@ -257,7 +256,6 @@ BoundCost BindCentral(const Arguments& a, const BindContext& context) {
 // released ind_facing_into_room is this with arccos without clipping, which scores 0 for many objects that are turned
 // exactly away.
 struct FacingIntoRoom {
-  static constexpr int kObjects = 1;
   Vec2<double> room_center;
 
   template <typename T>
@@ -285,7 +283,6 @@ BoundCost BindFacingIntoRoom(const Arguments& a, const BindContext& context) {
 // Keeps an object's centre in the Voronoi cell of a zone: cost as in measure/walls.h [m2]. Zero exactly in the cell.
 // The released ind_in_region is 5 times this.
 struct InZone {
-  static constexpr int kObjects = 1;
   std::vector<Vec2<double>> centers;
   int zone;
 
@@ -295,20 +292,9 @@ struct InZone {
   }
 };
 
-std::optional<Shortfall> InZoneShortfall(const PlacedCall& call) {
-  const Zone& zone = call.scene().zones[static_cast<size_t>(call.arguments().Zone("zone"))];
-  return Worst({OffBy(call.NameOf("object"), fmt::format("the {} zone", zone.name), call.CostRoot() / 2)});
-}
-
 BoundCost BindInZone(const Arguments& a, const BindContext& context) {
   const int zone = a.Zone("zone");
-  if (static_cast<size_t>(zone) >= context.zone_centers.size()) {
-    return absl::FailedPreconditionError("the zones have no places yet");
-  }
-  if (!HasPlace(context.zone_centers[static_cast<size_t>(zone)])) {
-    return FailedPrecondition("nothing stands in zone \"{}\", so it has no place",
-                              context.scene.zones[static_cast<size_t>(zone)].name);
-  }
+  RETURN_IF_ERROR(CheckHasPlace(context, zone));
   return MakeCost(InZone{{context.zone_centers.begin(), context.zone_centers.end()}, zone}, {a.Object("object")});
 }
 
@@ -324,7 +310,7 @@ constexpr ConstraintCode kSpaceCode[] = {
     {"accessible", BindAccessible, AccessibleShortfall},
     {"central", BindCentral, CentralShortfall},
     {"facing_into_room", BindFacingIntoRoom, FacingIntoRoomShortfall},
-    {"in_zone", BindInZone, InZoneShortfall},
+    {"in_zone", BindInZone, OffZone},
     {"zone", BindZoneAffinity},
 };
 

@@ -29,8 +29,9 @@ TEST(Accessible, CallsThatPutTwoTogetherLinkThem) {
   const std::vector<v1::ConstraintEdge> edges = {EdgeFromText("next_to", "object=chair target=desk"),
                                                  EdgeFromText("away_from", "object=bed target=desk")};
   const LinkedPairs linked(text->scene, edges);
-  EXPECT_TRUE(linked.Linked(0, 1));
-  EXPECT_FALSE(linked.Linked(0, 2));
+  EXPECT_TRUE(linked.BelongsAt(0, 1, Side::kLeft));
+  EXPECT_FALSE(linked.BelongsAt(0, 2, Side::kLeft));
+  EXPECT_FALSE(linked.BelongsAt(2, 0, Side::kLeft));
 }
 
 TEST(Accessible, AThingBelongsOnlyWhereItsCallPutsIt) {

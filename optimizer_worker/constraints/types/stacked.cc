@@ -9,13 +9,11 @@
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Hangs an object above another: cost = |c1 - c2|^2 [m2], as the released ceiling_above. Zero exactly when the centres
 // meet.
 struct CeilingAbove {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>
@@ -35,7 +33,6 @@ BoundCost BindCeilingAbove(const Arguments& a, const BindContext& context) {
 // Hangs an object from the middle of the ceiling: cost = |c - c_room|^2 [m2], as the released center_ceiling. The
 // room's centre is its centre of mass. Zero exactly there.
 struct CeilingCenter {
-  static constexpr int kObjects = 1;
   Vec2<double> room_center;
 
   template <typename T>
@@ -58,7 +55,6 @@ BoundCost BindCeilingCenter(const Arguments& a, const BindContext& context) {
 // Zero exactly when no corner sticks out. The released io_on sums edges of the intersection, so that less contact costs
 // less (SEMANTICS.md section 4).
 struct On {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   static constexpr bool kSeesZero = true;
   Footprint object;
@@ -84,7 +80,6 @@ BoundCost BindOn(const Arguments& a, const BindContext& context) {
 // Sets a thing on the middle of another: cost = |c1 - c2|^2 + (1 - cos(theta_1 - theta_2)) [m2]. Zero exactly when the
 // centres meet and both face the same way. The released on_top_central compares headings that wrap.
 struct OnTopCenter {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>
@@ -111,7 +106,6 @@ BoundCost BindOnTopCenter(const Arguments& a, const BindContext& context) {
 // Zero exactly when it stands wholly on the host, its centre in that quarter, facing the same way. The released
 // on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
 struct OnTopCorner {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   Footprint object;
   Footprint host;
@@ -152,7 +146,6 @@ BoundCost BindOnTopCorner(const Arguments& a, const BindContext& context) {
 // Centres a rug under an object: cost = |c_rug - c_object|^2 [m2], as the released rug_under_central. Zero exactly when
 // the centres meet.
 struct RugUnderCenter {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>
@@ -175,7 +168,6 @@ BoundCost BindRugUnderCenter(const Arguments& a, const BindContext& context) {
 // Zero exactly when the rug is centred on the front edge, its longer side along it; a half turn is the same. The
 // released rug_under_central_forward compares directed edges by arccos without clipping (SEMANTICS.md section 6).
 struct RugUnderForward {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
   Footprint rug;
   Footprint object;
@@ -207,7 +199,6 @@ BoundCost BindRugUnderForward(const Arguments& a, const BindContext& context) {
 // centres meet and the sides are parallel; a half turn is the same. The released io_under_central compares headings
 // that wrap.
 struct UnderCenter {
-  static constexpr int kObjects = 2;
   static constexpr bool kOnlyRelative = true;
 
   template <typename T>

@@ -19,7 +19,6 @@
 #include "room/scene/room.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 // Keeps one side of an object (its back by default) on a wall.
@@ -31,7 +30,6 @@ namespace {
 // The released ind_next_to_wall multiplies the distances to two walls, so that the same gap costs more in a larger
 // room; SEMANTICS.md section 3 names this form as correct.
 struct AgainstWall {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   Side side;
@@ -65,7 +63,6 @@ BoundCost BindAgainstWall(const Arguments& a, const BindContext& context) {
 //   offset  place of the back's middle along the wall of length L
 // Zero exactly when the back lies on the wall, centred.
 struct CenteredOnWall {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   std::vector<Wall> walls;
@@ -112,7 +109,6 @@ struct RoomCorner {
 };
 
 struct InCorner {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   Side side;
@@ -160,7 +156,6 @@ BoundCost BindInCorner(const Arguments& a, const BindContext& context) {
 // Zero exactly when the side is at most max_distance_m from a wall that it looks at (within 45 degrees). The released
 // ind_near_wall has no side, so that calls with one fail silently (SEMANTICS.md section 3).
 struct NearWall {
-  static constexpr int kObjects = 1;
   static constexpr bool kSeesZero = true;
   Footprint footprint;
   Side side;
@@ -215,7 +210,6 @@ BoundCost BindNearWall(const Arguments& a, const BindContext& context) {
 // least min_distance_m from every wall. The released ind_not_against_wall is 10 times this, lets corners pass through
 // walls and refuses the side that its own documentation names (SEMANTICS.md section 3).
 struct NotAgainstWall {
-  static constexpr int kObjects = 1;
   Footprint footprint;
   std::optional<Side> side;
   double min_distance_m;
@@ -304,7 +298,6 @@ std::vector<std::pair<Wall, Wall>> CornerWalls(const Room& room) {
 }
 
 struct NotInCorner {
-  static constexpr int kObjects = 1;
   Footprint footprint;
   double min_distance_m;
   // The walls before and after each corner.
@@ -340,7 +333,6 @@ BoundCost BindNotInCorner(const Arguments& a, const BindContext& context) {
 // half way between the directions of two walls; a rectangle has one direction. Models call it (ind_parallel_to_wall);
 // the released library has no such function, only `aligned` for all objects.
 struct ParallelToWall {
-  static constexpr int kObjects = 1;
   // Unit vectors along the walls, one of those that are parallel or at right angles.
   std::vector<Vec2<double>> directions;
 
