@@ -15,12 +15,10 @@
 
 #include "absl/time/clock.h"
 #include "cli/batch/collector.h"
-#include "cli/batch/results_file.h"
 #include "cli/exit_code.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"
 #include "cli/output/text.h"
-#include "cli/progress/progress.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "worker_runtime/status/status_macros.h"
@@ -139,6 +137,16 @@ size_t TerminalWidth() {
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col - 1u : 79u;
 }
 
+// Why the batch cannot be deleted yet, and what to do; OK when it can.
+absl::Status CheckHasEnded(const v1::Batch& batch) {
+  if (!batch.open() && batch.open_count() == 0) return absl::OkStatus();
+  const std::string why = batch.open_count() > 0 ? Counted(batch.open_count(), "of its jobs is waiting or running",
+                                                           "of its jobs are waiting or running")
+                                                 : "lines may still be added to it";
+  return EndWith(kExitBadInput, "batch {} has not ended: {}; end it first: flair batch cancel {}", batch.id(), why,
+                 batch.id());
+}
+
 }  // namespace
 
 Interruption::Interruption() {
@@ -210,15 +218,6 @@ absl::Status RunBatch(const v1::Batch& batch, Session& session, BatchFolder& fol
   if (!collected.ok()) return collected;
   if (options.submit_only) return absl::OkStatus();
   return Summarize(session, batch, folder, options);
-}
-
-absl::Status CheckHasEnded(const v1::Batch& batch) {
-  if (!batch.open() && batch.open_count() == 0) return absl::OkStatus();
-  const std::string why = batch.open_count() > 0 ? Counted(batch.open_count(), "of its jobs is waiting or running",
-                                                           "of its jobs are waiting or running")
-                                                 : "lines may still be added to it";
-  return EndWith(kExitBadInput, "batch {} has not ended: {}; end it first: flair batch cancel {}", batch.id(), why,
-                 batch.id());
 }
 
 absl::Status DeleteWholeBatch(const v1::Batch& batch, Session& batches, const DeletionOptions& options) {

@@ -154,9 +154,6 @@ struct DeletionOptions {
   bool json = false;
 };
 
-// Why the batch cannot be deleted yet, and what to do; OK when it can.
-absl::Status CheckHasEnded(const v1::Batch& batch);
-
 // Deletes the batch with its jobs and what only they have, step by step, and says so: how far it came, when it takes
 // long, and what was freed. Asks the person at the terminal first; where none is, `yes` must be set. What it cannot do,
 // and being stopped in the middle, end with the exit codes of exit_code.h.

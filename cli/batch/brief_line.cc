@@ -146,27 +146,24 @@ absl::Status Check(const v1::JobSpec& spec) {
       {{"\n", "; "}, {"solve_options.", "solve."}, {"render_options.", "render."}, {"model_options.", "models."}}));
 }
 
-using google::protobuf::Descriptor;
-using google::protobuf::EnumDescriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+namespace pb = google::protobuf;
 
-const FieldDescriptor* FieldNamed(const Descriptor& type, const std::string& name) {
-  const FieldDescriptor* field = type.FindFieldByName(name);
+const pb::FieldDescriptor* FieldNamed(const pb::Descriptor& type, const std::string& name) {
+  const pb::FieldDescriptor* field = type.FindFieldByName(name);
   return field != nullptr ? field : type.FindFieldByCamelcaseName(name);
 }
 
 // "leave-out" to MISFIT_POLICY_LEAVE_OUT; what is no word of the enum stays.
-void SpellOutWord(const EnumDescriptor& type, json& value) {
+void SpellOutWord(const pb::EnumDescriptor& type, json& value) {
   if (!value.is_string()) return;
   if (const auto* const word = FindWord(type, value.get<std::string>())) value = word->name();
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the text, whose depth was checked.
-void SpellOutWords(const Descriptor& type, json& object) {
+void SpellOutWords(const pb::Descriptor& type, json& object) {
   if (!object.is_object()) return;
   for (auto& [name, value] : object.items()) {
-    const FieldDescriptor* field = FieldNamed(type, name);
+    const pb::FieldDescriptor* field = FieldNamed(type, name);
     if (field == nullptr) continue;
     const auto spell_out = [field](json& one) {
       if (field->enum_type() != nullptr) SpellOutWord(*field->enum_type(), one);
@@ -181,14 +178,14 @@ void SpellOutWords(const Descriptor& type, json& object) {
 }
 
 // Whether the field is a message whose own fields are named one by one.
-bool HasParts(const FieldDescriptor& field, const json& value) {
+bool HasParts(const pb::FieldDescriptor& field, const json& value) {
   return field.message_type() != nullptr && !field.is_repeated() && value.is_object();
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the text, whose depth was checked.
-void Clear(const json& object, Message& message) {
+void Clear(const json& object, pb::Message& message) {
   for (const auto& [name, value] : object.items()) {
-    const FieldDescriptor* field = FieldNamed(*message.GetDescriptor(), name);
+    const pb::FieldDescriptor* field = FieldNamed(*message.GetDescriptor(), name);
     if (field == nullptr) continue;
     if (HasParts(*field, value)) {
       if (message.GetReflection()->HasField(message, field)) {
@@ -230,14 +227,14 @@ absl::StatusOr<BriefLine> ReadBriefLine(std::string_view line, const v1::JobSpec
   return read;
 }
 
-absl::Status SetFromJson(const json& object, std::string_view path, Message& message) {
+absl::Status SetFromJson(const json& object, std::string_view path, pb::Message& message) {
   if (!object.is_object()) {
     return InvalidArgument("{}: is {}; expected an object of {}", path, JsonText(object).substr(0, 80),
                            message.GetDescriptor()->name());
   }
   json spelt = object;
   SpellOutWords(*message.GetDescriptor(), spelt);
-  const std::unique_ptr<Message> said(message.New());
+  const std::unique_ptr<pb::Message> said(message.New());
   // The parser says NAME:LINE: FIELD: what; everything here is on one line.
   const absl::Status status = ParseJsonMessage("", JsonText(spelt), *said);
   if (!status.ok()) {

@@ -13,7 +13,6 @@
 #include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
 #include "flair/v1/translator_service.pb.h"
-#include "fmt/format.h"
 #include "language_worker/handbook/completion/complete_constraints.h"
 #include "language_worker/handbook/loading/load_handbook.h"
 #include "language_worker/handbook/parts/furniture_index.h"

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/layout_graph.pb.h"
 #include "flair/v1/optimizer_service.pb.h"

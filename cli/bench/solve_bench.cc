@@ -5,7 +5,6 @@
 
 #include "cli/bench/bench.h"
 #include "cli/output/message_view.h"
-#include "fmt/format.h"
 #include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/solve_layout.h"
 #include "worker_runtime/status/status_macros.h"

@@ -18,9 +18,7 @@
 namespace flair::contract {
 namespace {
 
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::TextFormat;
+namespace pb = google::protobuf;
 
 // Calls until something is true, at most.
 constexpr int kMostCalls = 100;
@@ -46,12 +44,12 @@ data::CheckFile ReadChecks() {
   return file;
 }
 
-std::unique_ptr<Message> NewMessage(const google::protobuf::Descriptor& type) {
-  return std::unique_ptr<Message>(google::protobuf::MessageFactory::generated_factory()->GetPrototype(&type)->New());
+std::unique_ptr<pb::Message> NewMessage(const pb::Descriptor& type) {
+  return std::unique_ptr<pb::Message>(pb::MessageFactory::generated_factory()->GetPrototype(&type)->New());
 }
 
-const google::protobuf::MethodDescriptor& MethodOf(const std::string& service, const std::string& call) {
-  const auto* const found = google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(service);
+const pb::MethodDescriptor& MethodOf(const std::string& service, const std::string& call) {
+  const auto* const found = pb::DescriptorPool::generated_pool()->FindServiceByName(service);
   const auto* const method = found == nullptr ? nullptr : found->FindMethodByName(call);
   if (method == nullptr) std::abort();
   return *method;
@@ -79,8 +77,8 @@ std::string Difference(const std::string& got, const std::string& wanted) {
 }
 
 // What `edit` says, at the part of the request; see data::Refusal.
-void Spoil(const data::Refusal& refusal, const std::string& edit, Message& request) {
-  Message& part = PartOf(request, refusal.at());
+void Spoil(const data::Refusal& refusal, const std::string& edit, pb::Message& request) {
+  pb::Message& part = PartOf(request, refusal.at());
   std::string_view text = edit;
   while (text.starts_with('-')) {
     const std::string_view word = text.substr(1, text.find(' ') - 1);
@@ -107,7 +105,7 @@ void AddRefusals(const data::Stage& stage, const data::Refusals& refusals, v1::C
     const std::string field = NamedBy(refusal);
     const auto run = [&stage, &refusals, &refusal, field, shared](Target& target) -> Finding {
       Run run(&target, *shared);
-      const std::unique_ptr<Message> bad = NewMessage(*MethodOf(stage.service(), refusals.call()).input_type());
+      const std::unique_ptr<pb::Message> bad = NewMessage(*MethodOf(stage.service(), refusals.call()).input_type());
       run.Fill(refusals.with(), *bad);
       Spoil(refusal, run.Inserted(refusal.edit(), true), *bad);
       const absl::Status status = target.AskForBytes(*bad).status();
@@ -126,17 +124,17 @@ void AddRefusals(const data::Stage& stage, const data::Refusals& refusals, v1::C
 
 // The RPCs about one job, batch or artifact, told from the fields of their requests.
 void AddUnknownIds(const std::string& service, Checks& checks) {
-  const auto& found = *google::protobuf::DescriptorPool::generated_pool()->FindServiceByName(service);
+  const auto& found = *pb::DescriptorPool::generated_pool()->FindServiceByName(service);
   for (int i = 0; i < found.method_count(); ++i) {
-    const google::protobuf::MethodDescriptor& method = *found.method(i);
+    const pb::MethodDescriptor& method = *found.method(i);
     // Lists take ids as filters: nothing matches one that is not there.
     if (method.name().starts_with("List")) continue;
     for (const char* name : {"job_id", "batch_id", "artifact_id"}) {
-      const FieldDescriptor* const id = method.input_type()->FindFieldByName(name);
+      const pb::FieldDescriptor* const id = method.input_type()->FindFieldByName(name);
       if (id == nullptr || id->is_repeated()) continue;
       const std::string sent = method.name() + " of an id that is not there";
       const auto run = [&method, id](Target& target) -> Finding {
-        const std::unique_ptr<Message> request = NewMessage(*method.input_type());
+        const std::unique_ptr<pb::Message> request = NewMessage(*method.input_type());
         request->GetReflection()->SetString(request.get(), id, std::string(64, '0'));
         const absl::Status status = target.AskForBytes(*request).status();
         return absl::IsNotFound(status) ? Kept() : Wrong(StatusText(status));
@@ -149,8 +147,8 @@ void AddUnknownIds(const std::string& service, Checks& checks) {
 
 }  // namespace
 
-void MergeText(const std::string& text, Message& message) {
-  if (!TextFormat::MergeFromString(text, &message)) std::abort();
+void MergeText(const std::string& text, pb::Message& message) {
+  if (!pb::TextFormat::MergeFromString(text, &message)) std::abort();
 }
 
 const data::CheckFile& AllChecks() {
@@ -160,17 +158,17 @@ const data::CheckFile& AllChecks() {
 
 Sample SampleOf(const data::Stage& stage) {
   const data::Sample& sample = stage.sample();
-  const google::protobuf::MethodDescriptor& method = MethodOf(stage.service(), sample.call());
+  const pb::MethodDescriptor& method = MethodOf(stage.service(), sample.call());
   const auto filled = [&method](const std::string& text) {
     Run::Shared nothing;
-    std::shared_ptr<Message> request = NewMessage(*method.input_type());
+    std::shared_ptr<pb::Message> request = NewMessage(*method.input_type());
     Run(nullptr, nothing).Fill(text, *request);
     return request;
   };
   Sample made{.what = sample.what(), .request = filled(sample.with()), .fault = {}, .core = {}, .long_requests = {}};
   for (const std::string& text : sample.long_requests()) made.long_requests.push_back(filled(text));
   made.fault = [&sample, &method, request = made.request](const std::string& bytes) {
-    std::unique_ptr<Message> answer = NewMessage(*method.output_type());
+    std::unique_ptr<pb::Message> answer = NewMessage(*method.output_type());
     if (!answer->ParseFromString(bytes)) return "bytes that are no " + method.output_type()->name();
     Run::Shared nothing;
     return Run(nullptr, nothing).FaultOf(sample.expect(), *request, std::move(answer));
@@ -178,7 +176,7 @@ Sample SampleOf(const data::Stage& stage) {
   if (sample.stable_part().empty()) return made;
   made.core = [&sample, &method](const std::string& bytes) {
     if (sample.stable_part() == "*") return bytes;
-    const std::unique_ptr<Message> answer = NewMessage(*method.output_type());
+    const std::unique_ptr<pb::Message> answer = NewMessage(*method.output_type());
     answer->ParseFromString(bytes);
     return absl::StrJoin(Texts(ValuesAt(*answer, sample.stable_part())), "\n");
   };
@@ -211,7 +209,7 @@ Finding Run::Do(const data::Check& check) {
   return Do(check.steps());
 }
 
-Finding Run::Do(const google::protobuf::RepeatedPtrField<data::Step>& steps) {
+Finding Run::Do(const pb::RepeatedPtrField<data::Step>& steps) {
   for (const data::Step& step : steps) {
     if (Finding finding = Do(step); finding.verdict != Verdict::kKept) return finding;
   }
@@ -249,10 +247,10 @@ Finding Run::Do(const data::Step& step) {
 }
 
 Finding Run::Call(const data::Step& step) {
-  const google::protobuf::MethodDescriptor& method = MethodOf(target_->options().service, step.call());
+  const pb::MethodDescriptor& method = MethodOf(target_->options().service, step.call());
   std::vector<std::string> sent;
   for (const std::string& text : step.with()) {
-    const std::shared_ptr<Message> request = NewMessage(*method.input_type());
+    const std::shared_ptr<pb::Message> request = NewMessage(*method.input_type());
     Fill(text, *request);
     request_ = request;
     sent.push_back(request->SerializeAsString());
@@ -271,7 +269,7 @@ Finding Run::Call(const data::Step& step) {
     }
     if (!received.ok()) return Kept();
     for (const std::string& bytes : *received) {
-      std::unique_ptr<Message> answer = NewMessage(*method.output_type());
+      std::unique_ptr<pb::Message> answer = NewMessage(*method.output_type());
       if (!answer->ParseFromString(bytes)) {
         return DataLoss("the answer's {} bytes are no {}", bytes.size(), answer->GetTypeName());
       }
@@ -294,9 +292,9 @@ Values Run::ValuesOf(std::string_view path) const {
   return values;
 }
 
-std::string Run::FaultOf(const google::protobuf::RepeatedPtrField<data::Expect>& expected, const Message& request,
-                         std::unique_ptr<Message> answer) {
-  request_ = std::shared_ptr<const Message>(std::shared_ptr<void>(), &request);
+std::string Run::FaultOf(const pb::RepeatedPtrField<data::Expect>& expected, const pb::Message& request,
+                         std::unique_ptr<pb::Message> answer) {
+  request_ = std::shared_ptr<const pb::Message>(std::shared_ptr<void>(), &request);
   answers_.clear();
   answers_.push_back(std::move(answer));
   for (const data::Expect& expect : expected) {

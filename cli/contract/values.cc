@@ -15,9 +15,7 @@
 namespace flair::contract {
 namespace {
 
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::Reflection;
+namespace pb = google::protobuf;
 
 // Takes what stands before the first of `ends` outside of brackets, and that character.
 std::string_view Take(std::string_view& text, std::string_view ends) {
@@ -33,7 +31,7 @@ std::string_view Take(std::string_view& text, std::string_view ends) {
 int Number(std::string_view digits) { return std::atoi(std::string(digits).c_str()); }
 
 // Which of `count` messages the brackets mean: "[]", "[-1]", "[2:]", "[id=bed][kind!=FLOOR]".
-std::vector<int> Chosen(std::string_view brackets, int count, const std::function<const Message&(int)>& item) {
+std::vector<int> Chosen(std::string_view brackets, int count, const std::function<const pb::Message&(int)>& item) {
   std::vector<int> chosen(static_cast<size_t>(count));
   std::iota(chosen.begin(), chosen.end(), 0);
   while (brackets.starts_with('[')) {
@@ -59,13 +57,13 @@ std::vector<int> Chosen(std::string_view brackets, int count, const std::functio
 }
 
 // `index` is that of a list's item, -1 for a single field.
-Value ValueOf(const Message& message, const FieldDescriptor& field, int index) {
-  const Reflection& reflection = *message.GetReflection();
-  if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+Value ValueOf(const pb::Message& message, const pb::FieldDescriptor& field, int index) {
+  const pb::Reflection& reflection = *message.GetReflection();
+  if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_STRING) {
     return {index < 0 ? reflection.GetString(message, &field) : reflection.GetRepeatedString(message, &field, index),
             true};
   }
-  google::protobuf::TextFormat::Printer printer;
+  pb::TextFormat::Printer printer;
   printer.SetSingleLineMode(true);
   Value value;
   printer.PrintFieldValueToString(message, &field, index, &value.text);
@@ -73,9 +71,9 @@ Value ValueOf(const Message& message, const FieldDescriptor& field, int index) {
 }
 
 // What is at the rest of the path in one item of a list, or in a single field.
-Values Within(const Message& message, const FieldDescriptor& field, int index, std::string_view path) {
+Values Within(const pb::Message& message, const pb::FieldDescriptor& field, int index, std::string_view path) {
   if (path.empty()) return {ValueOf(message, field, index)};
-  const Reflection& reflection = *message.GetReflection();
+  const pb::Reflection& reflection = *message.GetReflection();
   return ValuesAt(
       index < 0 ? reflection.GetMessage(message, &field) : reflection.GetRepeatedMessage(message, &field, index), path);
 }
@@ -99,26 +97,26 @@ bool Each(const std::vector<std::string>& got, const std::function<bool(const st
 
 }  // namespace
 
-const FieldDescriptor& FieldOf(const Message& message, std::string_view name) {
-  const FieldDescriptor* const field = message.GetDescriptor()->FindFieldByName(std::string(name));
+const pb::FieldDescriptor& FieldOf(const pb::Message& message, std::string_view name) {
+  const pb::FieldDescriptor* const field = message.GetDescriptor()->FindFieldByName(std::string(name));
   if (field == nullptr) std::abort();
   return *field;
 }
 
-Values ValuesAt(const Message& message, std::string_view path) {
+Values ValuesAt(const pb::Message& message, std::string_view path) {
   std::string_view step = Take(path, ".");
   const bool counts = step.ends_with('#');
   if (counts) step.remove_suffix(1);
   const size_t bracket = std::min(step.find('['), step.size());
-  const FieldDescriptor& field = FieldOf(message, step.substr(0, bracket));
-  const Reflection& reflection = *message.GetReflection();
+  const pb::FieldDescriptor& field = FieldOf(message, step.substr(0, bracket));
+  const pb::Reflection& reflection = *message.GetReflection();
   if (!field.is_repeated()) {
     const bool absent = field.has_presence() && !reflection.HasField(message, &field);
     return absent && path.empty() ? Values() : Within(message, field, -1, path);
   }
   const std::vector<int> chosen =
       Chosen(step.substr(bracket), reflection.FieldSize(message, &field),
-             [&](int i) -> const Message& { return reflection.GetRepeatedMessage(message, &field, i); });
+             [&](int i) -> const pb::Message& { return reflection.GetRepeatedMessage(message, &field, i); });
   if (counts) return Counted(chosen.size());
   Values values;
   for (const int i : chosen) std::ranges::move(Within(message, field, i, path), std::back_inserter(values));
@@ -130,19 +128,19 @@ Values ValuesAt(const Messages& answers, std::string_view path) {
   const std::string_view step = Take(path, ".");
   Values values;
   for (const int i :
-       Chosen(step, static_cast<int>(answers.size()), [&](int i) -> const Message& { return *answers[i]; })) {
+       Chosen(step, static_cast<int>(answers.size()), [&](int i) -> const pb::Message& { return *answers[i]; })) {
     std::ranges::move(ValuesAt(*answers[static_cast<size_t>(i)], path), std::back_inserter(values));
   }
   return values;
 }
 
-Message& PartOf(Message& message, std::string_view path) {
-  Message* part = &message;
+pb::Message& PartOf(pb::Message& message, std::string_view path) {
+  pb::Message* part = &message;
   while (!path.empty()) {
     const std::string_view step = Take(path, ".");
     const size_t bracket = step.find('[');
-    const FieldDescriptor& field = FieldOf(*part, step.substr(0, bracket));
-    const Reflection& reflection = *part->GetReflection();
+    const pb::FieldDescriptor& field = FieldOf(*part, step.substr(0, bracket));
+    const pb::Reflection& reflection = *part->GetReflection();
     part = bracket == std::string_view::npos
                ? reflection.MutableMessage(part, &field)
                : reflection.MutableRepeatedMessage(part, &field, Number(step.substr(bracket + 1)));
@@ -150,8 +148,8 @@ Message& PartOf(Message& message, std::string_view path) {
   return *part;
 }
 
-const Message& PartOf(const Message& message, std::string_view path) {
-  const Message* part = &message;
+const pb::Message& PartOf(const pb::Message& message, std::string_view path) {
+  const pb::Message* part = &message;
   while (!path.empty()) part = &part->GetReflection()->GetMessage(*part, &FieldOf(*part, Take(path, ".")));
   return *part;
 }

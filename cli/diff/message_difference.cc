@@ -20,9 +20,7 @@
 namespace flair::cli {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+namespace pb = google::protobuf;
 
 // How items of a list are compared that has a section of its own.
 struct Rule {
@@ -78,40 +76,40 @@ std::string TitleOf(const Descriptor& what, const std::string& otherwise) {
 // Compared elsewhere, or by what follows from them.
 const std::set<std::string_view> kSkipped = {"diagnostics", "walls", "edges"};
 
-const Rule* RuleFor(const FieldDescriptor& field) {
+const Rule* RuleFor(const pb::FieldDescriptor& field) {
   if (!field.is_repeated() || field.message_type() == nullptr) return nullptr;
   const auto found = std::ranges::find(Rules(), field.message_type()->name(), &Rule::type);
   return found == Rules().end() ? nullptr : &*found;
 }
 
 // A message that has a section of its own, because it has lists of things.
-bool IsPart(const FieldDescriptor& field) {
+bool IsPart(const pb::FieldDescriptor& field) {
   if (field.is_repeated() || field.message_type() == nullptr) return false;
-  const Descriptor& type = *field.message_type();
+  const pb::Descriptor& type = *field.message_type();
   for (int i = 0; i < type.field_count(); ++i) {
     if (RuleFor(*type.field(i)) != nullptr) return true;
   }
   return false;
 }
 
-const Message& ItemOf(const Message& message, const FieldDescriptor& list, int i) {
+const pb::Message& ItemOf(const pb::Message& message, const pb::FieldDescriptor& list, int i) {
   return message.GetReflection()->GetRepeatedMessage(message, &list, i);
 }
 
-std::vector<std::string> ValuesOf(const Message& item, std::string_view fields) {
+std::vector<std::string> ValuesOf(const pb::Message& item, std::string_view fields) {
   std::vector<std::string> values;
   for (const auto piece : absl::StrSplit(std::string(fields), ' ', absl::SkipEmpty())) {
     const std::string name(piece);
-    const FieldDescriptor& field = *item.GetDescriptor()->FindFieldByName(name);
+    const pb::FieldDescriptor& field = *item.GetDescriptor()->FindFieldByName(name);
     const std::string value = ValueInWords(item, field);
     if (value.empty()) continue;
-    const bool is_text = field.cpp_type() == FieldDescriptor::CPPTYPE_STRING;
+    const bool is_text = field.cpp_type() == pb::FieldDescriptor::CPPTYPE_STRING;
     values.push_back(is_text ? value : NameInWords(field) + " " + value);
   }
   return values;
 }
 
-std::string SubjectOf(const Message& item, const Rule& rule) {
+std::string SubjectOf(const pb::Message& item, const Rule& rule) {
   std::string subject = fmt::format("{}", fmt::join(ValuesOf(item, rule.subject), " "));
   for (const std::string& aside : ValuesOf(item, rule.aside)) {
     if (aside != absl::StrReplaceAll(subject, {{"_", " "}})) subject += fmt::format(" ({})", aside);
@@ -130,14 +128,13 @@ std::string Quoted(std::string text) {
 }
 
 // Types that change as a whole.
-bool IsWhole(const Descriptor& type) {
-  return &type == v1::Colour::descriptor() || &type == v1::Polygon::descriptor() ||
-         &type == google::protobuf::Duration::descriptor();
+bool IsWhole(const pb::Descriptor& type) {
+  return &type == v1::Colour::descriptor() || &type == v1::Polygon::descriptor() || &type == pb::Duration::descriptor();
 }
 
 // What changed in one field, in words.
-std::string ChangeInWords(const Message& a, const Message& b, const FieldDescriptor& field, const nlohmann::json& was,
-                          const nlohmann::json& is) {
+std::string ChangeInWords(const pb::Message& a, const pb::Message& b, const pb::FieldDescriptor& field,
+                          const nlohmann::json& was, const nlohmann::json& is) {
   const auto arrow = [](const std::string& from, const std::string& to) {
     return fmt::format("{} -> {}", from.empty() ? "none" : from, to.empty() ? "none" : to);
   };
@@ -149,19 +146,19 @@ std::string ChangeInWords(const Message& a, const Message& b, const FieldDescrip
                                    : fmt::format("{} -> {}", was.size(), is.size());
   }
   switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case pb::FieldDescriptor::CPPTYPE_DOUBLE:
       return NumberWords(field.name(), was, is);
-    case FieldDescriptor::CPPTYPE_BOOL:
+    case pb::FieldDescriptor::CPPTYPE_BOOL:
       return of_b.GetBool(b, &field) ? "no -> yes" : "yes -> no";
-    case FieldDescriptor::CPPTYPE_STRING:
-      if (field.type() != FieldDescriptor::TYPE_BYTES) return arrow(Quoted(was), Quoted(is));
+    case pb::FieldDescriptor::CPPTYPE_STRING:
+      if (field.type() != pb::FieldDescriptor::TYPE_BYTES) return arrow(Quoted(was), Quoted(is));
       return was == is ? fmt::format("other {}", was.get<std::string>()) : arrow(was, is);
-    case FieldDescriptor::CPPTYPE_MESSAGE:
+    case pb::FieldDescriptor::CPPTYPE_MESSAGE:
       break;
     default:
       return arrow(ValueInWords(a, field), ValueInWords(b, field));
   }
-  const Message &from = of_a.GetMessage(a, &field), &to = of_b.GetMessage(b, &field);
+  const pb::Message &from = of_a.GetMessage(a, &field), &to = of_b.GetMessage(b, &field);
   if (const auto* colour = dynamic_cast<const v1::Colour*>(&from)) {
     // By name; channels say something only where the names do not.
     const auto& other = static_cast<const v1::Colour&>(to);
@@ -178,7 +175,7 @@ std::string ChangeInWords(const Message& a, const Message& b, const FieldDescrip
   return arrow(ValueInWords(a, field), ValueInWords(b, field));
 }
 
-nlohmann::json JsonOf(const Message& message, const FieldDescriptor& field) {
+nlohmann::json JsonOf(const pb::Message& message, const pb::FieldDescriptor& field) {
   const auto& reflection = *message.GetReflection();
   if (field.is_repeated()) {
     nlohmann::json list = nlohmann::json::array();
@@ -192,13 +189,13 @@ nlohmann::json JsonOf(const Message& message, const FieldDescriptor& field) {
     return list;
   }
   switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case pb::FieldDescriptor::CPPTYPE_DOUBLE:
       return reflection.GetDouble(message, &field);
-    case FieldDescriptor::CPPTYPE_INT32:
+    case pb::FieldDescriptor::CPPTYPE_INT32:
       return reflection.GetInt32(message, &field);
-    case FieldDescriptor::CPPTYPE_INT64:
+    case pb::FieldDescriptor::CPPTYPE_INT64:
       return reflection.GetInt64(message, &field);
-    case FieldDescriptor::CPPTYPE_BOOL:
+    case pb::FieldDescriptor::CPPTYPE_BOOL:
       return reflection.GetBool(message, &field) ? "yes" : "no";
     default:
       return ValueInWords(message, field);
@@ -211,10 +208,10 @@ struct FieldChange {
   nlohmann::json detail;
 };
 
-void CompareFields(const Message& a, const Message& b, const std::string& path, const std::string& words,
+void CompareFields(const pb::Message& a, const pb::Message& b, const std::string& path, const std::string& words,
                    const std::set<std::string>& but, std::vector<FieldChange>& changes) {
   for (int i = 0; i < a.GetDescriptor()->field_count(); ++i) {
-    const FieldDescriptor& field = *a.GetDescriptor()->field(i);
+    const pb::FieldDescriptor& field = *a.GetDescriptor()->field(i);
     if (but.contains(field.name()) || kSkipped.contains(field.name()) || RuleFor(field) != nullptr || IsPart(field)) {
       continue;
     }
@@ -225,7 +222,7 @@ void CompareFields(const Message& a, const Message& b, const std::string& path, 
       continue;
     }
     nlohmann::json was = JsonOf(a, field), is = JsonOf(b, field);
-    const bool is_bytes = field.type() == FieldDescriptor::TYPE_BYTES;
+    const bool is_bytes = field.type() == pb::FieldDescriptor::TYPE_BYTES;
     const bool is_same =
         is_bytes ? a.GetReflection()->GetString(a, &field) == b.GetReflection()->GetString(b, &field) : was == is;
     if (is_same) continue;
@@ -251,7 +248,8 @@ std::string NumberWords(const std::string& field, double a, double b) {
   return fmt::format("{} -> {}{}", a * unit.factor, b * unit.factor, unit.sign);
 }
 
-Section FieldsSection(const std::string& title, const Message& a, const Message& b, const std::set<std::string>& but) {
+Section FieldsSection(const std::string& title, const pb::Message& a, const pb::Message& b,
+                      const std::set<std::string>& but) {
   std::vector<FieldChange> changes;
   CompareFields(a, b, "", "", but, changes);
   Section section{.title = title};
@@ -261,8 +259,8 @@ Section FieldsSection(const std::string& title, const Message& a, const Message&
   return section;
 }
 
-void CompareThing(const std::string& subject, const Message& a, const Message& b, const std::set<std::string>& but,
-                  Section& section) {
+void CompareThing(const std::string& subject, const pb::Message& a, const pb::Message& b,
+                  const std::set<std::string>& but, Section& section) {
   std::vector<FieldChange> changes;
   CompareFields(a, b, "", "", but, changes);
   if (changes.empty()) return void(++section.same_count);
@@ -276,12 +274,12 @@ void CompareThing(const std::string& subject, const Message& a, const Message& b
   section.changes.push_back(std::move(all));
 }
 
-void CompareLists(const Message& a, const Message& b, const std::string& list, std::vector<Section>& sections) {
-  const FieldDescriptor& field = *a.GetDescriptor()->FindFieldByName(list);
+void CompareLists(const pb::Message& a, const pb::Message& b, const std::string& list, std::vector<Section>& sections) {
+  const pb::FieldDescriptor& field = *a.GetDescriptor()->FindFieldByName(list);
   const Rule& rule = *RuleFor(field);
   Section section{.title = TitleOf(field, NameInWords(field))};
   for (const Pair& pair : MatchItems(a, b, list)) {
-    const Message& item = pair.b < 0 ? ItemOf(a, field, pair.a) : ItemOf(b, field, pair.b);
+    const pb::Message& item = pair.b < 0 ? ItemOf(a, field, pair.a) : ItemOf(b, field, pair.b);
     if (pair.a < 0 || pair.b < 0) {
       section.changes.push_back({pair.a < 0 ? Became::kAdded : Became::kRemoved,
                                  SubjectOf(item, rule),
@@ -294,11 +292,11 @@ void CompareLists(const Message& a, const Message& b, const std::string& list, s
   AddSection(std::move(section), sections);
 }
 
-void CompareMessages(const Message& a, const Message& b, std::vector<Section>& sections) {
-  const Descriptor& type = *a.GetDescriptor();
+void CompareMessages(const pb::Message& a, const pb::Message& b, std::vector<Section>& sections) {
+  const pb::Descriptor& type = *a.GetDescriptor();
   AddSection(FieldsSection(TitleOf(type, absl::AsciiStrToLower(type.name())), a, b), sections);
   for (int i = 0; i < type.field_count(); ++i) {
-    const FieldDescriptor& field = *type.field(i);
+    const pb::FieldDescriptor& field = *type.field(i);
     if (RuleFor(field) != nullptr) CompareLists(a, b, field.name(), sections);
     if (IsPart(field)) {
       CompareMessages(a.GetReflection()->GetMessage(a, &field), b.GetReflection()->GetMessage(b, &field), sections);
@@ -331,10 +329,10 @@ std::vector<Pair> MatchKeys(const Keys& a, const Keys& b) {
   return pairs;
 }
 
-std::vector<Pair> MatchItems(const Message& a, const Message& b, const std::string& list) {
-  const FieldDescriptor& field = *a.GetDescriptor()->FindFieldByName(list);
+std::vector<Pair> MatchItems(const pb::Message& a, const pb::Message& b, const std::string& list) {
+  const pb::FieldDescriptor& field = *a.GetDescriptor()->FindFieldByName(list);
   const Rule& rule = *RuleFor(field);
-  const auto keys = [&](const Message& message) {
+  const auto keys = [&](const pb::Message& message) {
     Keys all(rule.keys.size());
     for (size_t round = 0; round < rule.keys.size(); ++round) {
       for (int i = 0; i < message.GetReflection()->FieldSize(message, &field); ++i) {

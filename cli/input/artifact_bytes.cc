@@ -47,9 +47,8 @@ bool BeginsAsProtobufText(std::string_view bytes) {
   return at > start && next != std::string_view::npos && (bytes[next] == ':' || bytes[next] == '{');
 }
 
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::internal::WireFormatLite;
+namespace pb = google::protobuf;
+using pb::internal::WireFormatLite;
 
 // The digest of the bytes as they are, parts that are not known to this program included.
 bool BytesHaveTheirId(const std::string& bytes) {
@@ -59,8 +58,7 @@ bool BytesHaveTheirId(const std::string& bytes) {
 
 // How many bytes the field that the text ends in lacks; nothing when it does not end in a field.
 std::optional<size_t> MissingBytes(const std::string& bytes) {
-  google::protobuf::io::CodedInputStream stream(reinterpret_cast<const uint8_t*>(bytes.data()),
-                                                static_cast<int>(bytes.size()));
+  pb::io::CodedInputStream stream(reinterpret_cast<const uint8_t*>(bytes.data()), static_cast<int>(bytes.size()));
   while (const uint32_t tag = stream.ReadTag()) {
     if (WireFormatLite::GetTagWireType(tag) != WireFormatLite::WIRETYPE_LENGTH_DELIMITED) {
       if (!WireFormatLite::SkipField(&stream, tag)) return std::nullopt;
@@ -76,19 +74,19 @@ std::optional<size_t> MissingBytes(const std::string& bytes) {
 }
 
 // "layout_graph.edges[3], field 17" of the first part that this program does not know; empty when it knows all.
-std::string FindUnknown(const Message& message) {
-  const google::protobuf::Reflection& reflection = *message.GetReflection();
+std::string FindUnknown(const pb::Message& message) {
+  const pb::Reflection& reflection = *message.GetReflection();
   if (const auto& unknown = reflection.GetUnknownFields(message); !unknown.empty()) {
     return fmt::format("field {}", unknown.field(0).number());
   }
-  const google::protobuf::Descriptor& type = *message.GetDescriptor();
+  const pb::Descriptor& type = *message.GetDescriptor();
   for (int k = 0; k < type.field_count(); ++k) {
-    const FieldDescriptor* field = type.field(k);
-    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) continue;
+    const pb::FieldDescriptor* field = type.field(k);
+    if (field->cpp_type() != pb::FieldDescriptor::CPPTYPE_MESSAGE) continue;
     const bool is_list = field->is_repeated();
     const int size = is_list ? reflection.FieldSize(message, field) : reflection.HasField(message, field) ? 1 : 0;
     for (int i = 0; i < size; ++i) {
-      const Message& part =
+      const pb::Message& part =
           is_list ? reflection.GetRepeatedMessage(message, field, i) : reflection.GetMessage(message, field);
       const std::string found = FindUnknown(part);
       if (found.empty()) continue;

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <utility>
 
-#include "cli/input/artifact_file.h"
 #include "fmt/format.h"
 #include "orchestrator/store/database.h"
 #include "orchestrator/store/job_table.h"

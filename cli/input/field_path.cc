@@ -122,14 +122,9 @@ std::optional<size_t> EnterItem(Reader& reader, int index) {
   return reader.Next();
 }
 
-using google::protobuf::EnumDescriptor;
-using google::protobuf::EnumValueDescriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+namespace pb = google::protobuf;
 
-bool IsDuration(const FieldDescriptor& field) {
-  return field.message_type() == google::protobuf::Duration::descriptor();
-}
+bool IsDuration(const pb::FieldDescriptor& field) { return field.message_type() == pb::Duration::descriptor(); }
 
 std::string Lower(std::string text) {
   for (char& c : text) c = c == '-' ? '_' : absl::ascii_tolower(static_cast<unsigned char>(c));
@@ -137,7 +132,7 @@ std::string Lower(std::string text) {
 }
 
 // "plan" of PREVIEW_VIEW_PLAN: what follows the prefix that all values share with ..._UNSPECIFIED.
-std::string ShortWord(const EnumValueDescriptor& value) {
+std::string ShortWord(const pb::EnumValueDescriptor& value) {
   constexpr std::string_view kZero = "unspecified";
   const std::string zero = Lower(value.type()->value(0)->name());
   const std::string name = Lower(value.name());
@@ -145,17 +140,17 @@ std::string ShortWord(const EnumValueDescriptor& value) {
 }
 
 // Keeps errors off the terminal.
-class NoErrors final : public google::protobuf::io::ErrorCollector {
-  void AddError(int, google::protobuf::io::ColumnNumber, const std::string&) override {}
+class NoErrors final : public pb::io::ErrorCollector {
+  void AddError(int, pb::io::ColumnNumber, const std::string&) override {}
 };
 
 // Sets a field or adds to a list.
-bool PutOne(const std::string& text, const FieldDescriptor& field, Message& message) {
+bool PutOne(const std::string& text, const pb::FieldDescriptor& field, pb::Message& message) {
   std::string value = text;
-  if (const std::optional<double> number = ReadNumber(text); field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) {
+  if (const std::optional<double> number = ReadNumber(text); field.cpp_type() == pb::FieldDescriptor::CPPTYPE_DOUBLE) {
     if (!number) return false;
   } else if (field.enum_type() != nullptr) {
-    const EnumValueDescriptor* word = FindWord(*field.enum_type(), text);
+    const pb::EnumValueDescriptor* word = FindWord(*field.enum_type(), text);
     if (word == nullptr) return false;
     value = word->name();
   } else if (IsDuration(field)) {
@@ -163,7 +158,7 @@ bool PutOne(const std::string& text, const FieldDescriptor& field, Message& mess
     const double whole = std::floor(*number);
     value = fmt::format("{{ seconds: {:.0f} nanos: {:.0f} }}", whole, std::floor(1e9 * (*number - whole)));
   }
-  google::protobuf::TextFormat::Parser parser;
+  pb::TextFormat::Parser parser;
   NoErrors ignored;
   parser.RecordErrorsTo(&ignored);
   return parser.ParseFieldValueFromString(value, &field, &message);
@@ -228,22 +223,22 @@ int LineAt(std::string_view text, size_t offset) {
   return static_cast<int>(std::ranges::count(before, '\n')) + 1;
 }
 
-bool HoldsOptions(const FieldDescriptor& field) {
+bool HoldsOptions(const pb::FieldDescriptor& field) {
   return field.message_type() != nullptr && !field.is_repeated() && !IsDuration(field);
 }
 
-bool IsValue(const FieldDescriptor& field) {
+bool IsValue(const pb::FieldDescriptor& field) {
   if (field.message_type() != nullptr) return IsDuration(field) && !field.is_repeated();
-  return field.cpp_type() != FieldDescriptor::CPPTYPE_STRING;
+  return field.cpp_type() != pb::FieldDescriptor::CPPTYPE_STRING;
 }
 
-std::vector<std::string> ShortWords(const EnumDescriptor& type) {
+std::vector<std::string> ShortWords(const pb::EnumDescriptor& type) {
   std::vector<std::string> words;
   for (int i = 1; i < type.value_count(); ++i) words.push_back(ShortWord(*type.value(i)));
   return words;
 }
 
-const EnumValueDescriptor* FindWord(const EnumDescriptor& type, const std::string& text) {
+const pb::EnumValueDescriptor* FindWord(const pb::EnumDescriptor& type, const std::string& text) {
   const std::string word = Lower(text);
   for (int i = 1; i < type.value_count(); ++i) {
     if (word == ShortWord(*type.value(i)) || word == Lower(type.value(i)->name())) return type.value(i);
@@ -251,7 +246,7 @@ const EnumValueDescriptor* FindWord(const EnumDescriptor& type, const std::strin
   return nullptr;
 }
 
-std::string ValuesInWords(const FieldDescriptor& field) {
+std::string ValuesInWords(const pb::FieldDescriptor& field) {
   std::string one = field.message_type() != nullptr ? "seconds" : Expected(field);
   if (field.enum_type() != nullptr) {
     std::vector<std::string> words = ShortWords(*field.enum_type());
@@ -262,7 +257,7 @@ std::string ValuesInWords(const FieldDescriptor& field) {
   return (field.is_repeated() ? "several, separated by commas, of: " : "") + one;
 }
 
-bool SetValue(const std::string& text, const FieldDescriptor& field, Message& message) {
+bool SetValue(const std::string& text, const pb::FieldDescriptor& field, pb::Message& message) {
   message.GetReflection()->ClearField(&message, &field);
   if (text.empty()) return true;
   std::vector<std::string> parts = {text};

@@ -21,25 +21,23 @@
 namespace flair::cli {
 namespace {
 
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::TextFormat;
+namespace pb = google::protobuf;
 
 constexpr size_t kListedProblems = 10;
 constexpr int kDeepest = 100;
 
 // Keeps the first complaint, with its place.
-class FirstError final : public google::protobuf::io::ErrorCollector {
+class FirstError final : public pb::io::ErrorCollector {
  public:
-  void AddError(int line, google::protobuf::io::ColumnNumber column, const std::string& message) override {
+  void AddError(int line, pb::io::ColumnNumber column, const std::string& message) override {
     if (text.empty()) text = fmt::format("{}: column {}: {}", line + 1, column + 1, message);
   }
   std::string text;
 };
 
-absl::Status ParseProtobufText(const std::string& name, const std::string& text, Message& message) {
+absl::Status ParseProtobufText(const std::string& name, const std::string& text, pb::Message& message) {
   FirstError error;
-  TextFormat::Parser parser;
+  pb::TextFormat::Parser parser;
   parser.RecordErrorsTo(&error);
   parser.SetRecursionLimit(kDeepest);
   if (parser.ParseFromString(text, &message)) return absl::OkStatus();
@@ -47,17 +45,17 @@ absl::Status ParseProtobufText(const std::string& name, const std::string& text,
 }
 
 // The line, from 1 on, on which the innermost known part of the path begins; 0 when none is known.
-int LineInTree(const TextFormat::ParseInfoTree& root, const google::protobuf::Descriptor* type,
+int LineInTree(const pb::TextFormat::ParseInfoTree& root, const pb::Descriptor* type,
                const std::vector<PathStep>& path) {
   int line = 0;
-  const TextFormat::ParseInfoTree* tree = &root;
+  const pb::TextFormat::ParseInfoTree* tree = &root;
   for (size_t i = 0; i < path.size() && tree != nullptr && type != nullptr; ++i) {
-    const FieldDescriptor* field = type->FindFieldByName(path[i].text);
+    const pb::FieldDescriptor* field = type->FindFieldByName(path[i].text);
     if (field == nullptr) break;
     int index = -1;
     if (field->is_repeated()) index = i + 1 < path.size() && path[i + 1].in_brackets ? IndexOf(path[++i]) : 0;
     if (field->is_repeated() && index < 0) break;
-    const TextFormat::ParseLocation place = tree->GetLocation(field, index);
+    const pb::TextFormat::ParseLocation place = tree->GetLocation(field, index);
     if (place.line < 0) break;
     line = place.line + 1;
     type = field->message_type();
@@ -68,10 +66,10 @@ int LineInTree(const TextFormat::ParseInfoTree& root, const google::protobuf::De
 
 using LineFinder = std::function<int(const std::vector<PathStep>&)>;
 
-LineFinder FindInProtobufText(const std::string& text, const Message& message) {
-  auto tree = std::make_shared<TextFormat::ParseInfoTree>();
-  const std::unique_ptr<Message> again(message.New());
-  TextFormat::Parser parser;
+LineFinder FindInProtobufText(const std::string& text, const pb::Message& message) {
+  auto tree = std::make_shared<pb::TextFormat::ParseInfoTree>();
+  const std::unique_ptr<pb::Message> again(message.New());
+  pb::TextFormat::Parser parser;
   parser.WriteLocationsTo(tree.get());
   parser.SetRecursionLimit(kDeepest);
   FirstError ignored;
@@ -92,8 +90,6 @@ absl::Status Join(const std::vector<std::string>& lines, size_t more) {
   if (more > 0) text += fmt::format("\nand {} more", more);
   return absl::InvalidArgumentError(text);
 }
-
-using google::protobuf::Descriptor;
 
 // What is wrong with a JSON text and behind which byte; nothing when it is JSON.
 struct Fault {
@@ -150,8 +146,8 @@ std::optional<Complaint> ReadComplaint(const std::string& text) {
 }
 
 // The field that a path leads to and the message that it is in; null for the message itself.
-const FieldDescriptor* FieldAt(const std::vector<PathStep>& path, const Descriptor*& type) {
-  const FieldDescriptor* field = nullptr;
+const pb::FieldDescriptor* FieldAt(const std::vector<PathStep>& path, const pb::Descriptor*& type) {
+  const pb::FieldDescriptor* field = nullptr;
   for (const PathStep& step : path) {
     if (step.in_brackets) continue;
     if (field != nullptr) type = field->message_type();
@@ -164,12 +160,12 @@ const FieldDescriptor* FieldAt(const std::vector<PathStep>& path, const Descript
 }
 
 // The complaint with its line, in our words where the field is known.
-absl::Status Explain(const std::string& name, const std::string& json, const Descriptor* type,
+absl::Status Explain(const std::string& name, const std::string& json, const pb::Descriptor* type,
                      const Complaint& complaint) {
   std::vector<PathStep> path;
   if (!complaint.path.empty()) path = ParseFieldPath(complaint.path).value_or(path);
-  const FieldDescriptor* field = FieldAt(path, type);
-  const Descriptor* inside = field == nullptr ? (path.empty() ? type : nullptr) : field->message_type();
+  const pb::FieldDescriptor* field = FieldAt(path, type);
+  const pb::Descriptor* inside = field == nullptr ? (path.empty() ? type : nullptr) : field->message_type();
   std::string words = complaint.words;
   std::string where = complaint.path;
   if (!complaint.field.empty()) {
@@ -204,11 +200,11 @@ size_t Distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-absl::Status ParseMessageText(TextForm form, const std::string& name, const std::string& text, Message& message) {
+absl::Status ParseMessageText(TextForm form, const std::string& name, const std::string& text, pb::Message& message) {
   return form == TextForm::kJson ? ParseJsonMessage(name, text, message) : ParseProtobufText(name, text, message);
 }
 
-absl::Status LocateProblems(TextForm form, const std::string& name, const std::string& text, const Message& message,
+absl::Status LocateProblems(TextForm form, const std::string& name, const std::string& text, const pb::Message& message,
                             const std::vector<validation::Problem>& problems) {
   if (problems.empty()) return absl::OkStatus();
   const LineFinder line_of = form == TextForm::kJson ? FindInJson(text) : FindInProtobufText(text, message);
@@ -246,11 +242,11 @@ std::string RepeatedKey(std::string_view json) {
   return nlohmann::json::parse(json, see, false).is_discarded() ? "" : repeated;
 }
 
-absl::Status ParseJsonMessage(const std::string& name, const std::string& json, google::protobuf::Message& message) {
+absl::Status ParseJsonMessage(const std::string& name, const std::string& json, pb::Message& message) {
   if (const std::string key = RepeatedKey(json); !key.empty()) {
     return InvalidArgument("{}: \"{}\" stands twice in one object; keep one", name, key);
   }
-  const auto status = google::protobuf::util::JsonStringToMessage(json, &message);
+  const auto status = pb::util::JsonStringToMessage(json, &message);
   if (status.ok()) return absl::OkStatus();
   if (const std::optional<Fault> fault = FindSyntaxFault(json)) {
     const int line = LineAt(json, fault->offset > 0 ? fault->offset - 1 : 0);
@@ -265,7 +261,7 @@ absl::Status ParseJsonMessage(const std::string& name, const std::string& json, 
 }
 
 absl::Status ReadTextMessage(const std::string& flag, const std::string& path, const std::string& example,
-                             google::protobuf::Message& message) {
+                             pb::Message& message) {
   const absl::StatusOr<std::string> text = ReadFile(path);
   if (!text.ok()) return About(flag, text.status());
   const absl::Status read = ParseMessageText(TextForm::kProtobufText, path, *text, message);
@@ -292,35 +288,35 @@ std::string DidYouMean(std::string_view name, const std::vector<std::string>& na
   return nearest == nullptr ? "" : fmt::format(" (did you mean {}?)", *nearest);
 }
 
-std::string NoSuchField(const Descriptor& type, std::string_view name) {
+std::string NoSuchField(const pb::Descriptor& type, std::string_view name) {
   std::vector<std::string> names;
   for (int i = 0; i < type.field_count(); ++i) names.push_back(type.field(i)->name());
   return fmt::format("{} has no field \"{}\"{}; it has {}", type.name(), name.substr(0, kLongestName),
                      DidYouMean(name, names), ListNames(names));
 }
 
-std::string Expected(const FieldDescriptor& field) {
+std::string Expected(const pb::FieldDescriptor& field) {
   switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_INT32:
-    case FieldDescriptor::CPPTYPE_INT64:
-    case FieldDescriptor::CPPTYPE_UINT32:
-    case FieldDescriptor::CPPTYPE_UINT64:
+    case pb::FieldDescriptor::CPPTYPE_INT32:
+    case pb::FieldDescriptor::CPPTYPE_INT64:
+    case pb::FieldDescriptor::CPPTYPE_UINT32:
+    case pb::FieldDescriptor::CPPTYPE_UINT64:
       return "a whole number";
-    case FieldDescriptor::CPPTYPE_DOUBLE:
-    case FieldDescriptor::CPPTYPE_FLOAT:
+    case pb::FieldDescriptor::CPPTYPE_DOUBLE:
+    case pb::FieldDescriptor::CPPTYPE_FLOAT:
       return "a number";
-    case FieldDescriptor::CPPTYPE_BOOL:
+    case pb::FieldDescriptor::CPPTYPE_BOOL:
       return "true or false";
-    case FieldDescriptor::CPPTYPE_ENUM: {
+    case pb::FieldDescriptor::CPPTYPE_ENUM: {
       std::vector<std::string> names;
       for (int i = 0; i < field.enum_type()->value_count(); ++i) {
         if (field.enum_type()->value(i)->number() != 0) names.push_back(field.enum_type()->value(i)->name());
       }
       return "one of " + ListNames(names);
     }
-    case FieldDescriptor::CPPTYPE_STRING:
-      return field.type() == FieldDescriptor::TYPE_BYTES ? "bytes in base64" : "text";
-    case FieldDescriptor::CPPTYPE_MESSAGE:
+    case pb::FieldDescriptor::CPPTYPE_STRING:
+      return field.type() == pb::FieldDescriptor::TYPE_BYTES ? "bytes in base64" : "text";
+    case pb::FieldDescriptor::CPPTYPE_MESSAGE:
       return fmt::format("a {}", field.message_type()->name());
   }
   return "something else";

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <vector>
 
 #include "CLI/CLI.hpp"
 #include "absl/strings/ascii.h"

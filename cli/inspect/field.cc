@@ -16,29 +16,26 @@
 namespace flair::cli {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::Reflection;
+namespace pb = google::protobuf;
 
-bool IsMessage(const FieldDescriptor& field) { return field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE; }
+bool IsMessage(const pb::FieldDescriptor& field) { return field.cpp_type() == pb::FieldDescriptor::CPPTYPE_MESSAGE; }
 
 absl::Status Wrong(const std::string& path, const std::string& why) {
   return InvalidArgument("--field {}: {}", path, why);
 }
 
 // Puts a field of the message into `view`.
-absl::Status TakeField(const Message& message, const PathStep& step, const std::string& here, FieldView& view) {
-  const Descriptor& type = *message.GetDescriptor();
-  const FieldDescriptor* field = type.FindFieldByName(step.text);
+absl::Status TakeField(const pb::Message& message, const PathStep& step, const std::string& here, FieldView& view) {
+  const pb::Descriptor& type = *message.GetDescriptor();
+  const pb::FieldDescriptor* field = type.FindFieldByName(step.text);
   if (field == nullptr) field = type.FindFieldByCamelcaseName(step.text);
   if (field == nullptr) return Wrong(here, NoSuchField(type, step.text));
-  const Reflection& reflection = *message.GetReflection();
+  const pb::Reflection& reflection = *message.GetReflection();
   if (!field->is_repeated() && field->has_presence() && !reflection.HasField(message, field)) {
-    std::vector<const FieldDescriptor*> set;
+    std::vector<const pb::FieldDescriptor*> set;
     reflection.ListFields(message, &set);
     std::vector<std::string> names;
-    for (const FieldDescriptor* other : set) names.push_back(other->name());
+    for (const pb::FieldDescriptor* other : set) names.push_back(other->name());
     return Wrong(here, fmt::format("is not set; set are {}", names.empty() ? "none" : ListNames(names)));
   }
   view = {&message, field, -1};
@@ -46,8 +43,8 @@ absl::Status TakeField(const Message& message, const PathStep& step, const std::
 }
 
 // The message that the view, called `before`, is.
-absl::StatusOr<const Message*> Enter(const FieldView& view, const std::string& before) {
-  const Reflection& reflection = *view.parent->GetReflection();
+absl::StatusOr<const pb::Message*> Enter(const FieldView& view, const std::string& before) {
+  const pb::Reflection& reflection = *view.parent->GetReflection();
   if (!IsMessage(*view.field)) return Wrong(before, fmt::format("is {}; it has no parts", Expected(*view.field)));
   if (view.field->is_repeated() && view.index < 0) {
     const int size = reflection.FieldSize(*view.parent, view.field);
@@ -60,18 +57,18 @@ absl::StatusOr<const Message*> Enter(const FieldView& view, const std::string& b
 
 // The index of the item that the step names, in the list that is the view.
 absl::StatusOr<int> FindItem(const FieldView& view, const PathStep& step, const std::string& here) {
-  const Reflection& reflection = *view.parent->GetReflection();
+  const pb::Reflection& reflection = *view.parent->GetReflection();
   const int size = reflection.FieldSize(*view.parent, view.field);
   const int index = IndexOf(step);
   if (index >= 0 && index < size) return index;
   if (index >= 0) {
     return Wrong(here, size == 0 ? "the list is empty" : fmt::format("there are {}: [0] to [{}]", size, size - 1));
   }
-  const FieldDescriptor* id = IsMessage(*view.field) ? NameField(*view.field->message_type()) : nullptr;
+  const pb::FieldDescriptor* id = IsMessage(*view.field) ? NameField(*view.field->message_type()) : nullptr;
   if (id == nullptr) return Wrong(here, fmt::format("items have no ids; a number from 0 to {}", size - 1));
   std::vector<std::string> names;
   for (int i = 0; i < size; ++i) {
-    const Message& item = reflection.GetRepeatedMessage(*view.parent, view.field, i);
+    const pb::Message& item = reflection.GetRepeatedMessage(*view.parent, view.field, i);
     names.push_back(item.GetReflection()->GetString(item, id));
     if (names.back() == step.text) return i;
   }
@@ -80,12 +77,12 @@ absl::StatusOr<int> FindItem(const FieldView& view, const PathStep& step, const 
 }
 
 // A name of the content's own parts, such as "placements", stands for solved_layout.placements.
-void CompletePath(const Message& message, std::vector<PathStep>& steps) {
-  const Descriptor& type = *message.GetDescriptor();
-  const google::protobuf::OneofDescriptor* content = type.FindOneofByName("content");
+void CompletePath(const pb::Message& message, std::vector<PathStep>& steps) {
+  const pb::Descriptor& type = *message.GetDescriptor();
+  const pb::OneofDescriptor* content = type.FindOneofByName("content");
   if (content == nullptr) return;
-  const FieldDescriptor* own = type.FindFieldByName(steps.front().text);
-  const FieldDescriptor* set = message.GetReflection()->GetOneofFieldDescriptor(message, content);
+  const pb::FieldDescriptor* own = type.FindFieldByName(steps.front().text);
+  const pb::FieldDescriptor* set = message.GetReflection()->GetOneofFieldDescriptor(message, content);
   if (own != nullptr && (own == set || own->containing_oneof() != content)) return;
   if (set == nullptr || set->message_type()->FindFieldByName(steps.front().text) == nullptr) return;
   steps.insert(steps.begin(), PathStep{set->name(), false});
@@ -93,27 +90,27 @@ void CompletePath(const Message& message, std::vector<PathStep>& steps) {
 
 // One value of the field, `index` -1 for the only one.
 std::string ValueText(const FieldView& view, int index) {
-  const Reflection& reflection = *view.parent->GetReflection();
+  const pb::Reflection& reflection = *view.parent->GetReflection();
   if (IsMessage(*view.field)) {
     return ToText(index < 0 ? reflection.GetMessage(*view.parent, view.field)
                             : reflection.GetRepeatedMessage(*view.parent, view.field, index));
   }
-  if (view.field->cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+  if (view.field->cpp_type() == pb::FieldDescriptor::CPPTYPE_STRING) {
     std::string scratch;
     return index < 0 ? reflection.GetStringReference(*view.parent, view.field, &scratch)
                      : reflection.GetRepeatedStringReference(*view.parent, view.field, index, &scratch);
   }
   std::string text;
-  google::protobuf::TextFormat::PrintFieldValueToString(*view.parent, view.field, index, &text);
+  pb::TextFormat::PrintFieldValueToString(*view.parent, view.field, index, &text);
   return text;
 }
 
 std::string JsonText(const FieldView& view) {
-  google::protobuf::util::JsonPrintOptions options;
+  pb::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   options.always_print_primitive_fields = !IsMessage(*view.field);
   std::string text;
-  (void)google::protobuf::util::MessageToJsonString(*view.parent, &text, options);
+  (void)pb::util::MessageToJsonString(*view.parent, &text, options);
   const nlohmann::ordered_json json = nlohmann::ordered_json::parse(text, nullptr, false);
   const auto found = json.find(view.field->name());
   if (found == json.end()) return "null\n";
@@ -123,7 +120,7 @@ std::string JsonText(const FieldView& view) {
 
 }  // namespace
 
-absl::StatusOr<FieldView> FindField(const Message& message, const std::string& path) {
+absl::StatusOr<FieldView> FindField(const pb::Message& message, const std::string& path) {
   absl::StatusOr<std::vector<PathStep>> steps = ParseFieldPath(path);
   if (!steps.ok()) return InvalidArgument("--field: {}", steps.status().message());
   CompletePath(message, *steps);
@@ -132,7 +129,7 @@ absl::StatusOr<FieldView> FindField(const Message& message, const std::string& p
     const PathStep& step = (*steps)[i];
     const std::string here = PathText(*steps, i + 1), before = PathText(*steps, i);
     if (!step.in_brackets) {
-      const Message* in = &message;
+      const pb::Message* in = &message;
       if (view.field != nullptr) {
         ASSIGN_OR_RETURN(in, Enter(view, before));
       }
@@ -149,7 +146,7 @@ absl::StatusOr<FieldView> FindField(const Message& message, const std::string& p
 std::string FieldText(const FieldView& view, FieldFormat format) {
   if (format == FieldFormat::kJson) return JsonText(view);
   const bool is_list = view.field->is_repeated() && view.index < 0;
-  const bool is_bytes = view.field->type() == FieldDescriptor::TYPE_BYTES;
+  const bool is_bytes = view.field->type() == pb::FieldDescriptor::TYPE_BYTES;
   if (!is_list) {
     std::string text = ValueText(view, view.index);
     if (!is_bytes && !text.ends_with('\n')) text += '\n';

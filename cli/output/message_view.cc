@@ -19,9 +19,7 @@
 namespace flair::cli {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+namespace pb = google::protobuf;
 
 constexpr size_t kMostColumns = 120;
 constexpr int kNameWidth = 11;
@@ -38,25 +36,25 @@ const std::map<std::string_view, std::string_view> kNames = {
 const std::set<std::string_view> kHidden = {"flair.v1.Object.description", "flair.v1.Object.placement",
                                             "flair.v1.EdgeOutcome.cost"};
 
-bool IsMessage(const FieldDescriptor& field) { return field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE; }
+bool IsMessage(const pb::FieldDescriptor& field) { return field.cpp_type() == pb::FieldDescriptor::CPPTYPE_MESSAGE; }
 
-bool IsList(const FieldDescriptor& field) { return field.is_repeated() && IsMessage(field); }
+bool IsList(const pb::FieldDescriptor& field) { return field.is_repeated() && IsMessage(field); }
 
 // Whether there is a list of messages in it: too much for a line.
-bool HoldsLists(const Descriptor& type) {
+bool HoldsLists(const pb::Descriptor& type) {
   for (int i = 0; i < type.field_count(); ++i) {
     if (IsList(*type.field(i)) && type.name() != "Polygon") return true;
   }
   return false;
 }
 
-bool IsSet(const Message& message, const FieldDescriptor& field) {
+bool IsSet(const pb::Message& message, const pb::FieldDescriptor& field) {
   return field.is_repeated() ? message.GetReflection()->FieldSize(message, &field) > 0
                              : message.GetReflection()->HasField(message, &field);
 }
 
 // Numbers with the digits of their unit for a column, else with as many as they need.
-std::string NumberText(double value, const FieldDescriptor& field, bool in_column) {
+std::string NumberText(double value, const pb::FieldDescriptor& field, bool in_column) {
   const Unit& unit = UnitOf(field.name());
   const std::string_view sign = in_column && unit.sign != "°" ? "" : unit.sign;
   if (in_column && !unit.suffix.empty()) return fmt::format("{:.{}f}{}", value * unit.factor, unit.digits, sign);
@@ -64,7 +62,7 @@ std::string NumberText(double value, const FieldDescriptor& field, bool in_colum
   return fmt::format("{:.4g}{}", std::abs(value) < 1e-6 ? 0.0 : value * unit.factor, sign);
 }
 
-std::string MessageInWords(const Message& message) {
+std::string MessageInWords(const pb::Message& message) {
   if (const auto* colour = dynamic_cast<const v1::Colour*>(&message)) {
     return fmt::format("{}#{:02x}{:02x}{:02x}", colour->name().empty() ? "" : colour->name() + " ", colour->red() & 255,
                        colour->green() & 255, colour->blue() & 255);
@@ -79,38 +77,38 @@ std::string MessageInWords(const Message& message) {
     }
     return Shortened(corners, 400);
   }
-  if (const auto* duration = dynamic_cast<const google::protobuf::Duration*>(&message)) {
+  if (const auto* duration = dynamic_cast<const pb::Duration*>(&message)) {
     return fmt::format("{:.3f} s", SecondsOf(*duration));
   }
   return FieldsInWords(message);
 }
 
 // One value, `index` -1 for the only one.
-std::string OneValue(const Message& message, const FieldDescriptor& field, int index, bool in_column) {
+std::string OneValue(const pb::Message& message, const pb::FieldDescriptor& field, int index, bool in_column) {
   const auto& reflection = *message.GetReflection();
   const auto get = [&](auto one, auto item) {
     return index < 0 ? (reflection.*one)(message, &field) : (reflection.*item)(message, &field, index);
   };
-  using Access = google::protobuf::Reflection;
+  using Access = pb::Reflection;
   const std::string sign(in_column ? "" : UnitOf(field.name()).sign);
   switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case pb::FieldDescriptor::CPPTYPE_DOUBLE:
       return NumberText(get(&Access::GetDouble, &Access::GetRepeatedDouble), field, in_column);
-    case FieldDescriptor::CPPTYPE_INT32:
+    case pb::FieldDescriptor::CPPTYPE_INT32:
       return fmt::format("{}{}", get(&Access::GetInt32, &Access::GetRepeatedInt32), sign);
-    case FieldDescriptor::CPPTYPE_INT64:
+    case pb::FieldDescriptor::CPPTYPE_INT64:
       return fmt::format("{}{}", get(&Access::GetInt64, &Access::GetRepeatedInt64), sign);
-    case FieldDescriptor::CPPTYPE_BOOL:
+    case pb::FieldDescriptor::CPPTYPE_BOOL:
       return get(&Access::GetBool, &Access::GetRepeatedBool) ? "yes" : "";
-    case FieldDescriptor::CPPTYPE_ENUM: {
+    case pb::FieldDescriptor::CPPTYPE_ENUM: {
       const auto* value = get(&Access::GetEnum, &Access::GetRepeatedEnum);
       return value->number() == 0 ? "" : EnumInWords(*value);
     }
-    case FieldDescriptor::CPPTYPE_STRING: {
+    case pb::FieldDescriptor::CPPTYPE_STRING: {
       const std::string text = get(&Access::GetString, &Access::GetRepeatedString);
-      return field.type() == FieldDescriptor::TYPE_BYTES ? fmt::format("{} bytes", text.size()) : text;
+      return field.type() == pb::FieldDescriptor::TYPE_BYTES ? fmt::format("{} bytes", text.size()) : text;
     }
-    case FieldDescriptor::CPPTYPE_MESSAGE:
+    case pb::FieldDescriptor::CPPTYPE_MESSAGE:
       return MessageInWords(index < 0 ? reflection.GetMessage(message, &field)
                                       : reflection.GetRepeatedMessage(message, &field, index));
     default:
@@ -118,7 +116,7 @@ std::string OneValue(const Message& message, const FieldDescriptor& field, int i
   }
 }
 
-std::string Value(const Message& message, const FieldDescriptor& field, bool in_column) {
+std::string Value(const pb::Message& message, const pb::FieldDescriptor& field, bool in_column) {
   if (field.is_repeated()) {
     std::vector<std::string> items;
     for (int i = 0; i < message.GetReflection()->FieldSize(message, &field); ++i) {
@@ -129,13 +127,13 @@ std::string Value(const Message& message, const FieldDescriptor& field, bool in_
   return field.has_presence() && !IsSet(message, field) ? "" : OneValue(message, field, -1, in_column);
 }
 
-bool IsNumber(const FieldDescriptor& field) {
-  return !field.is_repeated() &&
-         (field.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE || field.cpp_type() == FieldDescriptor::CPPTYPE_INT32 ||
-          field.cpp_type() == FieldDescriptor::CPPTYPE_INT64);
+bool IsNumber(const pb::FieldDescriptor& field) {
+  return !field.is_repeated() && (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_DOUBLE ||
+                                  field.cpp_type() == pb::FieldDescriptor::CPPTYPE_INT32 ||
+                                  field.cpp_type() == pb::FieldDescriptor::CPPTYPE_INT64);
 }
 
-std::string ColumnTitle(const FieldDescriptor& field) {
+std::string ColumnTitle(const pb::FieldDescriptor& field) {
   if (field.name() == "id") {
     const std::string& type = field.containing_type()->name();
     size_t word = type.size() - 1;  // the last one: "edge" of ConstraintEdge
@@ -170,7 +168,7 @@ const Unit& UnitOf(std::string_view field) {
   return *std::ranges::find_if(kUnits, [field](const Unit& unit) { return field.ends_with(unit.suffix); });
 }
 
-std::string NameInWords(const FieldDescriptor& field) {
+std::string NameInWords(const pb::FieldDescriptor& field) {
   const std::string_view name = field.name();
   if (const auto found = kNames.find(name); found != kNames.end()) return std::string(found->second);
   std::string words(name.substr(0, name.size() - UnitOf(name).suffix.size()));
@@ -184,7 +182,7 @@ std::string NameInWords(const FieldDescriptor& field) {
   return absl::StrReplaceAll(words.empty() ? field.name() : words, {{"_", " "}});
 }
 
-std::string EnumInWords(const google::protobuf::EnumValueDescriptor& value) {
+std::string EnumInWords(const pb::EnumValueDescriptor& value) {
   std::string prefix;
   for (const char c : value.type()->name()) {
     if (absl::ascii_isupper(static_cast<unsigned char>(c)) && !prefix.empty()) prefix += '_';
@@ -195,31 +193,34 @@ std::string EnumInWords(const google::protobuf::EnumValueDescriptor& value) {
   return absl::StrReplaceAll(absl::AsciiStrToLower(name), {{"_", " "}});
 }
 
-std::string ValueInWords(const Message& message, const FieldDescriptor& field) { return Value(message, field, false); }
+std::string ValueInWords(const pb::Message& message, const pb::FieldDescriptor& field) {
+  return Value(message, field, false);
+}
 
-std::string FieldsInWords(const Message& message) {
+std::string FieldsInWords(const pb::Message& message) {
   std::vector<std::string> parts;
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
-    const FieldDescriptor& field = *message.GetDescriptor()->field(i);
+    const pb::FieldDescriptor& field = *message.GetDescriptor()->field(i);
     const std::string value = Value(message, field, false);
     if (!value.empty()) parts.push_back(fmt::format("{} {}", NameInWords(field), value));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-const FieldDescriptor* NameField(const Descriptor& type) {
+const pb::FieldDescriptor* NameField(const pb::Descriptor& type) {
   for (const char* name : {"id", "object_id", "edge_id", "zone_id", "subject_id", "instance_id", "name", "stage",
                            "step", "surface", "term", "code"}) {
-    const FieldDescriptor* field = type.FindFieldByName(name);
-    if (field != nullptr && field->cpp_type() == FieldDescriptor::CPPTYPE_STRING && !field->is_repeated()) return field;
+    const pb::FieldDescriptor* field = type.FindFieldByName(name);
+    if (field != nullptr && field->cpp_type() == pb::FieldDescriptor::CPPTYPE_STRING && !field->is_repeated())
+      return field;
   }
   return nullptr;
 }
 
-std::string FieldLines(const Message& message, const std::set<std::string>& but) {
+std::string FieldLines(const pb::Message& message, const std::set<std::string>& but) {
   std::string text;
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
-    const FieldDescriptor& field = *message.GetDescriptor()->field(i);
+    const pb::FieldDescriptor& field = *message.GetDescriptor()->field(i);
     const bool is_small = !IsMessage(field) || !HoldsLists(*field.message_type());
     const bool is_colours = IsList(field) && field.message_type() == v1::Colour::descriptor();
     if (but.contains(field.name()) || !is_small || (IsList(field) && !is_colours)) continue;
@@ -241,18 +242,18 @@ Extent ExtentOf(const v1::Polygon& floor) {
 
 std::string Heading(const std::string& title) { return "\n" + title + "\n"; }
 
-std::string ListTable(const Message& message, const std::string& list, const std::string& title, size_t most_rows,
+std::string ListTable(const pb::Message& message, const std::string& list, const std::string& title, size_t most_rows,
                       const std::vector<ExtraColumn>& extra) {
-  const FieldDescriptor& field = *message.GetDescriptor()->FindFieldByName(list);
+  const pb::FieldDescriptor& field = *message.GetDescriptor()->FindFieldByName(list);
   const int size = message.GetReflection()->FieldSize(message, &field);
   if (size == 0) return "";
-  const auto item = [&](int i) -> const Message& {
+  const auto item = [&](int i) -> const pb::Message& {
     return message.GetReflection()->GetRepeatedMessage(message, &field, i);
   };
   std::vector<std::string> titles;
   std::vector<std::vector<std::string>> rows(static_cast<size_t>(size));
   for (int k = 0; k < field.message_type()->field_count(); ++k) {
-    const FieldDescriptor& column = *field.message_type()->field(k);
+    const pb::FieldDescriptor& column = *field.message_type()->field(k);
     bool is_any = false;
     for (int i = 0; i < size; ++i) is_any = is_any || IsSet(item(i), column);
     if (!is_any || IsList(column) || kHidden.contains(column.full_name())) continue;
@@ -274,10 +275,10 @@ std::string ListTable(const Message& message, const std::string& list, const std
   return Heading(fmt::format("{}, {}", title, size)) + table.Text(most_rows);
 }
 
-std::string MessageText(const Message& message, size_t most_rows) {
+std::string MessageText(const pb::Message& message, size_t most_rows) {
   std::string text = FieldLines(message);
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
-    const FieldDescriptor& field = *message.GetDescriptor()->field(i);
+    const pb::FieldDescriptor& field = *message.GetDescriptor()->field(i);
     const std::string title = absl::AsciiStrToUpper(NameInWords(field));
     if (IsList(field) && field.message_type() != v1::Colour::descriptor()) {
       text += ListTable(message, field.name(), title, most_rows);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string_view>
 
 #include "cli/output/artifact_text.h"
 #include "cli/output/message_view.h"

@@ -21,31 +21,23 @@ std::string_view ProtocolReadingOrder();  // reading_order.json, embedded: file 
 namespace flair::cli {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::DescriptorPool;
-using google::protobuf::EnumDescriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::FileDescriptor;
-using google::protobuf::FileDescriptorProto;
-using google::protobuf::FileDescriptorSet;
-using google::protobuf::MethodDescriptor;
-using google::protobuf::ServiceDescriptor;
+namespace pb = google::protobuf;
 
 constexpr std::string_view kPackage = "flair.v1";
 
-const FileDescriptorSet& DescriptorSet() {
-  static const FileDescriptorSet set = [] {
-    FileDescriptorSet read;
+const pb::FileDescriptorSet& DescriptorSet() {
+  static const pb::FileDescriptorSet set = [] {
+    pb::FileDescriptorSet read;
     read.ParseFromArray(kProtocolBytes, sizeof(kProtocolBytes));
     return read;
   }();
   return set;
 }
 
-const DescriptorPool& Pool() {
-  static const DescriptorPool* const pool = [] {
-    auto* const built = new DescriptorPool;  // to the end: descriptors point into it
-    for (const FileDescriptorProto& file : DescriptorSet().file()) built->BuildFile(file);
+const pb::DescriptorPool& Pool() {
+  static const pb::DescriptorPool* const pool = [] {
+    auto* const built = new pb::DescriptorPool;  // to the end: descriptors point into it
+    for (const pb::FileDescriptorProto& file : DescriptorSet().file()) built->BuildFile(file);
     return built;
   }();
   return *pool;
@@ -54,7 +46,7 @@ const DescriptorPool& Pool() {
 struct ProtocolFile {
   // What it is about, such as "The furnished room".
   std::string title;
-  const FileDescriptor* file;
+  const pb::FileDescriptor* file;
 };
 
 // All files of the package in reading order: services as a brief meets them, then artifacts, then their parts.
@@ -62,11 +54,11 @@ std::vector<ProtocolFile> ReadFiles() {
   std::vector<ProtocolFile> files;
   for (const auto& [name, title] :
        nlohmann::json::parse(ProtocolReadingOrder()).get<std::vector<std::pair<std::string, std::string>>>()) {
-    const FileDescriptor* const file = Pool().FindFileByName(fmt::format("flair/v1/{}.proto", name));
+    const pb::FileDescriptor* const file = Pool().FindFileByName(fmt::format("flair/v1/{}.proto", name));
     if (file != nullptr) files.push_back({title, file});
   }
-  for (const FileDescriptorProto& proto : DescriptorSet().file()) {
-    const FileDescriptor* const file = Pool().FindFileByName(proto.name());
+  for (const pb::FileDescriptorProto& proto : DescriptorSet().file()) {
+    const pb::FileDescriptor* const file = Pool().FindFileByName(proto.name());
     const bool is_listed = std::ranges::find(files, file, &ProtocolFile::file) != files.end();
     if (proto.package() == kPackage && !is_listed) files.push_back({proto.name(), file});
   }
@@ -75,7 +67,7 @@ std::vector<ProtocolFile> ReadFiles() {
 
 // Calls `visit` with every service, then every message, then every enum of a file.
 template <typename Visit>
-void ForEachDeclaration(const FileDescriptor& file, const Visit& visit) {
+void ForEachDeclaration(const pb::FileDescriptor& file, const Visit& visit) {
   for (int i = 0; i < file.service_count(); ++i) visit(*file.service(i));
   for (int i = 0; i < file.message_type_count(); ++i) visit(*file.message_type(i));
   for (int i = 0; i < file.enum_type_count(); ++i) visit(*file.enum_type(i));
@@ -86,7 +78,7 @@ constexpr size_t kLineLength = 100;
 // The comment before a declaration, on one line.
 template <typename Declaration>
 std::string CommentOf(const Declaration& declaration) {
-  google::protobuf::SourceLocation location;
+  pb::SourceLocation location;
   if (!declaration.GetSourceLocation(&location)) return "";
   return absl::StrJoin(absl::StrSplit(location.leading_comments, absl::ByAnyChar(" \n"), absl::SkipEmpty()), " ");
 }
@@ -99,18 +91,18 @@ std::string Comment(const Declaration& declaration, size_t indent) {
 }
 
 // What a field holds, such as "list of Wall", "optional double".
-std::string TypeOf(const FieldDescriptor& field) {
+std::string TypeOf(const pb::FieldDescriptor& field) {
   const std::string prefix = field.is_repeated() ? "list of " : field.has_optional_keyword() ? "optional " : "";
   if (field.enum_type() != nullptr) return prefix + field.enum_type()->name();
-  const Descriptor* const message = field.message_type();
+  const pb::Descriptor* const message = field.message_type();
   if (message == nullptr) return prefix + field.type_name();
   return prefix + (message->file()->package() == kPackage ? message->name() : message->full_name());
 }
 
-std::string MessageText(const Descriptor& message) {
+std::string MessageText(const pb::Descriptor& message) {
   std::string text = absl::StrCat("message ", message.name(), "\n", Comment(message, 2));
   for (int i = 0; i < message.field_count(); ++i) {
-    const FieldDescriptor& field = *message.field(i);
+    const pb::FieldDescriptor& field = *message.field(i);
     const auto* const oneof = field.real_containing_oneof();
     absl::StrAppend(&text, "\n",
                     fmt::format("  {} = {}: {}{}\n", field.name(), field.number(), TypeOf(field),
@@ -120,7 +112,7 @@ std::string MessageText(const Descriptor& message) {
   return text;
 }
 
-std::string EnumText(const EnumDescriptor& enumeration) {
+std::string EnumText(const pb::EnumDescriptor& enumeration) {
   std::string text = absl::StrCat("enum ", enumeration.name(), "\n", Comment(enumeration, 2));
   for (int i = 0; i < enumeration.value_count(); ++i) {
     const auto& value = *enumeration.value(i);
@@ -129,13 +121,13 @@ std::string EnumText(const EnumDescriptor& enumeration) {
   return text;
 }
 
-std::string MethodText(const MethodDescriptor& method) {
+std::string MethodText(const pb::MethodDescriptor& method) {
   return absl::StrCat(fmt::format("{}({}) -> {}{}\n", method.name(), method.input_type()->name(),
                                   method.server_streaming() ? "stream of " : "", method.output_type()->name()),
                       Comment(method, 6));
 }
 
-std::string ServiceText(const ServiceDescriptor& service) {
+std::string ServiceText(const pb::ServiceDescriptor& service) {
   std::string text = absl::StrCat("service ", service.name(), "\n", Comment(service, 2));
   for (int i = 0; i < service.method_count(); ++i) absl::StrAppend(&text, "\n  ", MethodText(*service.method(i)));
   return text;
@@ -150,10 +142,10 @@ std::string OverviewLine(const Declaration& declaration) {
 
 // One of these, or nothing.
 struct ProtocolEntry {
-  const Descriptor* message = nullptr;
-  const EnumDescriptor* enumeration = nullptr;
-  const ServiceDescriptor* service = nullptr;
-  const MethodDescriptor* method = nullptr;
+  const pb::Descriptor* message = nullptr;
+  const pb::EnumDescriptor* enumeration = nullptr;
+  const pb::ServiceDescriptor* service = nullptr;
+  const pb::MethodDescriptor* method = nullptr;
 };
 
 // By its name without the package, in any case: "Room", "SolveOptions", "OptimizerService", "Solve".
@@ -161,13 +153,13 @@ ProtocolEntry FindInProtocol(std::string_view any_case) {
   struct {
     const absl::string_view name;
     ProtocolEntry found;
-    void operator()(const Descriptor& message) {
+    void operator()(const pb::Descriptor& message) {
       if (absl::EqualsIgnoreCase(name, message.name())) found.message = &message;
     }
-    void operator()(const EnumDescriptor& enumeration) {
+    void operator()(const pb::EnumDescriptor& enumeration) {
       if (absl::EqualsIgnoreCase(name, enumeration.name())) found.enumeration = &enumeration;
     }
-    void operator()(const ServiceDescriptor& service) {
+    void operator()(const pb::ServiceDescriptor& service) {
       if (absl::EqualsIgnoreCase(name, service.name())) found.service = &service;
       for (int i = 0; i < service.method_count(); ++i) {
         if (absl::EqualsIgnoreCase(name, service.method(i)->name())) found.method = service.method(i);
@@ -188,7 +180,7 @@ std::string ProtocolOverview() {
     absl::StrAppend(&text, text.empty() ? "" : "\n", title, " (", file->name(), ")\n");
     ForEachDeclaration(*file, [&text](const auto& declaration) {
       text += OverviewLine(declaration);
-      if constexpr (std::is_same_v<decltype(declaration), const ServiceDescriptor&>) {
+      if constexpr (std::is_same_v<decltype(declaration), const pb::ServiceDescriptor&>) {
         for (int i = 0; i < declaration.method_count(); ++i) text += OverviewLine(*declaration.method(i));
       }
     });

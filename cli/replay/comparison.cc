@@ -18,9 +18,8 @@
 namespace flair::cli {
 namespace {
 
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::util::MessageDifferencer;
+namespace pb = google::protobuf;
+using pb::util::MessageDifferencer;
 
 const v1::Artifact* Find(const ArtifactsByKind& artifacts, v1::ArtifactKind kind) {
   const auto found = artifacts.find(kind);
@@ -79,11 +78,11 @@ std::string Shortened(std::string text) {
   return text.size() <= kShownLength ? text : text.substr(0, kShownLength - 3) + "...";
 }
 
-std::vector<FieldDifference> Differences(const Message& first, const Message& second,
+std::vector<FieldDifference> Differences(const pb::Message& first, const pb::Message& second,
                                          const std::vector<std::string>& without = {}) {
   MessageDifferencer differencer;
   for (const std::string& name : without) {
-    const FieldDescriptor* field = first.GetDescriptor()->FindFieldByName(name);
+    const pb::FieldDescriptor* field = first.GetDescriptor()->FindFieldByName(name);
     if (field != nullptr) differencer.IgnoreField(field);
   }
   // A line for each field, texts in quotes and escaped: "modified: placements[1].x_m: 1.2 -> 1.24", "added: PATH:
@@ -290,7 +289,7 @@ std::string ComparisonJson(const std::vector<StageComparison>& stages, const std
 
 std::string FieldDifference::InWords() const { return fmt::format("{}: {} -> {}", path, first, second); }
 
-std::optional<FieldDifference> FirstDifference(const Message& first, const Message& second,
+std::optional<FieldDifference> FirstDifference(const pb::Message& first, const pb::Message& second,
                                                const std::vector<std::string>& aside) {
   std::vector<FieldDifference> found = Differences(first, second, aside);
   if (found.empty() && !aside.empty()) found = Differences(first, second);

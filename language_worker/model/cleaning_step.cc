@@ -16,7 +16,6 @@
 #include "llm/answers/prompt_library.h"
 #include "llm/answers/read_answer.h"
 #include "room/validation/validate.h"
-#include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::language {

@@ -2,7 +2,6 @@
 #include "language_worker/service/make_language_service.h"
 
 #include <filesystem>
-#include <string>
 #include <utility>
 
 #include "flair/v1/language_service.grpc.pb.h"

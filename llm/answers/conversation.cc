@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "llm/answers/read_answer.h"
 #include "worker_runtime/status/status_macros.h"
 #include "worker_runtime/text/counted.h"
 

@@ -12,10 +12,8 @@
 namespace flair::llm {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using ProtoMessage = google::protobuf::Message;
-using google::protobuf::Reflection;
+namespace pb = google::protobuf;
+using ProtoMessage = pb::Message;
 using nlohmann::json;
 
 constexpr int kMostItems = 1000;
@@ -57,7 +55,7 @@ std::string Shown(const json& value) {
   return value.dump();
 }
 
-std::string FieldNames(const Descriptor& type) {
+std::string FieldNames(const pb::Descriptor& type) {
   std::string names;
   for (int i = 0; i < type.field_count(); ++i) names += (i > 0 ? ", " : "") + type.field(i)->name();
   return names;
@@ -65,7 +63,7 @@ std::string FieldNames(const Descriptor& type) {
 
 // What an object has for a field: by its name, else by a name that is the same but for case, other characters and the
 // unit, or one of its aliases. Null when there is nothing.
-const json* FindMember(const json& object, const FieldDescriptor& field) {
+const json* FindMember(const json& object, const pb::FieldDescriptor& field) {
   if (const auto found = object.find(field.name()); found != object.end()) return &*found;
   const std::string& unit = FactsOf(field).unit();
   std::vector<std::string> names = {Bare(field.name())};
@@ -82,7 +80,7 @@ const json* FindMember(const json& object, const FieldDescriptor& field) {
   return nullptr;
 }
 
-bool HasAnyMember(const json& value, const Descriptor& type) {
+bool HasAnyMember(const json& value, const pb::Descriptor& type) {
   if (!value.is_object()) return false;
   for (int i = 0; i < type.field_count(); ++i) {
     if (FindMember(value, *type.field(i)) != nullptr) return true;
@@ -91,8 +89,8 @@ bool HasAnyMember(const json& value, const Descriptor& type) {
 }
 
 // The only list of a type; null when it has none or several.
-const FieldDescriptor* OnlyList(const Descriptor& type) {
-  const FieldDescriptor* only = nullptr;
+const pb::FieldDescriptor* OnlyList(const pb::Descriptor& type) {
+  const pb::FieldDescriptor* only = nullptr;
   for (int i = 0; i < type.field_count(); ++i) {
     if (!type.field(i)->is_repeated()) continue;
     if (only != nullptr) return nullptr;
@@ -115,7 +113,7 @@ size_t FirstPartLength(std::string_view line) {
 
 // A line "s1: words" as the object that it stands for: the part before the colon is the type's first field, the rest
 // the only element of its second. Marks of a list, quotes and brackets around the first part mean nothing.
-json ObjectOfLine(std::string_view line, const Descriptor& type) {
+json ObjectOfLine(std::string_view line, const pb::Descriptor& type) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t-*[]()\"'`"), line.size()));
   const size_t end = FirstPartLength(line);
   const size_t rest = std::min(line.find_first_not_of(" \t:=*\"'`])", end), line.size());
@@ -133,7 +131,7 @@ class Reader {
 
   // As ReadMessage, but an object with nothing of what was asked for is no answer.
   void ReadRoot(const json& value, ProtoMessage& message) {
-    const Descriptor& type = *message.GetDescriptor();
+    const pb::Descriptor& type = *message.GetDescriptor();
     if (!value.is_object() || HasAnyMember(value, type)) return ReadMessage(value, "", message);
     Wrong("", fmt::format("has none of what was asked for; an object with {} would be right", FieldNames(type)));
   }
@@ -142,7 +140,7 @@ class Reader {
   void Wrong(const std::string& path, std::string text) {
     faults_.push_back({path, std::move(text), FaultKind::kWrong});
   }
-  void WrongValue(const std::string& path, const json& value, const FieldDescriptor& field) {
+  void WrongValue(const std::string& path, const json& value, const pb::FieldDescriptor& field) {
     Wrong(path, fmt::format("is {}; {} would be right", Shown(value), RightFor(field, choices_)));
   }
   void Mended(const std::string& path, std::string text) {
@@ -153,41 +151,41 @@ class Reader {
   }
 
   void ReadMessage(const json& value, const std::string& path, ProtoMessage& message) {
-    const Descriptor& type = *message.GetDescriptor();
+    const pb::Descriptor& type = *message.GetDescriptor();
     if (!value.is_object()) {
       return Wrong(path, fmt::format("is {}; an object with {} would be right", Shown(value), FieldNames(type)));
     }
     for (int i = 0; i < type.field_count(); ++i) {
-      const FieldDescriptor& field = *type.field(i);
+      const pb::FieldDescriptor& field = *type.field(i);
       const std::string at = path.empty() ? field.name() : path + "." + field.name();
       ReadField(FindMember(value, field), field, at, message);
     }
   }
 
-  void ReadField(const json* member, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+  void ReadField(const json* member, const pb::FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const bool absent = member == nullptr || member->is_null();
     if (field.is_repeated()) {
       ReadList(absent ? json::array() : *member, field, path, message);
     } else if (absent) {
       ReadNothing(field, path, message);
-    } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE) {
+    } else if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_MESSAGE) {
       ReadMessage(*member, path, *message.GetReflection()->MutableMessage(&message, &field));
     } else {
       ReadScalar(*member, field, path, message);
     }
   }
 
-  void ReadNothing(const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+  void ReadNothing(const pb::FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
     if (facts.has_when_absent()) {
       Mended(path, fmt::format("is missing; taken as {}", facts.when_absent()));
       SetNumberField(facts.when_absent(), field, message);
-    } else if (!field.has_optional_keyword() && field.cpp_type() != FieldDescriptor::CPPTYPE_BOOL) {
+    } else if (!field.has_optional_keyword() && field.cpp_type() != pb::FieldDescriptor::CPPTYPE_BOOL) {
       Wrong(path, fmt::format("is missing; {} would be right", RightFor(field, choices_)));
     }
   }
 
-  void ReadList(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+  void ReadList(const json& value, const pb::FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
     const model::v1::FieldFacts& facts = FactsOf(field);
     if (value.is_string() && value.get_ref<const std::string&>().find('\n') != std::string::npos) {
       return Wrong(path, fmt::format("is {}; a list would be right", Shown(value)));
@@ -203,7 +201,7 @@ class Reader {
     for (int i = 0; i < std::min(count, most); ++i) {
       const json& element = value.is_array() ? value[static_cast<size_t>(i)] : value;
       const std::string at = fmt::format("{}[{}]", path, i);
-      if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) {
+      if (field.cpp_type() != pb::FieldDescriptor::CPPTYPE_MESSAGE) {
         ReadScalar(element, field, at, message);
         continue;
       }
@@ -214,16 +212,16 @@ class Reader {
     }
   }
 
-  void ReadScalar(const json& value, const FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
-    const Reflection& reflection = *message.GetReflection();
-    if (field.cpp_type() == FieldDescriptor::CPPTYPE_STRING) {
+  void ReadScalar(const json& value, const pb::FieldDescriptor& field, const std::string& path, ProtoMessage& message) {
+    const pb::Reflection& reflection = *message.GetReflection();
+    if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_STRING) {
       const std::string text = ReadText(value, field, path);
       if (field.is_repeated()) {
         reflection.AddString(&message, &field, text);
       } else if (!text.empty()) {
         reflection.SetString(&message, &field, text);
       }
-    } else if (field.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) {
+    } else if (field.cpp_type() == pb::FieldDescriptor::CPPTYPE_BOOL) {
       reflection.SetBool(&message, &field, ReadBool(value, field, path));
     } else if (const std::optional<double> number = ReadNumber(value, field, path); number || field.is_repeated()) {
       // In a list a bad number keeps its place as 0.
@@ -231,7 +229,7 @@ class Reader {
     }
   }
 
-  std::string ReadText(const json& value, const FieldDescriptor& field, const std::string& path) {
+  std::string ReadText(const json& value, const pb::FieldDescriptor& field, const std::string& path) {
     const bool notation = FactsOf(field).notation();
     std::string text;
     if (value.is_string() || value.is_number() || notation) {
@@ -258,14 +256,14 @@ class Reader {
     return text;
   }
 
-  bool ReadBool(const json& value, const FieldDescriptor& field, const std::string& path) {
+  bool ReadBool(const json& value, const pb::FieldDescriptor& field, const std::string& path) {
     if (value.is_boolean()) return value.get<bool>();
     const std::string word = value.is_string() ? Bare(value.get<std::string>()) : "";
     if (word != "true" && word != "false") WrongValue(path, value, field);
     return word == "true";
   }
 
-  std::optional<double> ReadNumber(const json& value, const FieldDescriptor& field, const std::string& path) {
+  std::optional<double> ReadNumber(const json& value, const pb::FieldDescriptor& field, const std::string& path) {
     const std::string& unit = FactsOf(field).unit();
     std::optional<double> number;
     if (value.is_number()) number = value.get<double>();
@@ -281,13 +279,14 @@ class Reader {
   std::vector<Fault> faults_;
 };
 
-}  // namespace
-
-json AnswerRoot(json value, const Descriptor& type) {
+// The object that a value means for an answer of that type: itself when it has any of the type's fields; the only
+// object or list that it wraps, as {"answer": {...}} and [{...}] do; the elements of the type's only list. Else the
+// value itself.
+json AnswerRoot(json value, const pb::Descriptor& type) {
   constexpr int kMostWrappers = 3;
-  const FieldDescriptor* const list = OnlyList(type);
+  const pb::FieldDescriptor* const list = OnlyList(type);
   for (int i = 0; i < kMostWrappers && value.is_structured() && !HasAnyMember(value, type); ++i) {
-    const bool of_objects = list != nullptr && list->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+    const bool of_objects = list != nullptr && list->cpp_type() == pb::FieldDescriptor::CPPTYPE_MESSAGE;
     const auto is_element = [&](const json& item) {
       return (FactsOf(*list).line() && item.is_string()) || HasAnyMember(item, *list->message_type());
     };
@@ -304,16 +303,19 @@ json AnswerRoot(json value, const Descriptor& type) {
   return value;
 }
 
+// ExtractJson with the fields of a type.
+ExtractedJson ExtractAnswer(std::string_view answer, const pb::Descriptor& type) {
+  std::vector<std::string> keys;
+  for (int i = 0; i < type.field_count(); ++i) keys.push_back(type.field(i)->name());
+  return ExtractJson(answer, keys);
+}
+
+}  // namespace
+
 std::vector<Fault> ReadJson(json value, const FieldChoices& choices, ProtoMessage& message) {
   Reader reader(choices);
   reader.ReadRoot(AnswerRoot(std::move(value), *message.GetDescriptor()), message);
   return reader.TakeFaults();
-}
-
-ExtractedJson ExtractAnswer(std::string_view answer, const Descriptor& type) {
-  std::vector<std::string> keys;
-  for (int i = 0; i < type.field_count(); ++i) keys.push_back(type.field(i)->name());
-  return ExtractJson(answer, keys);
 }
 
 std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, ProtoMessage& message) {

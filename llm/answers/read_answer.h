@@ -123,16 +123,8 @@ ExtractedJson ExtractJson(std::string_view answer, std::span<const std::string> 
 // AnswerRoot takes. Pure; any value is good input.
 std::vector<Fault> ReadJson(nlohmann::json value, const FieldChoices& choices, google::protobuf::Message& message);
 
-// ExtractJson with the fields of a type.
-ExtractedJson ExtractAnswer(std::string_view answer, const google::protobuf::Descriptor& type);
-
 // ExtractAnswer, then ReadJson: all that is wrong with what a model wrote. Pure; any bytes are good input.
 std::vector<Fault> ReadAnswer(std::string_view answer, const FieldChoices& choices, google::protobuf::Message& message);
-
-// The object that a value means for an answer of that type: itself when it has any of the type's fields; the only
-// object or list that it wraps, as {"answer": {...}} and [{...}] do; the elements of the type's only list. Else the
-// value itself.
-nlohmann::json AnswerRoot(nlohmann::json value, const google::protobuf::Descriptor& type);
 
 // The text with U+FFFD for every byte that is no UTF-8.
 std::string ToUtf8(std::string_view text);

@@ -182,6 +182,15 @@ int TokenLimit(const OpenAiOptions& options, const Dialect& dialect, const ChatR
   return dialect.thinks ? kThinkersOutputTokenCount : kUsualOutputTokenCount;
 }
 
+// The key and the values of the user's own headers.
+std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
+  std::vector<std::string> secrets = {options.api_key};
+  for (const HttpHeader& header : options.headers) secrets.push_back(header.value);
+  // Nothing so short is a secret, and every error would hold it.
+  std::erase_if(secrets, [](const std::string& secret) { return secret.size() < 4; });
+  return secrets;
+}
+
 }  // namespace
 
 OpenAiClient::OpenAiClient(OpenAiOptions options, HttpOptions http, const runtime::Clock& clock)
@@ -294,14 +303,6 @@ std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options) {
   std::erase_if(headers, [&](const HttpHeader& header) { return HasHeader(options, header.name); });
   headers.insert(headers.end(), options.headers.begin(), options.headers.end());
   return headers;
-}
-
-std::vector<std::string> SecretsOf(const OpenAiOptions& options) {
-  std::vector<std::string> secrets = {options.api_key};
-  for (const HttpHeader& header : options.headers) secrets.push_back(header.value);
-  // Nothing so short is a secret, and every error would hold it.
-  std::erase_if(secrets, [](const std::string& secret) { return secret.size() < 4; });
-  return secrets;
 }
 
 std::string IdentityOf(const OpenAiOptions& options) {

@@ -39,9 +39,6 @@ std::string CompletionsUrl(const OpenAiOptions& options);
 // With the key in the header that the server looks for.
 std::vector<HttpHeader> RequestHeaders(const OpenAiOptions& options);
 
-// The key and the values of the user's own headers.
-std::vector<std::string> SecretsOf(const OpenAiOptions& options);
-
 // What decides the answers, in a line; nothing secret.
 std::string IdentityOf(const OpenAiOptions& options);
 

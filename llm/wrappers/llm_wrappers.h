@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/config/v1/llm_config.pb.h"
 #include "llm/client/llm_client.h"

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
 #include "optimizer_worker/stages/stage.h"

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/resolve/resolve_layout.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/arguments.h"

@@ -2,7 +2,6 @@
 #include "optimizer_worker/resolve/warm_search.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/tertiary.h"

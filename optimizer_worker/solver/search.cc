@@ -9,7 +9,6 @@
 #include "room/geometry/gap.h"
 
 namespace flair::optimizer {
-
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();

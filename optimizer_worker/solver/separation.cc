@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "optimizer_worker/constraints/measure/floor_shape.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "room/geometry/gap.h"
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/store/v1/job_record.pb.h"
 #include "orchestrator/jetstream/queue_parts.h"

@@ -17,11 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
-#include "orchestrator/batch/repeater.h"
 #include "orchestrator/batch/job_rules.h"
+#include "orchestrator/batch/repeater.h"
 #include "orchestrator/batch/work_queue.h"
 #include "orchestrator/jetstream/artifact_users.h"
 #include "orchestrator/jetstream/consumers.h"

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "orchestrator/batch/job_rules.h"
 #include "orchestrator/batch/work_queue.h"

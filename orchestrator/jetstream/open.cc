@@ -17,7 +17,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 // Well below the 1 MiB that servers take by default.

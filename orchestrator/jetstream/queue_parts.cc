@@ -8,10 +8,8 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_split.h"
 #include "worker_runtime/files/files.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 // How long a call goes on without an answer: longer than the servers of a queue take to choose a new leader.
@@ -47,6 +45,14 @@ absl::StatusOr<Revised<Message>> ChangeRecord(Bucket& bucket, const std::string&
     record.revision = *revision;
     return record;
   }
+}
+
+absl::Duration LeaseOf(const config::v1::QueueConfig& config) {
+  return absl::Seconds(config.has_lease_seconds() ? config.lease_seconds() : 30);
+}
+
+std::string WriteNotice(const Notice& notice) {
+  return fmt::format("{} {} {}", static_cast<char>(notice.kind), notice.subject, notice.batch_id);
 }
 
 }  // namespace
@@ -149,14 +155,6 @@ std::string RequestKey(const std::string& owner, RequestKind kind, const std::st
                        const std::string& id) {
   const char* token = kind == RequestKind::kJob ? ".single." : ".batch.";
   return OwnerToken(owner) + token + runtime::Sha256Hex(request_id.empty() ? id : request_id);
-}
-
-absl::Duration LeaseOf(const config::v1::QueueConfig& config) {
-  return absl::Seconds(config.has_lease_seconds() ? config.lease_seconds() : 30);
-}
-
-std::string WriteNotice(const Notice& notice) {
-  return fmt::format("{} {} {}", static_cast<char>(notice.kind), notice.subject, notice.batch_id);
 }
 
 Notice ReadNotice(std::string_view text) {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
@@ -184,8 +183,6 @@ inline constexpr char kDeleting[] = "deleting";
 std::string RequestKey(const std::string& owner, RequestKind kind, const std::string& request_id,
                        const std::string& id);
 
-absl::Duration LeaseOf(const config::v1::QueueConfig& config);
-
 // Notices between the processes of a queue: hints on what to check, never data. They may be lost, so every process also
 // polls. On the wire: the letter of the kind, subject and batch, separated by spaces.
 struct Notice {
@@ -205,7 +202,6 @@ struct Notice {
   std::string batch_id;
 };
 
-std::string WriteNotice(const Notice& notice);
 Notice ReadNotice(std::string_view text);
 
 // A value of a bucket as a message, and the revision that it had.

@@ -24,7 +24,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 // How long a run that only releases its job waits for the servers.

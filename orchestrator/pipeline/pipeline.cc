@@ -8,7 +8,6 @@
 #include <set>
 
 #include "google/protobuf/util/time_util.h"
-#include "orchestrator/pipeline/stage.h"
 #include "orchestrator/store/artifact_id.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"

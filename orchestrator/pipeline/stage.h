@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/artifact.pb.h"
 #include "flair/v1/constraint_catalog.pb.h"

@@ -22,6 +22,8 @@ double Fraction(const std::string& key, int attempt) {
 constexpr char kStorePayload[] = "flair/of-store";
 constexpr char kOutagePayload[] = "flair/outage";
 
+bool IsOfStore(const absl::Status& status) { return status.GetPayload(kStorePayload).has_value(); }
+
 }  // namespace
 
 bool IsMessageTooLarge(const absl::Status& status) {
@@ -57,8 +59,6 @@ absl::Status OfStore(absl::Status status) {
   if (!status.ok() && !absl::IsAborted(status)) status.SetPayload(kStorePayload, absl::Cord());
   return status;
 }
-
-bool IsOfStore(const absl::Status& status) { return status.GetPayload(kStorePayload).has_value(); }
 
 absl::Status OfOutage(absl::Status status) {
   status.SetPayload(kOutagePayload, absl::Cord());

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
 #include "flair/v1/artifact.pb.h"
@@ -121,7 +120,6 @@ void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call);
 
 // The same error, known to come from the orchestrator's own store and not from a worker.
 absl::Status OfStore(absl::Status status);
-bool IsOfStore(const absl::Status& status);
 
 // The same error, because no worker of a stage is there: no run of the job has failed, it waits for one.
 absl::Status OfOutage(absl::Status status);

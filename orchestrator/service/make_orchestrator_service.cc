@@ -31,7 +31,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 
 const config::v1::TlsConfig* TlsOf(const config::v1::OrchestratorConfig& config) {

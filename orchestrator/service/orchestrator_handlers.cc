@@ -9,7 +9,6 @@
 #include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 

@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/orchestrator_service.pb.h"
 #include "orchestrator/access/access_control.h"

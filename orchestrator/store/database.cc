@@ -5,7 +5,6 @@
 #include <sqlite3.h>
 
 #include "orchestrator/store/schema_sql.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {

@@ -12,7 +12,6 @@
 #include <variant>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -75,8 +74,9 @@ class Database {
   // The schema of jobs.db.
   static Schema JobSchema();
 
-  // Opens or makes the file and brings its schema up to date; of no steps, whatever it has stays. UNAVAILABLE when it cannot be opened or written,
-  // FAILED_PRECONDITION when a newer version of Flair made it, DATA_LOSS when it is no database.
+  // Opens or makes the file and brings its schema up to date; of no steps, whatever it has stays. UNAVAILABLE when it
+  // cannot be opened or written, FAILED_PRECONDITION when a newer version of Flair made it, DATA_LOSS when it is no
+  // database.
   static absl::StatusOr<std::unique_ptr<Database>> Open(const std::string& path, Schema schema = JobSchema());
   ~Database();
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <thread>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "orchestrator/store/batch_table.h"
 #include "orchestrator/store/database.h"

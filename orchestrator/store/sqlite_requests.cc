@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Requests to the queue in a folder: jobs and batches are made, cancelled, retried.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>

@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "orchestrator/batch/job_rules.h"
-#include "orchestrator/batch/work_queue.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
-
 namespace {
 // An orchestrator that has said nothing for so long is not counted any more.
 constexpr absl::Duration kStatusLife = absl::Seconds(10);

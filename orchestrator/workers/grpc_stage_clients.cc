@@ -4,7 +4,6 @@
 #include <grpcpp/completion_queue.h>
 #include <grpcpp/support/async_unary_call.h>
 
-#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <memory>

@@ -3,7 +3,6 @@
 
 #include <cairo.h>
 
-#include <initializer_list>
 #include <memory>
 #include <span>
 

@@ -5,12 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/renderer_service.pb.h"
 #include "flair/v1/solved_layout.pb.h"
-#include "renderer_worker/drawing/canvas.h"
 #include "renderer_worker/drawing/box.h"
+#include "renderer_worker/drawing/canvas.h"
 #include "renderer_worker/furniture/furniture.pb.h"
 #include "renderer_worker/scene/mesh.h"
 

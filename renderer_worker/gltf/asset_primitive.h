@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "renderer_worker/gltf/gltf.h"
 #include "renderer_worker/scene/mesh.h"

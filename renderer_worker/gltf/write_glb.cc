@@ -6,11 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "flair/v1/room.pb.h"
 #include "fmt/format.h"
-#include "renderer_worker/gltf/mesh_book.h"
 #include "renderer_worker/gltf/gltf.h"
+#include "renderer_worker/gltf/mesh_book.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "renderer_worker/comparison/draw_comparison.h"
 #include "renderer_worker/drawing/draw_plan.h"

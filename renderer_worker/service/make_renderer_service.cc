@@ -22,7 +22,6 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-
 namespace {
 
 constexpr runtime::MetricFamily kDuration =

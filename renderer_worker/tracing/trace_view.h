@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/view_annotations.pb.h"
 #include "renderer_worker/drawing/draw_plan.h"

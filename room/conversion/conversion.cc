@@ -139,8 +139,6 @@ void MarkAtRound(const v1::LayoutGraph& graph, Scene& scene) {
   }
 }
 
-}  // namespace
-
 Polygon PolygonFromProto(const v1::Polygon& message) {
   Polygon polygon;
   for (const v1::Point2& p : message.vertices()) polygon.vertices.push_back({p.x_m(), p.y_m()});
@@ -156,6 +154,8 @@ v1::Polygon PolygonToProto(const Polygon& polygon) {
   }
   return message;
 }
+
+}  // namespace
 
 absl::StatusOr<Room> RoomFromProto(const v1::Room& message) {
   RETURN_IF_ERROR(Validate(message));

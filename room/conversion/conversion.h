@@ -19,9 +19,6 @@ absl::StatusOr<Room> RoomFromProto(const v1::Room& message);
 
 v1::Room RoomToProto(const Room& room);
 
-Polygon PolygonFromProto(const v1::Polygon& message);
-v1::Polygon PolygonToProto(const Polygon& polygon);
-
 using PlacementList = google::protobuf::RepeatedPtrField<v1::Placement>;
 
 // Validates the whole graph first; INVALID_ARGUMENT names the field.

@@ -4,10 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-
-#include "room/geometry/pose.h"
-#include "room/scene/room.h"
 
 namespace flair {
 namespace {

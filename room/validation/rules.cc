@@ -20,16 +20,13 @@ std::string_view ValidationRules();
 namespace flair::validation {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
-using google::protobuf::Reflection;
+namespace pb = google::protobuf;
 
-using TypeCheck = void (*)(const Message& message, const Known& known, const Field& at);
+using TypeCheck = void (*)(const pb::Message& message, const Known& known, const Field& at);
 
 template <typename Type>
-std::pair<const Descriptor*, TypeCheck> CheckOf() {
-  return {Type::descriptor(), [](const Message& message, const Known& known, const Field& at) {
+std::pair<const pb::Descriptor*, TypeCheck> CheckOf() {
+  return {Type::descriptor(), [](const pb::Message& message, const Known& known, const Field& at) {
             Check(static_cast<const Type&>(message), known, at);
           }};
 }
@@ -37,7 +34,7 @@ std::pair<const Descriptor*, TypeCheck> CheckOf() {
 // How the messages of a type are checked.
 struct Plan {
   struct Step {
-    const FieldDescriptor* field = nullptr;
+    const pb::FieldDescriptor* field = nullptr;
     // Null when any value is good.
     const rules::v1::Rule* rule = nullptr;
     // Of a message's fields; null when they are not checked.
@@ -53,7 +50,7 @@ struct Plan {
 class Plans {
  public:
   Plans() {
-    const bool good = google::protobuf::TextFormat::ParseFromString(std::string(ValidationRules()), &rules_);
+    const bool good = pb::TextFormat::ParseFromString(std::string(ValidationRules()), &rules_);
     if (!good) Die("not readable");
     for (const rules::v1::Rule& rule : rules_.rules()) {
       for (const std::string& field : rule.fields()) {
@@ -62,7 +59,7 @@ class Plans {
     }
   }
 
-  const Plan& Of(const Descriptor* type) {
+  const Plan& Of(const pb::Descriptor* type) {
     const std::lock_guard lock(mutex_);
     return Make(type);
   }
@@ -73,7 +70,7 @@ class Plans {
     std::abort();  // a test reads them
   }
 
-  const Plan& Make(const Descriptor* type) {
+  const Plan& Make(const pb::Descriptor* type) {
     const auto [place, is_new] = plans_.try_emplace(type);
     Plan& plan = place->second;
     if (!is_new) return plan;
@@ -81,7 +78,7 @@ class Plans {
       Plan::Step step{type->field(i)};
       const auto rule = rule_of_.find(step.field->full_name());
       if (rule != rule_of_.end()) step.rule = rule->second;
-      const Descriptor* inner = step.field->message_type();
+      const pb::Descriptor* inner = step.field->message_type();
       const bool ours = inner != nullptr && inner->file()->package() == "flair.v1" && !step.field->is_map();
       const bool unchecked = step.rule != nullptr && step.rule->unchecked();
       if (ours && !unchecked) step.inner = &Make(inner);
@@ -97,7 +94,7 @@ class Plans {
 
   rules::v1::Rules rules_;
   std::map<std::string, const rules::v1::Rule*, std::less<>> rule_of_;
-  const std::map<const Descriptor*, TypeCheck> checks_ = {
+  const std::map<const pb::Descriptor*, TypeCheck> checks_ = {
       CheckOf<v1::Brief>(),
       CheckOf<v1::Room>(),
       CheckOf<v1::Object>(),
@@ -125,14 +122,14 @@ class Plans {
       CheckOf<v1::CreateBatchRequest>(),
   };
   std::mutex mutex_;
-  std::map<const Descriptor*, Plan> plans_;
+  std::map<const pb::Descriptor*, Plan> plans_;
 };
 
 // The first part of that type that a message has; null when there is none.
 template <typename Part>
-const Part* PartOf(const Message& message) {
+const Part* PartOf(const pb::Message& message) {
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
-    const FieldDescriptor* const field = message.GetDescriptor()->field(i);
+    const pb::FieldDescriptor* const field = message.GetDescriptor()->field(i);
     if (field->message_type() != Part::descriptor() || field->is_repeated()) continue;
     if (!message.GetReflection()->HasField(message, field)) continue;
     return &static_cast<const Part&>(message.GetReflection()->GetMessage(message, field));
@@ -143,7 +140,7 @@ const Part* PartOf(const Message& message) {
 // What the parts of one message may refer to in each other.
 class Scope {
  public:
-  Scope(const Message& message, const Known& outer) : known_(outer) {
+  Scope(const pb::Message& message, const Known& outer) : known_(outer) {
     if (const auto* plan = PartOf<v1::ZonePlan>(message)) known_.zones = &(zones_ = IdsOf(plan->zones()));
     if (const auto* list = PartOf<v1::ObjectList>(message)) known_.objects = &(objects_ = IdsOf(list->objects()));
     if (const auto* room = PartOf<v1::Room>(message)) known_.openings = &(openings_ = IdsOf(room->openings()));
@@ -166,7 +163,7 @@ class Scope {
 // A value that a rule speaks of: an element of a repeated field, or with index -1 the one value of a field.
 class Value {
  public:
-  Value(const Message& message, const FieldDescriptor* field, int index)
+  Value(const pb::Message& message, const pb::FieldDescriptor* field, int index)
       : message_(message), reflection_(*message.GetReflection()), field_(field), index_(index) {}
 
   const std::string& text(std::string& scratch) const {
@@ -180,9 +177,9 @@ class Value {
   // Rules speak of single numbers only.
   double number() const {
     switch (field_->cpp_type()) {
-      case FieldDescriptor::CPPTYPE_INT32:
+      case pb::FieldDescriptor::CPPTYPE_INT32:
         return reflection_.GetInt32(message_, field_);
-      case FieldDescriptor::CPPTYPE_INT64:
+      case pb::FieldDescriptor::CPPTYPE_INT64:
         return static_cast<double>(reflection_.GetInt64(message_, field_));
       default:
         return reflection_.GetDouble(message_, field_);
@@ -190,9 +187,9 @@ class Value {
   }
 
  private:
-  const Message& message_;
-  const Reflection& reflection_;
-  const FieldDescriptor* field_;
+  const pb::Message& message_;
+  const pb::Reflection& reflection_;
+  const pb::FieldDescriptor* field_;
   int index_;
 };
 
@@ -214,7 +211,7 @@ void CheckReference(const std::string& id, rules::v1::Target target, const Known
 }
 
 // `seen` holds the new ids of the list so far.
-void CheckValue(const FieldDescriptor* field, const Value& value, const rules::v1::Rule& rule, const Known& known,
+void CheckValue(const pb::FieldDescriptor* field, const Value& value, const rules::v1::Rule& rule, const Known& known,
                 NameSet& seen, const Field& at) {
   if (field->enum_type() != nullptr) {
     const int number = value.enum_number();
@@ -237,8 +234,8 @@ void CheckValue(const FieldDescriptor* field, const Value& value, const rules::v
 }
 
 // `seen` is of the list that the message is in.
-void Walk(const Message& message, const Plan& plan, const Known& outer, NameSet& seen, const Field& at) {
-  const Reflection& reflection = *message.GetReflection();
+void Walk(const pb::Message& message, const Plan& plan, const Known& outer, NameSet& seen, const Field& at) {
+  const pb::Reflection& reflection = *message.GetReflection();
   std::optional<Scope> scope;
   if (plan.has_parts) scope.emplace(message, outer);
   const Known& known = scope.has_value() ? scope->known() : outer;
@@ -273,7 +270,7 @@ void Walk(const Message& message, const Plan& plan, const Known& outer, NameSet&
 
 }  // namespace
 
-void CheckMessage(const Message& message, const Known& known, const Field& at) {
+void CheckMessage(const pb::Message& message, const Known& known, const Field& at) {
   static Plans& plans = *new Plans;
   NameSet seen;
   Walk(message, plans.Of(message.GetDescriptor()), known, seen, at);

@@ -24,9 +24,7 @@
 namespace flair::fuzz {
 namespace {
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::Message;
+namespace pb = google::protobuf;
 
 constexpr int kMostItems = 1000;
 constexpr int kMostCharacters = 400;
@@ -42,9 +40,9 @@ int Characters(std::string_view text) {
 }
 
 // The field that a path leads to, such as "objects[3].width_m"; null for none.
-const FieldDescriptor* FieldAt(std::string_view path, const Descriptor& type) {
-  const Descriptor* message = &type;
-  const FieldDescriptor* field = nullptr;
+const pb::FieldDescriptor* FieldAt(std::string_view path, const pb::Descriptor& type) {
+  const pb::Descriptor* message = &type;
+  const pb::FieldDescriptor* field = nullptr;
   while (!path.empty()) {
     const std::string_view step = path.substr(0, path.find('.'));
     path.remove_prefix(std::min(step.size() + 1, path.size()));
@@ -56,28 +54,30 @@ const FieldDescriptor* FieldAt(std::string_view path, const Descriptor& type) {
   return field;
 }
 
-bool IsPath(std::string_view path, const Descriptor& type) { return path.empty() || FieldAt(path, type) != nullptr; }
+bool IsPath(std::string_view path, const pb::Descriptor& type) {
+  return path.empty() || FieldAt(path, type) != nullptr;
+}
 
 // Calls `see` with the message and all messages in it.
-void ForAll(const Message& message, const std::function<void(const Message&)>& see) {
+void ForAll(const pb::Message& message, const std::function<void(const pb::Message&)>& see) {
   see(message);
-  const google::protobuf::Reflection& reflection = *message.GetReflection();
+  const pb::Reflection& reflection = *message.GetReflection();
   for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
-    const FieldDescriptor* const field = message.GetDescriptor()->field(i);
-    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || !field->is_repeated()) continue;
+    const pb::FieldDescriptor* const field = message.GetDescriptor()->field(i);
+    if (field->cpp_type() != pb::FieldDescriptor::CPPTYPE_MESSAGE || !field->is_repeated()) continue;
     for (int item = 0; item < reflection.FieldSize(message, field); ++item) {
       ForAll(reflection.GetRepeatedMessage(message, field, item), see);
     }
   }
 }
 
-void CheckNumber(double number, const FieldDescriptor& field) {
+void CheckNumber(double number, const pb::FieldDescriptor& field) {
   const llm::NumberRange range = llm::RangeOf(field);
   Require(std::isfinite(number) && number >= range.least && number <= range.most,
           field.full_name() + " is finite and in its range");
 }
 
-void CheckText(const std::string& text, const FieldDescriptor& field, const llm::FieldChoices& choices) {
+void CheckText(const std::string& text, const pb::FieldDescriptor& field, const llm::FieldChoices& choices) {
   const model::v1::FieldFacts& facts = llm::FactsOf(field);
   Require(IsPlainLine(text), field.full_name() + " is one line of text");
   if (!facts.notation()) Require(!text.empty(), field.full_name() + " says something");
@@ -89,15 +89,15 @@ void CheckText(const std::string& text, const FieldDescriptor& field, const llm:
   }
 }
 
-void CheckField(const Message& message, const FieldDescriptor& field, const llm::FieldChoices& choices) {
-  const google::protobuf::Reflection& reflection = *message.GetReflection();
+void CheckField(const pb::Message& message, const pb::FieldDescriptor& field, const llm::FieldChoices& choices) {
+  const pb::Reflection& reflection = *message.GetReflection();
   if (!field.is_repeated() && field.has_presence() && !reflection.HasField(message, &field)) return;
   switch (field.cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case pb::FieldDescriptor::CPPTYPE_DOUBLE:
       return CheckNumber(reflection.GetDouble(message, &field), field);
-    case FieldDescriptor::CPPTYPE_INT32:
+    case pb::FieldDescriptor::CPPTYPE_INT32:
       return CheckNumber(reflection.GetInt32(message, &field), field);
-    case FieldDescriptor::CPPTYPE_STRING:
+    case pb::FieldDescriptor::CPPTYPE_STRING:
       if (!field.is_repeated()) return CheckText(reflection.GetString(message, &field), field, choices);
       for (int i = 0; i < reflection.FieldSize(message, &field); ++i) {
         CheckText(reflection.GetRepeatedString(message, &field, i), field, choices);
@@ -109,14 +109,14 @@ void CheckField(const Message& message, const FieldDescriptor& field, const llm:
 }
 
 // Of a list that has lost the last of its elements.
-bool IsEmptyList(const llm::Fault& fault, const Descriptor& type) {
-  const FieldDescriptor* const field = FieldAt(fault.path, type);
+bool IsEmptyList(const llm::Fault& fault, const pb::Descriptor& type) {
+  const pb::FieldDescriptor* const field = FieldAt(fault.path, type);
   return field != nullptr && llm::FactsOf(*field).min_items() > 0 && fault.text.starts_with("has 0 elements");
 }
 
 // Every fault says where it is, in fields that there are, and what is wrong, in text that may go into a log or a
 // prompt.
-void CheckFaults(std::span<const llm::Fault> faults, const Descriptor& type) {
+void CheckFaults(std::span<const llm::Fault> faults, const pb::Descriptor& type) {
   for (const llm::Fault& fault : faults) {
     Require(!fault.text.empty() && fault.text.size() < kLongestFault, "a fault says shortly what is wrong");
     Require(IsPlainLine(fault.text), "a fault is one line of text: " + fault.text);
@@ -125,10 +125,10 @@ void CheckFaults(std::span<const llm::Fault> faults, const Descriptor& type) {
 }
 
 // No list is longer than it may be.
-void CheckLists(const Message& answer) {
-  ForAll(answer, [](const Message& message) {
+void CheckLists(const pb::Message& answer) {
+  ForAll(answer, [](const pb::Message& message) {
     for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
-      const FieldDescriptor* const field = message.GetDescriptor()->field(i);
+      const pb::FieldDescriptor* const field = message.GetDescriptor()->field(i);
       if (!field->is_repeated()) continue;
       const int most = llm::FactsOf(*field).max_items() > 0 ? llm::FactsOf(*field).max_items() : kMostItems;
       Require(message.GetReflection()->FieldSize(message, field) <= most, field->full_name() + " is short enough");
@@ -138,8 +138,8 @@ void CheckLists(const Message& answer) {
 
 // An answer that nothing wrong is left in: numbers finite and in their range, texts on one line, no longer than they
 // may be, and among the choices where there are some.
-void CheckUseful(const Message& answer, const llm::FieldChoices& choices) {
-  ForAll(answer, [&](const Message& message) {
+void CheckUseful(const pb::Message& answer, const llm::FieldChoices& choices) {
+  ForAll(answer, [&](const pb::Message& message) {
     for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
       CheckField(message, *message.GetDescriptor()->field(i), choices);
     }
@@ -147,26 +147,26 @@ void CheckUseful(const Message& answer, const llm::FieldChoices& choices) {
 }
 
 // The same, written as JSON and read again, is the same answer.
-void CheckReadsTheSame(const Message& answer, const llm::FieldChoices& choices) {
-  google::protobuf::util::JsonPrintOptions options;
+void CheckReadsTheSame(const pb::Message& answer, const llm::FieldChoices& choices) {
+  pb::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
   options.always_print_primitive_fields = true;
   std::string json;
-  Require(google::protobuf::util::MessageToJsonString(answer, &json, options).ok(), "what was read can be written");
-  const std::unique_ptr<Message> again(answer.New());
+  Require(pb::util::MessageToJsonString(answer, &json, options).ok(), "what was read can be written");
+  const std::unique_ptr<pb::Message> again(answer.New());
   for (const llm::Fault& fault : llm::ReadAnswer(json, choices, *again)) {
     Require(fault.kind != llm::FaultKind::kWrong || IsEmptyList(fault, *answer.GetDescriptor()),
             "nothing is wrong with what was read, but " + fault.Sentence());
   }
   std::string difference;
-  google::protobuf::util::MessageDifferencer differencer;
+  pb::util::MessageDifferencer differencer;
   differencer.ReportDifferencesToString(&difference);
   Require(differencer.Compare(answer, *again), "what was read is read the same again, but for " + difference);
 }
 
-const std::vector<const Message*>& AnswerTypes() {
+const std::vector<const pb::Message*>& AnswerTypes() {
   using namespace model::v1;  // All answers in one list.
-  static const std::vector<const Message*> types = {
+  static const std::vector<const pb::Message*> types = {
       &RoomAnswer::default_instance(),         &ZonesAnswer::default_instance(),
       &FloorObjectsAnswer::default_instance(), &TertiariesAnswer::default_instance(),
       &StyleAnswer::default_instance(),        &IntraAnswer::default_instance(),
@@ -184,8 +184,8 @@ const llm::FieldChoices& SomeChoices() {
   return choices;
 }
 
-void ReadTyped(std::string_view text, const Message& type) {
-  const std::unique_ptr<Message> answer(type.New());
+void ReadTyped(std::string_view text, const pb::Message& type) {
+  const std::unique_ptr<pb::Message> answer(type.New());
   const std::vector<llm::Fault> faults = llm::ReadAnswer(text, SomeChoices(), *answer);
   CheckFaults(faults, *type.GetDescriptor());
   CheckLists(*answer);

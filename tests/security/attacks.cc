@@ -17,7 +17,6 @@
 
 #include "absl/time/clock.h"
 #include "absl/time/time.h"
-#include "worker_runtime/grpc/channel.h"
 #include "worker_runtime/grpc/client_call.h"
 
 namespace flair::testing {

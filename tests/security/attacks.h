@@ -13,7 +13,6 @@
 #include <thread>
 #include <vector>
 
-#include "absl/status/status.h"
 #include "absl/status/statusor.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "worker_runtime/grpc/channel.h"

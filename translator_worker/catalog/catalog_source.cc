@@ -3,7 +3,6 @@
 
 #include <mutex>
 #include <optional>
-#include <string>
 
 #include "flair/v1/optimizer_service.grpc.pb.h"
 #include "fmt/format.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "translator_worker/grammar/composer.h"
 
-#include <algorithm>
 #include <iterator>
 
 #include "absl/strings/str_join.h"

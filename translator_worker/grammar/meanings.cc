@@ -9,7 +9,6 @@
 #include "translator_worker/grammar/rules/shared.h"
 
 namespace flair::translator {
-
 namespace {
 
 bool Has(const Words& words, std::string_view word) {
@@ -273,7 +272,8 @@ class Fact {
       }
       return false;
     }
-    if (test.about == '=') return test.values.empty() ? !pair.target->name.empty() : Has(test.values, pair.target->name);
+    if (test.about == '=')
+      return test.values.empty() ? !pair.target->name.empty() : Has(test.values, pair.target->name);
     if (test.about == ':') {
       for (const std::string& kind : test.values) {
         if (kind == "object" ? pair.object != nullptr : IsPart(kind) && IsOfKind(pair.target->kind, kind)) return true;

@@ -5,9 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "absl/status/status.h"
-#include "absl/status/statusor.h"
-
 namespace google::protobuf {
 class Descriptor;
 class Message;

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <system_error>
-#include <thread>
 #include <utility>
-#include <vector>
 
 namespace flair::runtime {
 namespace {}  // namespace

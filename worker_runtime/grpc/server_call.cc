@@ -10,13 +10,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/logging/log.h"
-#include "worker_runtime/status/status_macros.h"
 
 namespace flair::runtime {
 namespace {
@@ -78,9 +75,8 @@ class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   grpc::ByteBuffer answer_;
 };
 
-using google::protobuf::Descriptor;
-using google::protobuf::FieldDescriptor;
-using google::protobuf::internal::WireFormatLite;
+namespace pb = google::protobuf;
+using pb::internal::WireFormatLite;
 
 // What a message may take: some in any case, then so many times its bytes; of large ones hardly more than they are.
 constexpr int64_t kAnyMessageBytes = 8 << 20;
@@ -96,12 +92,12 @@ constexpr size_t kShortMessageBytes = 4096;
 // Goes through the fields of a message without making anything, and counts down what each would take.
 class Unfolding {
  public:
-  Unfolding(google::protobuf::io::CodedInputStream& in, int64_t left) : in_(in), left_(left) {}
+  Unfolding(pb::io::CodedInputStream& in, int64_t left) : in_(in), left_(left) {}
 
   // False when more is taken than is left. Stops at what is no field: so will the parser.
-  bool Fits(const Descriptor& type, int nesting = 0) {
+  bool Fits(const pb::Descriptor& type, int nesting = 0) {
     while (const uint32_t tag = left_ > 0 ? in_.ReadTag() : 0) {
-      const FieldDescriptor* field = type.FindFieldByNumber(WireFormatLite::GetTagFieldNumber(tag));
+      const pb::FieldDescriptor* field = type.FindFieldByNumber(WireFormatLite::GetTagFieldNumber(tag));
       if (WireFormatLite::GetTagWireType(tag) != WireFormatLite::WIRETYPE_LENGTH_DELIMITED) {
         left_ -= field != nullptr ? kScalarBytes : kObjectBytes;
         if (!SkipScalar(tag)) break;
@@ -111,9 +107,8 @@ class Unfolding {
       if (!in_.ReadVarint32(&length)) break;
       left_ -= kObjectBytes;
       if (field != nullptr && field->message_type() != nullptr && nesting < kNestingLimit) {
-        const Descriptor& inner = *field->message_type();
-        left_ -= static_cast<int64_t>(
-            google::protobuf::MessageFactory::generated_factory()->GetPrototype(&inner)->SpaceUsedLong());
+        const pb::Descriptor& inner = *field->message_type();
+        left_ -= static_cast<int64_t>(pb::MessageFactory::generated_factory()->GetPrototype(&inner)->SpaceUsedLong());
         const auto limit = in_.PushLimit(static_cast<int>(length));
         if (!Fits(inner, nesting + 1)) return false;
         if (in_.BytesUntilLimit() > 0) break;
@@ -143,7 +138,7 @@ class Unfolding {
     }
   }
 
-  google::protobuf::io::CodedInputStream& in_;
+  pb::io::CodedInputStream& in_;
   int64_t left_;
 };
 
@@ -234,13 +229,13 @@ void Service::AddMethod(const std::string& rpc, grpc::internal::MethodHandler* h
   MarkMethodRawCallback(paths_.size() - 1, handler);
 }
 
-absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message) {
+absl::Status ParseMessage(grpc::ByteBuffer& bytes, pb::Message& message) {
   const auto size = static_cast<int64_t>(bytes.Length());
   const int64_t limit = kAnyMessageBytes + std::min(kBytesPerByte * size, kLargeMessageBytes + 2 * size);
   const std::string name = message.GetDescriptor()->name();
   {
     grpc::ProtoBufferReader reader(&bytes);
-    google::protobuf::io::CodedInputStream in(&reader);
+    pb::io::CodedInputStream in(&reader);
     if (!Unfolding(in, limit).Fits(*message.GetDescriptor())) {
       return InvalidArgument("{}: {} bytes that would take more than {} MiB of memory; send fewer fields at once", name,
                              size, limit >> 20);

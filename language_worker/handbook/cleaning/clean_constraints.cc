@@ -9,15 +9,12 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
-
 namespace {
 
 std::string Capital(std::string text) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
 namespace flair::language {
@@ -269,7 +268,7 @@ class FloorFitter {
   const FloorExtent& floor_;
   std::vector<LeftOut>& left_out_;
   std::vector<SizedItem> items_;
-  double limit_ = kCoverLimit;  // share of the floor
+  double limit_ = kCoverLimit;        // share of the floor
   std::map<std::string, int> asked_;  // by class
 };
 

@@ -4,15 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "flair/v1/object_list.pb.h"
-#include "flair/v1/room.pb.h"
 #include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/objects/share_out.h"
 #include "language_worker/handbook/parts/brief_parts.h"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "fmt/format.h"
 #include "language_worker/handbook/objects/fit_floor.h"

@@ -6,10 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <set>
 #include <utility>
-#include <vector>
 
 #include "language_worker/handbook/rooms/describe_room.h"
 

@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
 
 namespace flair::language {
-
 namespace {
 
 constexpr double kLowestM = 2;  // ceiling

@@ -5,12 +5,10 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
-
 namespace {
 
 struct SideWord {

@@ -5,16 +5,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <string>
-#include <vector>
 
 #include "language_worker/handbook/program/room_program.h"
-#include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/sentences/fill.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::language {
-
 namespace {
 
 template <typename List>
