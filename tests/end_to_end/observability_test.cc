@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What five real programs say of themselves while they design a room: figures and log lines.
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <map>
 #include <regex>
 #include <set>
@@ -26,6 +31,38 @@ using ::testing::Not;
 
 constexpr char kBrief[] = "A bedroom that is 4m x 5m for somebody who collects lighthouses.";
 constexpr char kModel[] = "llm { base_url: \"http://127.0.0.1:9/v1\" model: \"none\" }\n";
+
+// The body that http://ADDRESS/PATH answers; empty when it is not 200. ADDRESS is on this machine.
+std::string HttpGet(const std::string& address, const std::string& path) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in to = {};
+  to.sin_family = AF_INET;
+  to.sin_addr.s_addr = ::htonl(INADDR_LOOPBACK);
+  to.sin_port = ::htons(static_cast<uint16_t>(std::atoi(address.substr(address.rfind(':') + 1).c_str())));
+  std::string answer;
+  if (::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) {
+    const std::string request = "GET " + path + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+    (void)::send(socket, request.data(), request.size(), MSG_NOSIGNAL);
+    char buffer[4096];
+    for (ssize_t n; (n = ::recv(socket, buffer, sizeof buffer, 0)) > 0;) answer.append(buffer, static_cast<size_t>(n));
+  }
+  ::close(socket);
+  const size_t body = answer.find("\r\n\r\n");
+  return answer.starts_with("HTTP/1.1 200") && body != std::string::npos ? answer.substr(body + 4) : "";
+}
+
+// Lines of Prometheus' text form, by what stands before the value: "flair_rpcs_total{code=\"OK\",rpc=\"Solve\"}".
+std::map<std::string, double> ReadFigures(const std::string& text) {
+  std::map<std::string, double> figures;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const size_t space = line.rfind(' ');
+    if (!line.starts_with("#") && space != std::string::npos) {
+      figures[line.substr(0, space)] = std::atof(line.c_str() + space);
+    }
+  }
+  return figures;
+}
 
 // The programs, and where their figures are.
 class Observed {
