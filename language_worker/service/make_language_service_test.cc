@@ -13,7 +13,7 @@
 #include "flair/v1/language_service.grpc.pb.h"
 #include "language_worker/model/model_handlers.h"
 #include "language_worker/service/testing/model_session.h"
-#include "llm/client/fake_llm_client.h"
+#include "llm/testing/fake_llm_client.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/grpc/in_process_server.h"
 

@@ -11,7 +11,7 @@
 
 #include "flair/model/v1/room_answers.pb.h"
 #include "llm/answers/read_answer.h"
-#include "llm/client/fake_llm_client.h"
+#include "llm/testing/fake_llm_client.h"
 
 namespace flair::llm {
 namespace {

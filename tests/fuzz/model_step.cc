@@ -6,7 +6,7 @@
 
 #include "flair/v1/translator_service.pb.h"
 #include "language_worker/service/testing/model_session.h"
-#include "llm/client/fake_llm_client.h"
+#include "llm/testing/fake_llm_client.h"
 #include "room/validation/validate.h"
 #include "tests/fixtures/bedroom.h"
 #include "tests/fuzz/targets.h"

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -22,17 +21,6 @@ class CatalogSource {
 
   // FAILED_PRECONDITION when there is none to be had; UNAVAILABLE when it may be had later.
   virtual absl::StatusOr<v1::ConstraintCatalog> Get(runtime::CallContext& call) = 0;
-};
-
-// A catalogue that is known from the start.
-class FixedCatalogSource final : public CatalogSource {
- public:
-  explicit FixedCatalogSource(v1::ConstraintCatalog catalog) : catalog_(std::move(catalog)) {}
-
-  absl::StatusOr<v1::ConstraintCatalog> Get(runtime::CallContext&) override { return catalog_; }
-
- private:
-  const v1::ConstraintCatalog catalog_;
 };
 
 // No optimizer is configured.

@@ -13,6 +13,17 @@
 namespace flair::translator {
 namespace {
 
+// A catalogue that is known from the start.
+class FixedCatalogSource final : public CatalogSource {
+ public:
+  explicit FixedCatalogSource(v1::ConstraintCatalog catalog) : catalog_(std::move(catalog)) {}
+
+  absl::StatusOr<v1::ConstraintCatalog> Get(runtime::CallContext&) override { return catalog_; }
+
+ private:
+  const v1::ConstraintCatalog catalog_;
+};
+
 v1::TranslateRequest BedroomRequest() {
   v1::TranslateRequest request;
   EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(

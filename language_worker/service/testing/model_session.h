@@ -9,7 +9,7 @@
 #include "flair/v1/language_service.pb.h"
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/model/model_handlers.h"
-#include "llm/client/fake_llm_client.h"
+#include "llm/testing/fake_llm_client.h"
 
 namespace flair::language {
 

@@ -8,7 +8,7 @@
 
 #include "google/protobuf/text_format.h"
 #include "gtest/gtest.h"
-#include "llm/client/fake_llm_client.h"
+#include "llm/testing/fake_llm_client.h"
 #include "translator_worker/model/model_translator.h"
 
 namespace flair::translator {
