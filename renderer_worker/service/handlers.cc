@@ -179,8 +179,8 @@ absl::StatusOr<std::string> Encode(const v1::RenderOptions& options, const Trace
   return writer.Write(format, ToneMapped(view, thread_count), metadata);
 }
 
-}  // namespace
-
+// Ray-traces BIRDSEYE or PERSPECTIVE of a valid request into PNG, JPEG, TIFF or EXR. INVALID_ARGUMENT names size_px
+// when the picture cannot fit the answer.
 absl::StatusOr<v1::RenderResponse> RenderView(const v1::RenderRequest& request, const FurnishingSource& furnishing,
                                               ImageWriter& writer, const ViewLimits& limits,
                                               runtime::CallContext& call) {
@@ -219,8 +219,6 @@ absl::StatusOr<v1::RenderResponse> RenderView(const v1::RenderRequest& request, 
   response.mutable_producer()->set_version(kViewVersion);
   return response;
 }
-
-namespace {
 
 // A plan is compressed many times over, so that its size is known when it is there.
 absl::Status CheckAnswer(const v1::RenderResponse& response, int64_t answer_bytes) {

@@ -71,12 +71,6 @@ struct ViewLimits {
   int64_t answer_bytes = 0;
 };
 
-// Ray-traces BIRDSEYE or PERSPECTIVE of a valid request into PNG, JPEG, TIFF or EXR. INVALID_ARGUMENT names size_px
-// when the picture cannot fit the answer.
-absl::StatusOr<v1::RenderResponse> RenderView(const v1::RenderRequest& request, const FurnishingSource& furnishing,
-                                              ImageWriter& writer, const ViewLimits& limits,
-                                              runtime::CallContext& call);
-
 // Answers RendererService.Render: plans are drawn, the other views ray-traced.
 class RenderHandler {
  public:
