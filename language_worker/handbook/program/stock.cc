@@ -25,9 +25,13 @@ class StockKeeper {
   StockKeeper(const BriefFacts& facts, int named, RoomProgram& program)
       : program_(program),
         nothing_else_(facts.nothing_else),
-        seats_asked_(std::ranges::any_of(
-            facts.wishes,
-            [](const Wish& wish) { return wish.seats > 0 || (wish.count > 1 && IsSeat(*wish.furniture)); })),
+        seats_asked_(std::ranges::any_of(facts.wishes,
+                                         [](const Wish& wish) {
+                                           const bool island = wish.furniture->category() == "kitchen_counter" &&
+                                                               !wish.furniture->companions().empty();
+                                           return wish.seats > 0 || island ||
+                                                  (wish.count > 1 && IsSeat(*wish.furniture));
+                                         })),
         share_(facts.nothing_else ? 0 : std::max(0, kSaysAll - named)) {}
 
   void Keep() {
@@ -93,7 +97,7 @@ class StockKeeper {
            item.furniture->width_m().typical() * item.furniture->depth_m().typical() > kLargeM2;
   }
 
-  // Who asks for three stools at an island eats there: no other table.
+  // Who asks for an island with stools eats there: no other table.
   bool IsTableForOthers(const ProgramItem& item) const {
     const std::string& category = item.furniture->category();
     if (!seats_asked_ || (category != "table" && category != "round_table")) return false;

@@ -116,9 +116,9 @@ class WishMaker {
     }
   }
 
-  // Six recliners seat whoever comes: no sofa of ours stands before them.
+  // Six recliners seat whoever comes: no sofa of ours stands before them, and no row of chairs beside them.
   void KeepAskedSeats() {
-    constexpr int kEnough = 4;
+    constexpr int kEnough = 2, kMany = 4;
     const auto is_easy = [](const hb::Furniture& furniture) {
       const std::string& category = furniture.category();
       return category == "armchair" || category == "sofa" || category == "corner_sofa";
@@ -128,7 +128,10 @@ class WishMaker {
       if (wish.counted && is_easy(*wish.furniture)) asked += wish.count * PlacesOn(*wish.furniture);
     }
     if (asked < kEnough) return;
-    seats_.EraseUnasked([&](const ProgramItem& item) { return is_easy(*item.furniture); });
+    seats_.EraseUnasked([&](const ProgramItem& item) {
+      const bool usual = IsSeat(*item.furniture) && item.furniture->name() == program_.archetype->per_person();
+      return is_easy(*item.furniture) || (usual && asked >= kMany && !IsSeatOfAnother(item));
+    });
   }
 
   // "A desk with a stool" has no office chair.

@@ -11,7 +11,7 @@
 namespace flair::language {
 namespace {
 
-enum Rank { kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
+enum Rank { kOfOtherRooms = -1, kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
 
 double AreaOf(const BriefFacts& facts) {
   if (facts.size.area_m2) return *facts.size.area_m2;
@@ -70,21 +70,26 @@ int NounBook::RankOf(const hb::Furniture& furniture) const {
 }
 
 int NounBook::RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const {
-  const int rank = RankOf(furniture);
-  const auto here = [&](const hb::NounOption& option) {
-    return option.furniture() == furniture.name() && Includes(option.rooms(), room_.name());
-  };
+  const auto here = [&](const hb::NounOption& option) { return Includes(option.rooms(), room_.name()); };
   std::size_t longest = 0;
-  bool meant = false;
+  int meant = kNotOfTheRoom;
   for (const Vocabulary::Head& head : vocabulary_.heads) {
     for (const Phrase& word : head.words) {
       const std::size_t length = word.MatchAt(tokens, i);
       if (length <= longest) continue;
       longest = length;
-      meant = std::ranges::any_of(head.noun->options(), here);
+      bool is_option = false, anywhere = false, of_the_room = false;
+      for (const hb::NounOption& option : head.noun->options()) {
+        if (option.furniture() != furniture.name()) continue;
+        is_option = true;
+        anywhere = anywhere || option.rooms().empty();
+        of_the_room = of_the_room || here(option);
+      }
+      meant = of_the_room ? kOfTheRoom : is_option && !anywhere ? kOfOtherRooms : kNotOfTheRoom;
     }
   }
-  return meant ? std::max<int>(rank, kOfTheRoom) : rank;
+  const int rank = RankOf(furniture);
+  return meant == kOfOtherRooms && rank < kListed ? meant : std::max(rank, meant);
 }
 
 const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,

@@ -28,7 +28,7 @@ namespace flair::language {
 namespace {
 
 bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::Furniture* furniture,
-             bool first_on_host) {
+             const std::string& kin, bool first_on_host) {
   const hb::Furniture& facts = furniture != nullptr ? *furniture : hb::Furniture::default_instance();
   if (selector.kinds().empty()) {
     if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over()) return false;
@@ -37,8 +37,9 @@ bool Selects(const hb::Selector& selector, const v1::Object& object, const hb::F
   }
   if (!selector.backs().empty() && !Includes(selector.backs(), static_cast<int>(facts.back()))) return false;
   if (!selector.categories().empty() && !Includes(selector.categories(), object.category())) return false;
-  if (!selector.furniture().empty() && !Includes(selector.furniture(), object.name())) return false;
-  if (Includes(selector.except_furniture(), object.name())) return false;
+  const auto names = [&](const auto& classes) { return Includes(classes, object.name()) || Includes(classes, kin); };
+  if (!selector.furniture().empty() && !names(selector.furniture())) return false;
+  if (names(selector.except_furniture())) return false;
   if (selector.has_host_center() && selector.host_center() != first_on_host) return false;
   if (object.height_m() < selector.min_height_m()) return false;
   if (selector.max_height_m() > 0 && object.height_m() >= selector.max_height_m()) return false;
@@ -55,6 +56,7 @@ class ConstraintLister {
         choice_(choice),
         objects_(objects),
         places_(facts.places),
+        base_of_own_(facts.base_of_own),
         program_(MakeRoomProgram(facts, handbook, FloorArea(room), choice)),
         writer_(room, zones, objects, handbook, program_, choice, spoken),
         place_writer_(room, program_, places_, writer_),
@@ -141,10 +143,11 @@ class ConstraintLister {
 
   // The general rules: those about neighbours, which say how islands stand, or the others.
   void WriteRules(bool of_neighbours, const Group& group, std::set<std::string>& topics) {
-    const hb::Furniture* furniture = handbook_.FindFurniture(group.front()->name());
+    const std::string& name = group.front()->name();
+    const hb::Furniture* furniture = handbook_.FindFurniture(name);
     for (const hb::GeneralRule& rule : handbook_.contents().general_rules()) {
       if ((rule.relation().pairing() == hb::PAIRING_NEIGHBOUR) != of_neighbours) continue;
-      if (Selects(rule.selector(), *group.front(), furniture, TakesCentre(objects_, *group.front()))) {
+      if (Selects(rule.selector(), *group.front(), furniture, KinOf(name), TakesCentre(objects_, *group.front()))) {
         WriteLevel({&rule.relation()}, group, topics);
       }
     }
@@ -175,6 +178,7 @@ class ConstraintLister {
       }
       if (written.empty()) continue;
       kept_[i] = true;
+      topics.insert("shared");
       topics.insert(place.asked->silences().begin(), place.asked->silences().end());
       const bool in_row = std::ranges::any_of(
           written, [](const v1::Sentence& sentence) { return sentence.text().ends_with("side by side in a row."); });
@@ -227,11 +231,18 @@ class ConstraintLister {
     return "the room has no such wall or pair of pieces";
   }
 
-  static void Collect(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, const std::string& name,
-                      Relations& collected) {
+  // What is said of armchairs holds for the wing chairs of a brief.
+  void Collect(const google::protobuf::RepeatedPtrField<hb::Relation>& relations, const std::string& name,
+               Relations& collected) const {
     for (const hb::Relation& relation : relations) {
-      if (relation.object() == name) collected.push_back(&relation);
+      if (relation.object() == name || relation.object() == KinOf(name)) collected.push_back(&relation);
     }
+  }
+
+  // The class that one named by the brief is a kind of; any other itself.
+  const std::string& KinOf(const std::string& name) const {
+    const auto base = base_of_own_.find(name);
+    return base == base_of_own_.end() || base->second.empty() ? name : base->second;
   }
 
   // The placement that a program's line gives of its own.
@@ -284,6 +295,7 @@ class ConstraintLister {
   const Choice& choice_;
   const v1::ObjectList& objects_;
   const std::vector<Place> places_;
+  const std::map<std::string, std::string> base_of_own_;
   const RoomProgram program_;
   const SentenceWriter writer_;
   const PlaceWriter place_writer_;
