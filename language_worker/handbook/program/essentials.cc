@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "language_worker/handbook/parts/furniture_index.h"
+#include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
 namespace {
@@ -21,6 +22,17 @@ bool IsNamed(const hb::Essential& essential, const hb::Furniture& furniture, con
 // Whether one of that class will do.
 bool Serves(const hb::Essential& essential, const hb::Furniture& furniture, const RoomProgram& program) {
   return Includes(essential.categories(), furniture.category()) || IsNamed(essential, furniture, program);
+}
+
+// Whether it will do because the brief wants that instead: who asks for settles sits on them and on no sofa.
+bool Serves(const hb::Essential& essential, const ProgramItem& item, const RoomProgram& program,
+            const Handbook& handbook) {
+  if (Serves(essential, *item.furniture, program)) return true;
+  const hb::Furniture* usual = handbook.FindFurniture(essential.furniture(0));
+  const auto is_easy = [](const hb::Furniture& piece) {
+    return IsFloorPiece(piece) && PlacesOn(piece) > 0 && piece.category() != "bed" && !IsSeat(piece);
+  };
+  return item.requested && usual != nullptr && is_easy(*usual) && is_easy(*item.furniture);
 }
 
 // The first of its classes, or what a theme has in its place; null when the brief wants none of them.
@@ -82,7 +94,9 @@ void BringEssentials(const BriefFacts& facts, const Handbook& handbook, double a
   for (const hb::Essential* essential : program.essentials) {
     int missing = NeededOf(*essential);
     for (const auto* items : {&program.floor_items, &program.tertiary_items}) {
-      for (const ProgramItem& item : *items) missing -= Serves(*essential, *item.furniture, program) ? item.count : 0;
+      for (const ProgramItem& item : *items) {
+        missing -= Serves(*essential, item, program, handbook) ? item.count : 0;
+      }
     }
     if (missing <= 0) continue;
     const hb::Furniture* furniture = ToBring(*essential, facts, handbook, program);
@@ -90,7 +104,7 @@ void BringEssentials(const BriefFacts& facts, const Handbook& handbook, double a
   }
 }
 
-void MarkEssentials(RoomProgram& program) {
+void MarkEssentials(const Handbook& handbook, RoomProgram& program) {
   for (auto* items : {&program.floor_items, &program.tertiary_items}) {
     for (ProgramItem& item : *items) item.essential = 0;
   }
@@ -100,7 +114,7 @@ void MarkEssentials(RoomProgram& program) {
     for (const auto& [requested, named] : {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
       for (auto* items : {&program.floor_items, &program.tertiary_items}) {
         for (ProgramItem& item : *items) {
-          const bool serves = item.requested == requested && Serves(*essential, *item.furniture, program);
+          const bool serves = item.requested == requested && Serves(*essential, item, program, handbook);
           if (left <= 0 || !serves || IsNamed(*essential, *item.furniture, program) != named) continue;
           if (requested && !named && StockHas(*essential, item.furniture->category(), program)) continue;
           item.essential = std::max(item.essential, std::min(left, item.count));
@@ -118,7 +132,9 @@ void TellMissingEssentials(const RoomProgram& program, const Handbook& handbook,
   for (const hb::Essential* essential : program.essentials) {
     const auto there = std::ranges::count_if(list.objects(), [&](const v1::Object& object) {
       const hb::Furniture* furniture = index.Find(object.name());
-      return furniture != nullptr && Serves(*essential, *furniture, program);
+      const auto item = std::ranges::find(program.floor_items, furniture, &ProgramItem::furniture);
+      return furniture != nullptr && (item == program.floor_items.end() ? Serves(*essential, *furniture, program)
+                                                                        : Serves(*essential, *item, program, handbook));
     });
     if (there >= NeededOf(*essential)) continue;
     v1::Diagnostic& remark = remarks.emplace_back();

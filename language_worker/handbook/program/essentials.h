@@ -12,7 +12,7 @@ void BringEssentials(const BriefFacts& facts, const Handbook& handbook, double a
                      RoomProgram& program);
 
 // Says of every line of the program how many of it are essential, and moves essential tertiaries to the front.
-void MarkEssentials(RoomProgram& program);
+void MarkEssentials(const Handbook& handbook, RoomProgram& program);
 
 // Adds a remark for each essential that is not among the objects, before all other remarks. Objects may bear names that
 // a stranger gave them.

@@ -69,14 +69,14 @@ class ProgramMaker {
     ApplyWishes(facts_, handbook_, program_);
     if (!IsOnlyGuessed() && DoesWhatItsKindDoes(facts_, program_))
       BringEssentials(facts_, handbook_, area_m2_, choice_, program_);
-    MarkEssentials(program_);
+    MarkEssentials(handbook_, program_);
     KeepStock(facts_, program_);
     BringHosts(facts_, handbook_, program_);
     LeaveOutWhatCameLater();
     GatherSeats();
     GiveZonesTheirPrimaries();
     SplitIntoGroups(facts_, area_m2_, handbook_, program_);
-    MarkEssentials(program_);
+    MarkEssentials(handbook_, program_);
     return std::move(program_);
   }
 
