@@ -32,15 +32,33 @@ class EachReader {
     return std::nullopt;
   }
 
-  // "Each needs his own bed, own desk and own shelf", "three guests, each with a microphone".
+  // "Three boys, a bed, a desk and a chair each": so many of all that is listed so.
+  std::optional<int> Listed(std::size_t begin, std::size_t end) const {
+    constexpr std::size_t kMostWords = 14;
+    const bool one = text_.Says(text_.PhraseBegin(begin), {"a", "an", "one"});
+    if (people_ < 2 || !one || (!wishes_.empty() && wishes_.back().count > 1 && wishes_.back().count != people_))
+      return std::nullopt;
+    for (std::size_t k = end; k < end + kMostWords && k < text_.size(); ++k) {
+      if (text_.At(k) == "each")
+        return k + 1 >= text_.size() || text_.IsSign(k + 1) ? std::optional(people_) : std::nullopt;
+      const bool joint = text_.Says(k, {",", "and"}), word = text_.IsWord(k) || text_.IsHyphen(k);
+      if (!joint && (!word || (text_.Is(k, "thing_ends") && !text_.Is(k, "thing_articles")))) break;
+    }
+    return std::nullopt;
+  }
+
+  // "Each needs his own bed, own desk and own shelf", "three guests, each with a microphone", "both want an own desk".
   std::optional<int> Before(std::size_t begin) const {
     for (std::size_t at = begin; at > 0 && !text_.EndsSentence(at - 1); --at) {
-      if (!IsEach(at - 1)) continue;
+      const bool both = text_.At(at - 1) == "both";
+      if (!both && !IsEach(at - 1)) continue;
       constexpr std::size_t kMostToVerb = 4;
       std::size_t verb = at;
       while (verb < at + kMostToVerb && !text_.Is(verb, "getting")) ++verb;
       if (verb == at + kMostToVerb || verb >= begin || EndsBetween(verb, begin)) return std::nullopt;
-      return Sharers(at - 1, verb);
+      // "We both need a sofa" is for one sofa, "both need their own desk" for two desks.
+      while (both && verb < begin && text_.At(verb) != "own") ++verb;
+      return verb == begin ? std::nullopt : both ? std::optional(2) : Sharers(at - 1, verb);
     }
     return std::nullopt;
   }
@@ -141,7 +159,8 @@ Walls WallsBehind(const BriefText& text, std::size_t end) {
 int TimesForEach(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end,
                  const std::vector<Mention>& mentions, const std::vector<Wish>& wishes, int people) {
   const EachReader reader(text, used, mentions, wishes, people);
-  const std::optional<int> behind = reader.Behind(end);
+  std::optional<int> behind = reader.Listed(begin, end);
+  if (!behind) behind = reader.Behind(end);
   return std::max(1, behind ? *behind : reader.Before(begin).value_or(1));
 }
 

@@ -72,7 +72,7 @@ class FurnitureReader {
         i += other - 1;
         continue;
       }
-      if (named != nullptr && !own && MakesACompound(text_, i + name_length)) continue;
+      if (named != nullptr && !own && MakesACompound(text_, i, i + name_length)) continue;
       if (named != nullptr && named->named_as_said() && !own &&
           (IsOfAPurpose(text_, i) || AnyAt(i + name_length) != nullptr)) {
         i += name_length - 1;
@@ -264,7 +264,9 @@ class FurnitureReader {
       mentions_.push_back({&furniture, i, i + length, wish.count * wish.seats});
       return TakeLooksBefore(handbook_, text_, furniture, i, used_, facts_);
     }
-    constexpr int kMostForEach = 4;
+    // "Our three boys want their own desks."
+    if (!count.said && count.number > 1 && people_ > 1 && PhraseBefore("of_ones_own", text_, i)) count.number = people_;
+    constexpr int kMostForEach = 8;
     if (count.number <= kMostForEach) {
       const int times = TimesForEach(text_, used_, i, i + length, mentions_, facts_.wishes, people_);
       count.number = std::clamp(count.number * times, 1, kMostOfAKind);

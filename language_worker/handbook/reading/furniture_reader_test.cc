@@ -337,7 +337,13 @@ TEST(FurnitureReader, CountsFollowWhatOneStandsWith) {
        {"A bedroom with two single beds on either side of the window.", "2 single bed"},
        {"A barber shop with three chairs with mirrors.", "3 barber chair, 3 mirror"},
        {"A bedroom with a bed and a nightstand with a lamp at each side.", "1 double bed, 2 nightstand, 2 table lamp"},
-       {"A living room with plenty of bookcases.", "5 bookshelf"}});
+       {"A living room with plenty of bookcases.", "5 bookshelf"},
+       {"A bedroom for our twin girls, each needs her own desk.", "2 desk"},
+       {"A bedroom for our twin boys, both want their own desk.", "2 desk"},
+       {"A bedroom for three boys. They want their own desks.", "3 desk"},
+       {"A bedroom for three boys, a bed and a desk each.", "3 single bed, 3 desk"},
+       {"A bedroom for the two of us. We both need a sofa.", "1 sofa"},
+       {"A kindergarten with three low tables with six chairs each.", "3 play table"}});
   const BriefFacts desks = FactsOf("A classroom with ten double desks.");
   ASSERT_EQ(desks.wishes.size(), 1u);
   EXPECT_EQ(desks.wishes[0].count, 10);

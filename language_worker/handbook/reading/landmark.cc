@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "language_worker/handbook/reading/no_piece.h"
+
 namespace flair::language {
 namespace {
 
@@ -88,7 +90,8 @@ Landmark LandmarkReader::Noun(std::size_t start) const {
       landmark.kind = feature;
       landmark.plural = tokens_[i].text.ends_with("s");
       landmark.end = i + 1;
-      for (std::size_t k = start; k < i + (IsOfTheRoom(feature) ? 1 : 0); ++k) {
+      const bool itself = IsOfTheRoom(feature) || IsBehindADoor(text_, i);  // "near the closet"
+      for (std::size_t k = start; k < i + (itself ? 1 : 0); ++k) {
         if (tokens_[k].kind == Token::Kind::kWord)
           landmark.side += (landmark.side.empty() ? "" : " ") + tokens_[k].text;
       }
@@ -120,7 +123,7 @@ bool LandmarkReader::JoinsWalls(std::size_t i) const {
 }
 
 Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
-  if (IsIn("doors_of_the_room", text_.At(i))) return Landmark::Kind::kDoor;
+  if (IsIn("doors_of_the_room", text_.At(i)) || IsBehindADoor(text_, i)) return Landmark::Kind::kDoor;
   if (IsIn("windows_of_the_room", text_.At(i))) return Landmark::Kind::kWindow;
   if (IsIn("sockets_of_the_room", text_.At(i))) return Landmark::Kind::kSocket;
   if (text_.At(i) == "wall" || text_.At(i) == "walls") return Landmark::Kind::kWall;
@@ -131,8 +134,9 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   const bool side =
       i > 0 && text_.Is(i, "ends_of_rooms_or_walls") && (text_.Is(told, "told_sides") || text_.At(told) == "one");
   const std::size_t the = i - (i > 1 && text_.At(i - 1) == "very" ? 2 : std::min<std::size_t>(i, 1));
-  const bool alone =
-      i > 0 && text_.Is(i, "sides_by_themselves") && text_.Says(the, {"the", "your"}) && !JoinsWalls(i + 1);
+  // "Facing south".
+  const bool alone = i > 0 && text_.Is(i, "sides_by_themselves") && !JoinsWalls(i + 1) &&
+                     (text_.Says(the, {"the", "your"}) || (text_.Is(i, "compass") && text_.Is(i - 1, "looking")));
   const bool sign = text_.IsSign(i + 1) && !text_.IsHyphen(i + 1);  // "the north-east corner"
   const bool ends = i + 1 >= tokens_.size() || sign || text_.Is(i + 1, "place_ends") ||
                     text_.Is(i + 1, "thing_articles") || text_.Is(i + 1, "pronouns") ||

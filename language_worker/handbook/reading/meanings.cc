@@ -120,7 +120,7 @@ bool MeanTheSame(std::string_view a, std::string_view b) {
 
 bool MeansPeople(std::string_view noun) {
   const std::vector<NounSense> senses = WordNet::Get().SensesOf(noun);
-  return !senses.empty() && senses.front().domain == Domain::kPerson;
+  return !senses.empty() && senses.front().domain == Domain::kPerson && !IsFormIn("no_persons", noun);
 }
 
 }  // namespace flair::language

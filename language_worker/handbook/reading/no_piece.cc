@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "english/wordnet.h"
+#include "english/words.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_words.h"
@@ -34,6 +36,33 @@ bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   const bool wide = begin > 2 && text.At(begin - 1) == "for" && text.At(begin - 2) == "enough";
   if (wide && text.Is(begin - 3, "wide_ways")) return true;
   return text.Is(i + length, "modal_verbs") && text.Is(i + length + 1, "verbs_of_passing");
+}
+
+// "A stool on wheels": how a thing stands, whatever it is.
+bool IsHowItStands(const BriefText& text, std::size_t i) {
+  const std::size_t begin = text.PhraseBegin(i);
+  return text.Is(i, "parts_to_stand_on") && begin > 0 && text.At(begin - 1) == "on" && !text.Is(begin, "articles");
+}
+
+// "TV for the football".
+bool IsShown(const BriefText& text, std::size_t i) {
+  const std::size_t begin = text.PhraseBegin(i);
+  return begin > 1 && text.At(begin - 1) == "for" && IsFormIn("shows_things", text.At(begin - 2));
+}
+
+// Whether the word at a token is that for the room behind a door which the brief names, not for a piece: "the back door
+// to the toilets", "the closet door". "A door to the toilet" and "a toilet" are two.
+bool IsNamedByADoor(const BriefText& text, std::size_t i) {
+  constexpr std::size_t kMostBetween = 2;
+  if (text.Is(i + 1, "doors") && !text.At(i + 1).ends_with('s')) return true;
+  std::size_t at = i;
+  while (at > 0 && (text.Is(at - 1, "definite") || text.Is(at - 1, "articles"))) --at;
+  if (at == 0 || !text.Says(at - 1, {"to", "into", "onto", "from"})) return false;
+  for (std::size_t k = at - 1; k > 0 && k + kMostBetween + 1 >= at; --k) {
+    if (text.Is(k - 1, "doors")) return true;
+    if (!text.Is(k - 1, "leading")) break;
+  }
+  return false;
 }
 
 // "Waiters with trays".
@@ -68,23 +97,40 @@ bool IsNoNoun(const BriefText& text, std::size_t i) {
 }
 
 bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-  return IsHeld(text, furniture, i) || IsPassing(text, i, length) || IsBorne(text, furniture, i) || IsOfATale(text, i);
+  return IsHeld(text, furniture, i) || IsPassing(text, i, length) || IsBorne(text, furniture, i) ||
+         IsOfATale(text, i) || IsHowItStands(text, i) || IsShown(text, i) || (length == 1 && IsBehindADoor(text, i));
 }
 
-bool MakesACompound(const BriefText& text, std::size_t end) {
+bool IsBehindADoor(const BriefText& text, std::size_t i) {
+  const std::string_view room = text.At(i);
+  if (!IsFormIn("inner_rooms", room) && !text.Is(i, "open_air") && !room.ends_with("room")) return false;
+  if (IsNamedByADoor(text, i)) return true;
+  if (i == 0 || !text.Is(i - 1, "definite")) return false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (MatchesWord(text.At(k), english::Singular(room)) && IsNamedByADoor(text, k)) return true;
+  }
+  return false;
+}
+
+bool MakesACompound(const BriefText& text, std::size_t begin, std::size_t end) {
   // "A table seating twelve" is no table-seating.
   const auto goes_on = [&](std::size_t i) {
     return text.IsWord(i) && !text.Is(i, "thing_ends") && !NumberWord(text.At(i));
   };
-  return goes_on(end) && ((text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
+  // "In camera view", "at desk height": one of them would have an article.
+  const bool bare = begin > 0 && text.Is(begin - 1, "before_bare_nouns") && !text.At(end - 1).ends_with('s') &&
+                    !english::WordNet::Get().SensesOf(text.At(end)).empty() && !IsFormIn("thing_nouns", text.At(end));
+  return goes_on(end) && (bare || (text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
 }
 
 std::size_t BehindParts(const BriefText& text, std::size_t end) {
   constexpr std::size_t kMostOfAPart = 4;
-  if (!text.Says(end, {"with", "without"})) return end;
+  const bool stands = text.At(end) == "on";
+  if (!stands && !text.Says(end, {"with", "without"})) return end;
   for (std::size_t i = end + 1; i < text.size() && i <= end + kMostOfAPart; ++i) {
-    if (IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
-    if (!text.IsWord(i) && !text.IsHyphen(i) && !text.IsNumber(i)) break;
+    if (stands ? text.Is(i, "parts_to_stand_on") : IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
+    const bool word = text.IsWord(i) || text.IsHyphen(i) || text.IsNumber(i);
+    if (!word || (stands && text.Is(i, "articles"))) break;
   }
   return end;
 }

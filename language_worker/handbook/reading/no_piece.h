@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words that name a piece where nobody asks for one: what another piece holds, what passes by, parts, verbs, shapes.
+// Words that name a piece where nobody asks for one: what another piece holds, what passes by, rooms next
+// door, parts, verbs, shapes.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +17,15 @@ bool IsNoNoun(const BriefText& text, std::size_t i);
 // Whether the piece is only spoken of: what another one is made to hold, what passes by, what people bear or bring.
 bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length);
 
-// "Wheel truing station", "doll's house maker": what is named before `end` only says of what kind another thing is.
-bool MakesACompound(const BriefText& text, std::size_t end);
+// Whether the word at a token is that for a room behind a door which the brief names: "the closet door", then "near the
+// closet", where that door is.
+bool IsBehindADoor(const BriefText& text, std::size_t i);
 
-// Where words for a part of the piece before `end` stop: "with sliding doors", "without a headboard"; else `end`.
+// "Wheel truing station", "doll's house maker", "in camera view": what is named in [begin, end) only says of what kind
+// another thing is.
+bool MakesACompound(const BriefText& text, std::size_t begin, std::size_t end);
+
+// Where words for a part of the piece before `end` stop: "with sliding doors", "on castors"; else `end`.
 std::size_t BehindParts(const BriefText& text, std::size_t end);
 
 // "Hooks for hats", "a desk for writing letters": small things by which another piece's use is told.

@@ -21,7 +21,7 @@ Lead LeadAt(const BriefText& words, std::size_t i, bool any) {
   std::size_t at = words.BehindArticle(i);
   const bool article = at > i;
   const auto known = [&](std::size_t k) {
-    return words.Is(k, "open_air") || words.Is(k, "inner_rooms") || words.Is(k, "ways_in") ||
+    return words.Is(k, "open_air") || IsFormIn("inner_rooms", words.At(k)) || words.Is(k, "ways_in") ||
            words.At(k).ends_with("room");
   };
   if (words.Is(at, "before_other_rooms") && known(at + 1)) ++at;
@@ -41,6 +41,8 @@ void TakeLead(const BriefText& words, const Lead& lead, OpeningWish& wish) {
   if (words.Is(lead.begin, "open_air") || words.Is(lead.end - 1, "open_air")) {
     wish.outside = true;
     if (words.At(lead.begin) != "balcony") wish.width_m = wish.width_m.value_or(wish.count == 1 ? 0.9 : kPairOfLeavesM);
+  } else {
+    wish.outside = false;  // glass doors between rooms
   }
   (words.Is(lead.begin, "ways_in") ? wish.name : wish.leads_to) = words.Quote(lead.begin, lead.end);
 }
@@ -90,14 +92,15 @@ bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
   const bool bracket = words.At(at) == "(";
   if (bracket) ++at;
   bool sill = false;
-  for (int over = 0; over < 6 && words.Is(at, "before_opening_sizes"); ++over) sill = words.At(at++) == "sill" || sill;
+  for (int over = 0; over < 6 && words.Is(at, "before_opening_sizes"); ++over)
+    sill = words.At(at++).starts_with("sill") || sill;
   std::size_t end = 0;
   const std::optional<double> first = words.LengthAt(at, end);
-  if (!first || *first <= 0 || words.Is(end, "after_distances")) return false;
+  const std::optional<std::size_t> above = words.BehindPhrase(end, "above_the_floor");
+  if (!first || *first <= 0 || (words.Is(end, "after_distances") && !above)) return false;
   // "..., 4 m x 3 m" is the room.
   constexpr double kLeastRoomM = 2.5;
   if (words.At(i) == "," && *first >= kLeastRoomM && words.Says(end, {"x", "by"})) return false;
-  const std::optional<std::size_t> above = words.BehindPhrase(end, "above_the_floor");
   if (sill || above) {
     wish.sill_m = first;
     i = above.value_or(end);

@@ -138,6 +138,7 @@ class NounReader {
         found_.wish.counted = true;
       }
       double_ = double_ || IsIn("two_leaves", word);
+      glass_ = glass_ || IsIn("glazed", word);
       full_height_ += IsIn("full_height", word) ? 1 : 0;
       Describe(word, found_.wish);
       --at;
@@ -264,6 +265,8 @@ class NounReader {
       wish.to_ceiling = true;
     }
     const bool leaves = wish.width_m || wish.swing != v1::DOOR_SWING_UNSPECIFIED || wish.outside || double_;
+    // "Sliding glass doors" are to the open air, unless they lead elsewhere.
+    wish.outside = wish.outside || (glass_ && found_.plural && wish.swing == v1::DOOR_SWING_SLIDING);
     if (wish.door && found_.plural && (!wish.counted || double_) && leaves) {
       wish.count = 1;
       wish.counted = true;
@@ -278,6 +281,7 @@ class NounReader {
   const std::size_t noun_;
   OpeningNoun found_;
   bool double_ = false;  // its plural is a pair of leaves
+  bool glass_ = false;
   int full_height_ = 0;  // words for "floor to ceiling"
 };
 

@@ -47,7 +47,8 @@ class OpeningReader {
 
   void Read() {
     for (std::size_t i = 0; i < words_.size(); i = std::max(i + 1, read_to_)) {
-      const bool read = ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadOneOfThem(i);
+      const bool read =
+          ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadWayOut(i) || ReadOneOfThem(i);
       if (!read && !room_[i]) ReadNamed(i);
     }
     list_.Settle();
@@ -128,6 +129,21 @@ class OpeningReader {
     wish.side = walls[0];
     wish.said = Quote(i, end);
     list_.Add(wish);
+    Use(i, end);
+    return true;
+  }
+
+  // "The way to the balcony": there is a door.
+  bool ReadWayOut(std::size_t i) {
+    const auto open_air = [](const OpeningWish& one) { return one.door && one.outside; };
+    if (!words_.Is(i, "ways_out") || std::ranges::any_of(openings_.wishes, open_air)) return false;
+    OpeningNoun noun;
+    noun.wish.door = noun.wish.definite = true;
+    const std::size_t end = ReadMeasures(words_, i + 1, noun);
+    if (!noun.wish.outside) return false;
+    noun.wish.said = Quote(i, end);
+    Name(i, noun.wish);
+    list_.Add(noun, {});
     Use(i, end);
     return true;
   }
@@ -226,6 +242,7 @@ class OpeningReader {
     wish.side.clear();
     if (site.along.at != AlongWall::At::kAny) wish.along = site.along;
     wish.fills = site.fills;
+    if (wish.door && wish.fills) wish.width_m.reset();  // as wide as its wall lets it
     wish.said = Quote(begin, end);
     if (!Says(noun, site)) {
       if (wish.door && wish.definite) unsaid_ = {noun, end};

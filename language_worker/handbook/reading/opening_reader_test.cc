@@ -112,6 +112,16 @@ TEST(OpeningReader, ReadsWhatAClauseTellsOfSeveral) {
       {"A shop window and a glass door on the short street side.", "window@near w2; door@short"},
       {"A bed on the long wall opposite the windows.", "2 window@across long"},
       {"A table near the kitchen hatch.", "door to:kitchen open"},
+      {"Sliding glass doors take up most of the north wall, and the door from the passage is in the east wall.",
+       "door@north outside sliding; door@east"},
+      {"Windows run along the south side, bifold doors fill the west wall.", "2 window@south; door@west sliding"},
+      {"A door at one end and a window at the other end.", "door@short; window@across short"},
+      {"A door on the south wall at the right, two windows left of it.", "door@south end:right; 2 window@south"},
+      {"A door on the west wall, at the far end.", "door@west end:far"},
+      {"A back door to the toilets on the north wall at the left end.", "door@north end:left to:toilets"},
+      {"The north wall is solid and has the door into the kitchen, right hand end.", "door@north end:right to:kitchen"},
+      {"Leave the way to the balcony open.", "door outside to:balcony"},
+      {"Glass on the south and half of the east side.", "window@south w100; window@east w100"},
   };
   for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;
   EXPECT_TRUE(OpeningsIn("A trapdoor as the only entrance.").other_way_in);

@@ -38,8 +38,9 @@ class SiteReader {
       }
       // Behind a comma a wall may be that of something else; not where a piece told none.
       const bool thing = !site_.not_read.empty();
-      if (!TakeFilling() && !TakeEntering() && !TakeFromEnd() && !TakeMiddle() && !(!part_only && TakeOpening(door)) &&
-          !TakeWall({.bare = list || thing, .part = part_only}) && !(!any && !pause && TakeThing())) {
+      if (!TakeFilling() && !TakeOccupied() && !TakeEntering() && !TakeFromEnd() && !TakeMiddle() &&
+          !(!part_only && TakeOpening(door)) && !TakeWall({.bare = list || thing, .part = part_only}) &&
+          !(!any && !pause && TakeThing())) {
         i_ = start;
         break;
       }
@@ -65,6 +66,13 @@ class SiteReader {
     const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length");
     if (into && whole) at = *whole;
     if ((into || near) && TakePart(at)) return true;
+    // "The door, right hand end": of the wall that was named before it.
+    const WallTarget hand = WallTargetAt(words_, i_);
+    if (form.part && hand.end_of_wall && hand.sides.size() == 1 && EndsWall(words_, hand.end)) {
+      site_.along = {At::kEnd, hand.sides[0], {}};
+      i_ = hand.end;
+      return true;
+    }
     if (form.part && !form.bare && !words_.Is(i_, "into_a_wall")) return false;
     // "Stage left" is the right of those who look on.
     const std::size_t stage = words_.BehindArticle(at);
@@ -78,6 +86,12 @@ class SiteReader {
     const Sides sides = WallsAt(words_, at, /*alone=*/!into, at);
     const bool noun = words_.Is(at - 1, "wall_nouns") || words_.Is(at - 1, "wall_ends");
     if (sides.empty() || (form.part && !(noun && EndsWall(words_, at)))) return false;
+    // "On the south wall at the right".
+    if (!site_.sides.empty() && !noun && IsOneOf(sides[0], {"left", "right"})) {
+      site_.along = {At::kEnd, sides[0], {}};
+      i_ = at;
+      return true;
+    }
     site_.fills = site_.fills || (into && whole);
     // "Facing each other in the short walls".
     if (each_other_) site_.sides = sides.size() > 1 ? sides : Sides{sides[0], "across " + sides[0]};
@@ -116,6 +130,19 @@ class SiteReader {
     if (!filling) return false;
     site_.fills = true;
     i_ = *filling;
+    return true;
+  }
+
+  // "take up most of the north wall", "run along the south side".
+  bool TakeOccupied() {
+    const auto verb = words_.BehindPhrase(i_, "occupying_a_wall");
+    if (!verb) return false;
+    std::size_t at = words_.BehindPhrase(*verb, "shares_of_a_wall").value_or(*verb);
+    const Sides sides = WallsAt(words_, at, /*alone=*/true, at);
+    if (sides.empty()) return false;
+    site_.sides = sides;
+    site_.fills = true;
+    i_ = at;
     return true;
   }
 
@@ -275,7 +302,10 @@ OpeningSite ReadSiteBefore(const BriefText& words, std::size_t begin) {
     // "On the south wall there is", "the south wall has".
     bool linked = words.Is(start, "into");
     std::size_t at = reader.end();
-    for (; at < begin && (words.Is(at, "there_is") || words.Says(at, {",", ":", "-", "'s", "'"})); ++at) {
+    for (; at < begin &&
+           (words.Is(at, "there_is") || words.Is(at, "blank_walls") ||
+            (words.At(at) == "and" && words.Is(at - 1, "blank_walls")) || words.Says(at, {",", ":", "-", "'s", "'"}));
+         ++at) {
       linked = linked || words.Says(at, {"has", "have", "with", ":"});
     }
     if (!linked || at < begin) continue;

@@ -24,6 +24,7 @@ Sides SeveralWallsAt(const BriefText& words, std::size_t i, std::size_t& end) {
                                                     {"both_short_walls", {"short", "across short"}},
                                                     {"all_walls", {"far", "left", "right", "near"}},
                                                     {"three_walls", {"far", "left", "right"}},
+                                                    {"one_end", {"short"}},
                                                     {"facing_walls", {"left", "right"}},
                                                     {"two_walls", {"far", "left"}}};
   for (const auto& [list, sides] : kSeveral) {
@@ -92,6 +93,7 @@ std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, bool al
     while (!sides.empty() && next < at + 2 && words.Is(next, "and_signs")) ++next;
     if (!sides.empty() && next == at) break;
     if (!sides.empty() && words.Is(next, "into")) ++next;
+    if (const auto share = words.BehindPhrase(next, "shares_of_a_wall"); share && !sides.empty()) next = *share;
     const WallTarget target = WallTargetAt(words, next);
     const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
     if (target.sides.empty() || target.sides.size() > 2 || target.corner) break;
@@ -99,6 +101,8 @@ std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, bool al
     const std::string side = IsLength(target.sides[0]) ? target.sides.back() : target.sides[0];
     if (target.sides.size() == 2 && !IsLength(target.sides[0])) break;
     const bool compass = IsIn("compass", side), closes = EndsWall(words, target.end);
+    // "On the west wall, at the far end": of that wall.
+    if (!sides.empty() && target.end_of_wall && !target.wall && words.At(at) == "," && words.At(at + 1) != "and") break;
     // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.
     if (!sides.empty() && !(noun && closes) && !(closes && !any_noun && compass)) break;
     if (!noun && (words.At(target.end) == "of" || IsIn("sides_with_a_noun", side))) break;

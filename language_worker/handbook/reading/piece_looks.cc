@@ -69,7 +69,7 @@ class LooksReader {
     return coloured;
   }
 
-  // "Matt sage fronts", "fronts in matt sage", "bottle green leather".
+  // "Matt sage fronts", "fronts in matt sage", "bottle green leather", "dark wood".
   void OfAll() {
     for (std::size_t i = 0; i < text_.size(); ++i) {
       if (used_[i]) continue;
@@ -82,6 +82,8 @@ class LooksReader {
         GiveAll(looks, [](const hb::Furniture& one) { return IsUpholstered(one); });
       } else if (text_.Is(i, "fronts_of_pieces") && (looks = BehindAt(i + 1)).end > 0) {
         GiveAll(looks, [](const hb::Furniture& one) { return HasFronts(one); });
+      } else if (looks = RunAt(i); IsAllOfAWood(looks)) {
+        GiveAll(looks, [](const hb::Furniture& one) { return one.material_group() == "wood"; });
       } else {
         continue;
       }
@@ -94,6 +96,14 @@ class LooksReader {
   static bool HasFronts(const hb::Furniture& one) {
     return one.material_group() == "wood" && IsFloorPiece(one) && PlacesOn(one) == 0 &&
            !one.category().ends_with("table");
+  }
+
+  // "Dark wood, nothing modern": of no piece, and so of all.
+  bool IsAllOfAWood(const Looks& looks) const {
+    const std::size_t before = looks.begin - std::min<std::size_t>(looks.begin, 1);
+    const bool opens = looks.begin == 0 || text_.IsSign(before) || text_.Is(before, "before_all_of_a_wood");
+    return opens && looks.colour == nullptr && IsIn("woods", looks.material) && EndsPhrase(looks.end) &&
+           !text_.Says(looks.end, {"of", "for"});
   }
 
   static bool IsUpholstered(const hb::Furniture& one) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "language_worker/handbook/reading/own_classes.h"
+#include "language_worker/handbook/reading/piece_words.h"
 
 namespace flair::language {
 namespace {
@@ -182,7 +183,19 @@ bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std
   return true;
 }
 
-void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, Place& place) {
+void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, bool looks, const OpeningWishes& openings,
+                    Place& place) {
+  if (looks && kind == Landmark::Kind::kWall && PlacesOn(*place.furniture) > 0 && IsIn("compass", place.side)) {
+    const bool window = std::ranges::any_of(
+        openings.wishes, [&](const OpeningWish& one) { return !one.door && one.side == place.side; });
+    const hb::AskedPlace* at_it = patterns.Find("facing", "window", hb::FURNITURE_KIND_FLOOR);
+    if (window && at_it != nullptr) {
+      place.asked = at_it;
+    } else {
+      place.side = "across " + place.side;
+    }
+    return;
+  }
   const bool door = kind == Landmark::Kind::kDoor;
   if (!(door || kind == Landmark::Kind::kWindow) || place.furniture->back() != hb::BACK_RULE_WALL ||
       !AskedNames(*place.asked, "faces the")) {

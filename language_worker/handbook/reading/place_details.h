@@ -58,8 +58,10 @@ bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std
 // "At least 1.5 m apart", "space behind it of 90 cm": the length told right before or behind the words, then used.
 std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std::size_t end, std::vector<bool>& used);
 
-// "A TV opposite the window": what belongs to a wall stands against that across from it.
-void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, Place& place);
+// "A TV opposite the window": what belongs to a wall stands against that across from it. "Armchairs facing south" look
+// at the window there, else stand against the wall across. `looks`: it is told by where one looks.
+void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, bool looks, const OpeningWishes& openings,
+                    Place& place);
 
 // "In each corner" is of all of them; "in the opposite corner" of the corner, or two walls, of the piece before.
 void TakeCorner(Landmark::Kind kind, BriefFacts& facts, Place& place);

@@ -14,6 +14,8 @@
 namespace flair::language {
 namespace {
 
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::SizeIs;
@@ -79,6 +81,15 @@ TEST(PlaceDetails, OppositeWithoutANounIsTheWallAcross) {
               IsSupersetOf({"drying rack [across left]"}));
   EXPECT_THAT(PlacesIn("A lounge with a sofa on the left wall, two armchairs opposite."),
               IsSupersetOf({"armchair at sofa"}));
+}
+
+TEST(PlaceDetails, SeatsFaceAPointOfTheCompassFromAcross) {
+  EXPECT_THAT(PlacesIn("A living room with a sofa facing east."), ElementsAre("sofa [across east]"));
+  EXPECT_THAT(PlacesIn("A sunroom with windows on the south wall, two armchairs with footstools facing south."),
+              Contains("armchair [south]"));
+  EXPECT_THAT(PlacesIn("A bedroom with two windows on the east wall, a dresser under or between the windows."),
+              ElementsAre("dresser [window]"));
+  EXPECT_TRUE(FactsOf("A hall with four tables. People can walk between them.").places_not_known.empty());
 }
 
 TEST(PlaceDetails, NobodySitsWithTheBackToTheDoor) {

@@ -239,7 +239,7 @@ class PlaceReader {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
     TakeWhatHangs(patterns_, place, LooksToTheFront());
-    TakeWallAcross(patterns_, match.landmark.kind, place);
+    TakeWallAcross(patterns_, match.landmark.kind, text_.Is(i, "looking"), facts_.openings, place);
     if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, facts_, place);
     // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
     if (LooksToTheFront()) place.side = SeenByAnAudience(place.side);
@@ -320,6 +320,9 @@ class PlaceReader {
     const auto named = [&](const Match& match) { return match.length > 1; };
     if (!phrase && !IsIn("place_words", tokens_[i].text) && std::ranges::none_of(patterns_.MatchesAt(i), named)) return;
     if (i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kNumber) return;  // "under 20 m2"
+    // "Under or between the windows", "people can walk between them".
+    if (text_.At(i + 1) == "or" && !patterns_.MatchesAt(i + 2).empty()) return;
+    if (i > 0 && text_.Is(i - 1, "verbs_of_passing")) return;
     std::size_t begin = i;
     while (begin > 0 &&
            (IsIn("place_fillers", text_.At(begin - 1)) || text_.At(begin - 1) == "in" || text_.At(begin - 1) == "the"))

@@ -59,10 +59,6 @@ Speller::Speller(const hb::Handbook& handbook) {
   }
   for (const hb::Style& style : handbook.styles()) Learn(style.name(), true);
   for (const hb::Theme& theme : handbook.themes()) learn(theme.keywords(), false);
-  for (const hb::Need& need : handbook.needs()) {
-    learn(need.keywords(), false);
-    learn(need.also_keywords(), false);
-  }
   for (const hb::SizeWord& size : handbook.size_words()) learn(size.words(), false);
   for (const hb::CountWord& count : handbook.count_words()) learn(count.words(), false);
   for (const hb::AskedPlace& place : handbook.asked_places()) learn(place.words(), false);

@@ -56,6 +56,16 @@ std::vector<Token> TokensOf(std::string_view text) {
   joined.reserve(tokens.size());
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     joined.push_back(tokens[i]);
+    // "4:30" is a time.
+    if (i + 2 < tokens.size() && tokens[i].kind == Token::Kind::kNumber && tokens[i + 1].text == ":" &&
+        tokens[i + 1].glued && tokens[i + 2].glued && tokens[i + 2].kind == Token::Kind::kNumber) {
+      Token& time = joined.back();
+      time.kind = Token::Kind::kWord;
+      time.text += ":" + tokens[i + 2].text;
+      time.end = tokens[i + 2].end;
+      i += 2;
+      continue;
+    }
     if (tokens[i].kind != Token::Kind::kWord) continue;
     const std::optional<english::Number> number = english::NumberAt(tokens, i);
     if (!number || number->value < kLeastJoined) continue;

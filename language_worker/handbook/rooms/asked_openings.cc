@@ -16,9 +16,10 @@ constexpr double kLeastDoorM = 0.6, kLeastWindowM = 0.4;
 constexpr double kWideDoor = 1.3;    // a wide one by the usual
 constexpr double kLeastPaneM = 0.3;  // from sill to head
 constexpr double kLongWallM = 4.5;
-constexpr double kPerWindowM = 2.4;  // of a wall
-constexpr double kWholeWallM = 50;   // wider than any: "a wall of windows"
-constexpr double kPaneM = 2.2;       // of windows that fill a wall
+constexpr double kPerWindowM = 2.4;   // of a wall
+constexpr double kWholeWallM = 50;    // wider than any: "a wall of windows"
+constexpr double kPaneM = 2.2;        // of windows that fill a wall
+constexpr double kMostOfAWall = 0.7;  // that doors take up
 
 double Usual(double value, double fallback) { return value > 0 ? value : fallback; }
 
@@ -29,7 +30,7 @@ int CountOf(v1::OpeningKind kind, const v1::Room& room) {
 // To a larder or a bathroom, by which nobody comes in.
 bool LeadsNowhere(const OpeningWish& door) {
   const std::vector<Token> words = TokensOf(door.leads_to);
-  return std::ranges::any_of(words, [](const Token& word) { return IsIn("dead_ends", word.text); });
+  return std::ranges::any_of(words, [](const Token& word) { return IsFormIn("dead_ends", word.text); });
 }
 
 std::string NameOf(const v1::Room& room, int wall) {
@@ -221,7 +222,8 @@ std::vector<int> AskedOpenings::WallsToTry(const OpeningWish& wish) const {
 OpeningSize AskedOpenings::SizeOf(const OpeningWish& wish, int wall) const {
   if (wish.door) {
     const double usual_m = plan_.door_width_m * (wish.width_factor > 1 ? kWideDoor : wish.width_factor < 1 ? 0.8 : 1);
-    return {wish.width_m.value_or(usual_m), kLeastDoorM, kDoorCornerM};
+    const double most_m = wish.fills ? kMostOfAWall * WallLength(room_, wall) : usual_m;
+    return {wish.width_m.value_or(std::max(usual_m, most_m)), kLeastDoorM, kDoorCornerM};
   }
   double usual_m = Usual(plan_.rules.window_width_m(), 1.2);
   if (wish.count == 1 && WallLength(room_, wall) > kLongWallM)
