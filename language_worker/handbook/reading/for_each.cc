@@ -18,31 +18,22 @@ class EachReader {
 
   // "One nightstand and one visitor's chair per bed", "a chair at each".
   std::optional<int> Behind(std::size_t end) const {
-    constexpr std::size_t kMostToPer = 9, kMostWords = 5;
+    constexpr std::size_t kMostToPer = 9, kMostWords = 5, kMostListed = 14;
     for (std::size_t k = end; k < end + kMostToPer && !text_.EndsSentence(k) && text_.At(k) != "with"; ++k) {
       if (text_.At(k) == "per" && !text_.Is(k + 1, "unit_words")) return Of(CountsPeople(text_.At(k + 1)));
     }
-    for (std::size_t k = end; k < end + kMostWords && k < text_.size() && !text_.IsSign(k); ++k) {
-      if (used_[k] || text_.Says(k, {"and", "with"})) break;
+    // "Three boys, a bed, a desk and a chair each": so many of all that is listed.
+    bool listed = false;
+    for (std::size_t k = end; k < end + (listed ? kMostListed : kMostWords) && k < text_.size(); ++k) {
+      const bool joint = people_ > 1 && text_.Says(k, {",", "and"}) && text_.Is(k + 1, "thing_articles");
+      listed = listed || joint;
+      if (!joint && (used_[k] || text_.IsSign(k) || text_.Says(k, {"and", "with"}))) break;
       if (!IsEach(k) || !text_.Says(k, {"each", "every"})) continue;
-      const bool ends = text_.Says(k + 1, {"one", "of", "table", "desk", "bed", "seat"}) || k + 1 >= text_.size() ||
-                        text_.IsSign(k + 1) || text_.Is(k + 1, "thing_ends");
+      const bool closes = k + 1 >= text_.size() || text_.IsSign(k + 1);
+      if (listed) return closes && !text_.Is(k - 1, "unit_words") ? std::optional(people_) : std::nullopt;
+      const bool ends =
+          text_.Says(k + 1, {"one", "of", "table", "desk", "bed", "seat"}) || closes || text_.Is(k + 1, "thing_ends");
       if (ends || CountsPeople(text_.At(k + 1))) return Of(text_.At(k - 1) == "for");
-    }
-    return std::nullopt;
-  }
-
-  // "Three boys, a bed, a desk and a chair each": so many of all that is listed so.
-  std::optional<int> Listed(std::size_t begin, std::size_t end) const {
-    constexpr std::size_t kMostWords = 14;
-    const bool one = text_.Says(text_.PhraseBegin(begin), {"a", "an", "one"});
-    if (people_ < 2 || !one || (!wishes_.empty() && wishes_.back().count > 1 && wishes_.back().count != people_))
-      return std::nullopt;
-    for (std::size_t k = end; k < end + kMostWords && k < text_.size(); ++k) {
-      if (text_.At(k) == "each")
-        return k + 1 >= text_.size() || text_.IsSign(k + 1) ? std::optional(people_) : std::nullopt;
-      const bool joint = text_.Says(k, {",", "and"}), word = text_.IsWord(k) || text_.IsHyphen(k);
-      if (!joint && (!word || (text_.Is(k, "thing_ends") && !text_.Is(k, "thing_articles")))) break;
     }
     return std::nullopt;
   }
@@ -72,7 +63,7 @@ class EachReader {
 
   // Of the people, or of what was asked for last.
   std::optional<int> Of(bool people) const {
-    if (people && people_ > 0) return people_;
+    if ((people || (!wishes_.empty() && wishes_.back().count == 1)) && people_ > 0) return people_;
     return wishes_.empty() ? std::nullopt : std::optional<int>(wishes_.back().count);
   }
 
@@ -159,8 +150,7 @@ Walls WallsBehind(const BriefText& text, std::size_t end) {
 int TimesForEach(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end,
                  const std::vector<Mention>& mentions, const std::vector<Wish>& wishes, int people) {
   const EachReader reader(text, used, mentions, wishes, people);
-  std::optional<int> behind = reader.Listed(begin, end);
-  if (!behind) behind = reader.Behind(end);
+  const std::optional<int> behind = reader.Behind(end);
   return std::max(1, behind ? *behind : reader.Before(begin).value_or(1));
 }
 

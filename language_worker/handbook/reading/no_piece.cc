@@ -14,10 +14,11 @@ namespace flair::language {
 
 namespace {
 
-// "A rack for eight bikes", "a stand for his piano".
+// "A rack for eight bikes", "a stand for his piano", "TV for the football".
 bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
-  if (!IsFloorPiece(furniture) || PlacesOn(furniture) > 0) return false;
   std::size_t begin = text.PhraseBegin(i);
+  if (begin > 1 && text.At(begin - 1) == "for" && IsFormIn("shows_things", text.At(begin - 2))) return true;
+  if (!IsFloorPiece(furniture) || PlacesOn(furniture) > 0) return false;
   const bool known = text.Is(begin, "known_before");
   // "For the vacuum and ironing board".
   const bool counted = text.IsNumber(begin) || NumberWord(text.At(begin)) || text.Is(begin, "vague_numbers");
@@ -38,31 +39,16 @@ bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   return text.Is(i + length, "modal_verbs") && text.Is(i + length + 1, "verbs_of_passing");
 }
 
-// "A stool on wheels": how a thing stands, whatever it is.
-bool IsHowItStands(const BriefText& text, std::size_t i) {
-  const std::size_t begin = text.PhraseBegin(i);
-  return text.Is(i, "parts_to_stand_on") && begin > 0 && text.At(begin - 1) == "on" && !text.Is(begin, "articles");
-}
-
-// "TV for the football".
-bool IsShown(const BriefText& text, std::size_t i) {
-  const std::size_t begin = text.PhraseBegin(i);
-  return begin > 1 && text.At(begin - 1) == "for" && IsFormIn("shows_things", text.At(begin - 2));
-}
-
 // Whether the word at a token is that for the room behind a door which the brief names, not for a piece: "the back door
 // to the toilets", "the closet door". "A door to the toilet" and "a toilet" are two.
 bool IsNamedByADoor(const BriefText& text, std::size_t i) {
-  constexpr std::size_t kMostBetween = 2;
+  constexpr std::size_t kMostWords = 3;
   if (text.Is(i + 1, "doors") && !text.At(i + 1).ends_with('s')) return true;
-  std::size_t at = i;
-  while (at > 0 && (text.Is(at - 1, "definite") || text.Is(at - 1, "articles"))) --at;
+  const std::size_t at = text.PhraseBegin(i);
   if (at == 0 || !text.Says(at - 1, {"to", "into", "onto", "from"})) return false;
-  for (std::size_t k = at - 1; k > 0 && k + kMostBetween + 1 >= at; --k) {
-    if (text.Is(k - 1, "doors")) return true;
-    if (!text.Is(k - 1, "leading")) break;
-  }
-  return false;
+  std::size_t door = at - 1;  // "leading to"
+  while (door > 0 && door + kMostWords > at && !text.Is(door, "doors")) --door;
+  return text.Is(door, "doors");
 }
 
 // "Waiters with trays".
@@ -98,7 +84,7 @@ bool IsNoNoun(const BriefText& text, std::size_t i) {
 
 bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length) {
   return IsHeld(text, furniture, i) || IsPassing(text, i, length) || IsBorne(text, furniture, i) ||
-         IsOfATale(text, i) || IsHowItStands(text, i) || IsShown(text, i) || (length == 1 && IsBehindADoor(text, i));
+         IsOfATale(text, i) || (length == 1 && IsBehindADoor(text, i));
 }
 
 bool IsBehindADoor(const BriefText& text, std::size_t i) {

@@ -2,7 +2,6 @@
 // Words that name pieces where nobody asks for any: whatever they are, no such piece may come into the room.
 #include "language_worker/handbook/reading/no_piece.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <initializer_list>
@@ -65,8 +64,7 @@ TEST(NoPiece, WhatDoesNotFitIsRefused) {
 
 TEST(NoPiece, TimesAndHangersCountNobody) {
   EXPECT_FALSE(FactsOf("A guest room with a rail for ten hangers.").people);
-  EXPECT_THAT(FactsOf("A bedroom with a bed. I am up at 4:30 for shifts.").unheard,
-              testing::ElementsAre("i am up at 4:30 for shifts"));
+  EXPECT_TRUE(FactsOf("A bedroom with a bed. I am up at 4:30 for shifts.").unheard.empty());
 }
 
 }  // namespace

@@ -138,7 +138,6 @@ class NounReader {
         found_.wish.counted = true;
       }
       double_ = double_ || IsIn("two_leaves", word);
-      glass_ = glass_ || IsIn("glazed", word);
       full_height_ += IsIn("full_height", word) ? 1 : 0;
       Describe(word, found_.wish);
       --at;
@@ -266,7 +265,7 @@ class NounReader {
     }
     const bool leaves = wish.width_m || wish.swing != v1::DOOR_SWING_UNSPECIFIED || wish.outside || double_;
     // "Sliding glass doors" are to the open air, unless they lead elsewhere.
-    wish.outside = wish.outside || (glass_ && found_.plural && wish.swing == v1::DOOR_SWING_SLIDING);
+    wish.outside = wish.outside || (double_ && found_.plural && wish.swing == v1::DOOR_SWING_SLIDING);
     if (wish.door && found_.plural && (!wish.counted || double_) && leaves) {
       wish.count = 1;
       wish.counted = true;
@@ -281,7 +280,6 @@ class NounReader {
   const std::size_t noun_;
   OpeningNoun found_;
   bool double_ = false;  // its plural is a pair of leaves
-  bool glass_ = false;
   int full_height_ = 0;  // words for "floor to ceiling"
 };
 

@@ -32,15 +32,10 @@ class SiteReader {
       if (pause || list) ++i_;
       for (int over = 0; over < kMostVerbs && (clause || (verbs && !pause)) && SaysNoPlace(); ++over) ++i_;
       const bool part_only = pause && !clause;
-      if (words_.BehindPhrase(i_, "all_along")) {
-        site_.fills = true;
-        ++i_;
-      }
       // Behind a comma a wall may be that of something else; not where a piece told none.
       const bool thing = !site_.not_read.empty();
-      if (!TakeFilling() && !TakeOccupied() && !TakeEntering() && !TakeFromEnd() && !TakeMiddle() &&
-          !(!part_only && TakeOpening(door)) && !TakeWall({.bare = list || thing, .part = part_only}) &&
-          !(!any && !pause && TakeThing())) {
+      if (!TakeFilling() && !TakeEntering() && !TakeFromEnd() && !TakeMiddle() && !(!part_only && TakeOpening(door)) &&
+          !TakeWall({.bare = list || thing, .part = part_only}) && !(!any && !pause && TakeThing())) {
         i_ = start;
         break;
       }
@@ -57,18 +52,19 @@ class SiteReader {
     bool part = false;  // behind a comma: an end or corner of a wall, or a wall that ends its phrase
   };
 
-  // "on the north wall", "facing south", "on the north and east walls"; "at the west end of the north wall", "in the
-  // north-east corner", "near a corner".
+  // "on the north wall", "facing south", "on the north and east walls", "take up most of the north wall"; "at the west
+  // end of the north wall", "in the north-east corner", "near a corner".
   bool TakeWall(Form form) {
-    const auto close = words_.BehindPhrase(i_, "close_to");
-    const bool into = words_.Is(i_, "into"), near = close || words_.Is(i_, "at_or_near");
-    std::size_t at = close ? *close : into || near ? i_ + 1 : i_;
+    const auto close = words_.BehindPhrase(i_, "close_to"), fill = words_.BehindPhrase(i_, "occupying_a_wall");
+    const bool into = fill || words_.Is(i_, "into"), near = close || words_.Is(i_, "at_or_near");
+    std::size_t at = fill ? *fill : close ? *close : into || near ? i_ + 1 : i_;
     const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length");
     if (into && whole) at = *whole;
     if ((into || near) && TakePart(at)) return true;
-    // "The door, right hand end": of the wall that was named before it.
-    const WallTarget hand = WallTargetAt(words_, i_);
-    if (form.part && hand.end_of_wall && hand.sides.size() == 1 && EndsWall(words_, hand.end)) {
+    // "On the south wall at the right", "the door, right hand end": along the wall that was named.
+    const WallTarget hand = WallTargetAt(words_, into ? at : i_);
+    const bool ends = hand.end_of_wall ? form.part && !into : !site_.sides.empty() && !hand.wall && !hand.corner;
+    if (ends && hand.sides.size() == 1 && IsOneOf(hand.sides[0], {"left", "right"}) && EndsWall(words_, hand.end)) {
       site_.along = {At::kEnd, hand.sides[0], {}};
       i_ = hand.end;
       return true;
@@ -86,13 +82,7 @@ class SiteReader {
     const Sides sides = WallsAt(words_, at, /*alone=*/!into, at);
     const bool noun = words_.Is(at - 1, "wall_nouns") || words_.Is(at - 1, "wall_ends");
     if (sides.empty() || (form.part && !(noun && EndsWall(words_, at)))) return false;
-    // "On the south wall at the right".
-    if (!site_.sides.empty() && !noun && IsOneOf(sides[0], {"left", "right"})) {
-      site_.along = {At::kEnd, sides[0], {}};
-      i_ = at;
-      return true;
-    }
-    site_.fills = site_.fills || (into && whole);
+    site_.fills = site_.fills || (into && (whole || fill));
     // "Facing each other in the short walls".
     if (each_other_) site_.sides = sides.size() > 1 ? sides : Sides{sides[0], "across " + sides[0]};
     each_other_ = false;
@@ -130,19 +120,6 @@ class SiteReader {
     if (!filling) return false;
     site_.fills = true;
     i_ = *filling;
-    return true;
-  }
-
-  // "take up most of the north wall", "run along the south side".
-  bool TakeOccupied() {
-    const auto verb = words_.BehindPhrase(i_, "occupying_a_wall");
-    if (!verb) return false;
-    std::size_t at = words_.BehindPhrase(*verb, "shares_of_a_wall").value_or(*verb);
-    const Sides sides = WallsAt(words_, at, /*alone=*/true, at);
-    if (sides.empty()) return false;
-    site_.sides = sides;
-    site_.fills = true;
-    i_ = at;
     return true;
   }
 
@@ -275,7 +252,7 @@ class SiteReader {
   bool SaysNoPlace() const {
     if (words_.At(i_) == "to") return words_.At(i_ + 1) == "be";
     if (words_.At(i_) == "right") return words_.Is(i_ + 1, "right_before_places");
-    return words_.Is(i_, "site_verbs") && !words_.BehindPhrase(i_, "all_along");
+    return words_.Is(i_, "site_verbs") && !words_.BehindPhrase(i_, "occupying_a_wall");
   }
 
   const BriefText& words_;

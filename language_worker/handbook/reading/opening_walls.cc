@@ -93,7 +93,7 @@ std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, bool al
     while (!sides.empty() && next < at + 2 && words.Is(next, "and_signs")) ++next;
     if (!sides.empty() && next == at) break;
     if (!sides.empty() && words.Is(next, "into")) ++next;
-    if (const auto share = words.BehindPhrase(next, "shares_of_a_wall"); share && !sides.empty()) next = *share;
+    if (const auto share = words.BehindPhrase(next, "whole_length"); share && !sides.empty()) next = *share;
     const WallTarget target = WallTargetAt(words, next);
     const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
     if (target.sides.empty() || target.sides.size() > 2 || target.corner) break;

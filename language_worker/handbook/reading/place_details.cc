@@ -189,11 +189,8 @@ void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, bool loo
     const bool window = std::ranges::any_of(
         openings.wishes, [&](const OpeningWish& one) { return !one.door && one.side == place.side; });
     const hb::AskedPlace* at_it = patterns.Find("facing", "window", hb::FURNITURE_KIND_FLOOR);
-    if (window && at_it != nullptr) {
-      place.asked = at_it;
-    } else {
-      place.side = "across " + place.side;
-    }
+    if (!window) place.side = "across " + place.side;
+    if (window && at_it != nullptr) place.asked = at_it;
     return;
   }
   const bool door = kind == Landmark::Kind::kDoor;

@@ -57,12 +57,9 @@ std::vector<Token> TokensOf(std::string_view text) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     joined.push_back(tokens[i]);
     // "4:30" is a time.
-    if (i + 2 < tokens.size() && tokens[i].kind == Token::Kind::kNumber && tokens[i + 1].text == ":" &&
-        tokens[i + 1].glued && tokens[i + 2].glued && tokens[i + 2].kind == Token::Kind::kNumber) {
-      Token& time = joined.back();
-      time.kind = Token::Kind::kWord;
-      time.text += ":" + tokens[i + 2].text;
-      time.end = tokens[i + 2].end;
+    const bool glued = i + 2 < tokens.size() && tokens[i + 1].glued && tokens[i + 2].glued && tokens[i + 1].text == ":";
+    if (glued && tokens[i].kind == Token::Kind::kNumber && tokens[i + 2].kind == Token::Kind::kNumber) {
+      joined.back().kind = Token::Kind::kWord;
       i += 2;
       continue;
     }
