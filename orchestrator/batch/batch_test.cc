@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -76,6 +77,95 @@ TEST(StoreMonitor, NoticesWritesOfOthersAndTheEndOfOwners) {
   owner_gone.Wait();
 }
 
+store::v1::BatchRecord OpenBatch() {
+  store::v1::BatchRecord batch;
+  batch.mutable_batch()->set_id("b");
+  batch.mutable_batch()->set_open(true);
+  batch.mutable_batch()->set_state(v1::BATCH_STATE_ACTIVE);
+  return batch;
+}
+
+v1::Job FirstJob() {
+  v1::Job job;
+  job.set_id(BatchJobId("b", 0));
+  job.set_batch_id("b");
+  job.mutable_spec()->mutable_brief()->set_text("A bedroom.");
+  return job;
+}
+
+// A queue with a batch of one job that waits, after somebody ran `damage` on its database.
+std::unique_ptr<WorkQueue> DamagedQueue(const TemporaryFolder& folder, const std::vector<std::string>& damage) {
+  const runtime::Clock& clock = runtime::SystemClock();
+  {
+    const auto queue = *SqliteWorkQueue::Open(folder.path(), clock);
+    EXPECT_TRUE(queue->CreateBatch(OpenBatch()).ok());
+    const v1::Job job = FirstJob();
+    EXPECT_TRUE(queue->AddJobs("b", std::span(&job, 1), true).ok());
+  }
+  // Each in a connection of its own: what is written to the schema is read when it is opened.
+  for (const std::string& sql : damage) {
+    EXPECT_EQ((*Database::Open(folder.path() + "/jobs.db", {}))->Execute(sql), absl::OkStatus()) << sql;
+  }
+  return *SqliteWorkQueue::Open(folder.path(), clock);
+}
+
+// As if the index of jobs that wait had not seen what is done in between.
+std::vector<std::string> Blinded(const std::string& meanwhile) {
+  const auto set = [&](const char* from, const char* to) {
+    return fmt::format(
+        "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, '{}', '{}') "
+        "WHERE name = 'jobs_waiting'",
+        from, to);
+  };
+  return {set("state = 1", "state = 11"), meanwhile, set("state = 11", "state = 1")};
+}
+
+TEST(SqliteWorkQueue, TellsThatItHasLostSightOfAJob) {
+  TemporaryFolder folder;
+  const auto queue = DamagedQueue(folder, Blinded("REINDEX jobs_waiting"));
+  std::atomic<int> told = 0;
+  queue->Listen({[] {}, [](const std::string&) {}, [&](const std::string&) { ++told; }});
+  EXPECT_EQ(*queue->Take({}), nullptr);
+  absl::Status status;
+  // Within a second or two, in which nothing happens.
+  while (status.ok()) status = queue->BatchHasEnded("b").status();
+  EXPECT_EQ(status.code(), absl::StatusCode::kDataLoss);
+  EXPECT_THAT(std::string(status.message()), ::testing::AllOf(::testing::HasSubstr(folder.path() + "/jobs.db: "),
+                                                              ::testing::HasSubstr("jobs_waiting; restore a good")));
+  EXPECT_GT(told, 0) << "so that watchers look";
+  queue->Listen({});
+}
+
+TEST(SqliteWorkQueue, TakesNoJobThatHasEnded) {
+  TemporaryFolder folder;
+  const auto queue = DamagedQueue(folder, Blinded("UPDATE jobs SET state = 3"));
+  EXPECT_EQ(queue->Take({}).status().code(), absl::StatusCode::kDataLoss);
+}
+
+TEST(SqliteWorkQueue, AnEndThatContradictsWhatIsStoredIsDamage) {
+  TemporaryFolder folder;
+  const auto queue = DamagedQueue(folder, {"INSERT INTO events VALUES ('b-00000000', 2, x'')"});
+  const auto lease = *queue->Take({});
+  ASSERT_NE(lease, nullptr);
+  EXPECT_EQ(lease->End({v1::JOB_STATE_SUCCEEDED, "render", {}}).code(), absl::StatusCode::kDataLoss);
+}
+
+TEST(SqliteWorkQueue, AJobThatNobodyHasAnyMoreIsTakenAgain) {
+  TemporaryFolder folder;
+  const auto queue = DamagedQueue(folder, {});
+  auto lease = *queue->Take({});
+  ASSERT_NE(lease, nullptr);
+  ASSERT_TRUE((*Database::Open(folder.path() + "/jobs.db", {}))->Execute("UPDATE jobs SET attempt_count = 9").ok());
+  EXPECT_EQ(lease->End({v1::JOB_STATE_SUCCEEDED, "render", {}}).code(), absl::StatusCode::kAborted);
+  lease = nullptr;
+  std::unique_ptr<Lease> again;
+  // Within a second or two, in which nothing happens.
+  while (again == nullptr) {
+    EXPECT_FALSE(*queue->BatchHasEnded("b"));
+    again = *queue->Take({});
+  }
+}
+
 TEST(JobRunner, JobsOfABatchWaitForAWorkerWithoutUsingUpRuns) {
   TemporaryFolder folder;
   runtime::FakeClock clock;
@@ -90,15 +180,8 @@ TEST(JobRunner, JobsOfABatchWaitForAWorkerWithoutUsingUpRuns) {
   options.backoff.unavailable_attempt_limit = 1;
   const Pipeline pipeline(*queue, artifacts, stages, clock, options);
   spdlog::logger logger("test");
-  store::v1::BatchRecord batch;
-  batch.mutable_batch()->set_id("b");
-  batch.mutable_batch()->set_open(true);
-  batch.mutable_batch()->set_state(v1::BATCH_STATE_ACTIVE);
-  ASSERT_TRUE(queue->CreateBatch(batch).ok());
-  v1::Job job;
-  job.set_id(BatchJobId("b", 0));
-  job.set_batch_id("b");
-  job.mutable_spec()->mutable_brief()->set_text("A bedroom.");
+  ASSERT_TRUE(queue->CreateBatch(OpenBatch()).ok());
+  const v1::Job job = FirstJob();
   ASSERT_TRUE(queue->AddJobs("b", std::span(&job, 1), true).ok());
   JobRunner runner(*queue, pipeline, clock, logger, {.attempt_limit = 2});
   while (!HasEnded(*queue->GetJob(job.id()))) {

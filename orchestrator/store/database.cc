@@ -13,6 +13,10 @@ namespace {
 constexpr int kBusyTimeoutMs = 20000;
 constexpr int kWalRetryMs = 5;
 
+absl::Status DamagedFile(std::string_view path, std::string_view what) {
+  return DataLoss("{}: {}; restore a good copy, or move it away to start afresh", path, what);
+}
+
 absl::Status ToStatus(sqlite3* connection, int code) {
   const std::string message = fmt::format("store: {}", sqlite3_errmsg(connection));
   // A table or column of ours that is not there was lost.
@@ -20,8 +24,7 @@ absl::Status ToStatus(sqlite3* connection, int code) {
   switch (lost ? SQLITE_CORRUPT : code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return DataLoss("{}: {}; restore a good copy, or move it away to start afresh",
-                      sqlite3_db_filename(connection, "main"), message);
+      return DamagedFile(sqlite3_db_filename(connection, "main"), message);
     case SQLITE_FULL:
       return absl::ResourceExhaustedError(message);
     case SQLITE_CONSTRAINT:
@@ -203,6 +206,13 @@ int64_t Database::changes() const { return sqlite3_changes64(connection_); }
 absl::Status Database::Execute(const std::string& sql) {
   const int code = sqlite3_exec(connection_, sql.c_str(), nullptr, nullptr, nullptr);
   return code == SQLITE_OK ? absl::OkStatus() : ToStatus(connection_, code);
+}
+
+absl::Status Database::Damaged(std::string_view what) const { return DamagedFile(path_, what); }
+
+absl::Status Database::CheckWhole() {
+  ASSIGN_OR_RETURN(const std::string fault, FirstText("PRAGMA integrity_check(1)"));
+  return fault == "ok" ? absl::OkStatus() : Damaged(fault);
 }
 
 absl::Status Database::SetFlushedAtOnce(bool at_once) {

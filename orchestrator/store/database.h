@@ -134,6 +134,11 @@ class Database {
 
   absl::Status Execute(const std::string& sql);
 
+  // DATA_LOSS, naming the file and the cure, for a database in which `what` is wrong.
+  absl::Status Damaged(std::string_view what) const;
+  // Damaged unless tables and indexes agree; reads the whole file.
+  absl::Status CheckWhole();
+
  private:
   friend class Transaction;
   Database(std::string path, sqlite3* connection) : path_(std::move(path)), connection_(connection) {}

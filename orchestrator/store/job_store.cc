@@ -92,7 +92,7 @@ absl::StatusOr<bool> JobStore::ReleaseDeadOwners() {
   ASSIGN_OR_RETURN(const std::vector<std::string> owners, jobs_.Owners());
   for (const std::string& id : owners) {
     if (id == owner() || !OwnerLock::IsDead(owners_path(), id)) continue;
-    RETURN_IF_ERROR(jobs_.Release(id));
+    RETURN_IF_ERROR(jobs_.Release(id).status());
     released = true;
   }
   return released;

@@ -159,14 +159,21 @@ class JobTable {
                             absl::ToUnixMicros(now));
   }
 
+  // Whether a job waits for a time after `now`; one beyond the next hour is none of ours.
+  absl::StatusOr<bool> AnyDelayed(absl::Time now) {
+    return database_.Exists(
+        "SELECT 1 FROM jobs WHERE state = 1 AND not_before_us > 0 AND not_before_us > ? AND not_before_us < ? LIMIT 1",
+        absl::ToUnixMicros(now), absl::ToUnixMicros(now + absl::Hours(1)));
+  }
+
   // Owners of RUNNING jobs.
   absl::StatusOr<std::vector<std::string>> Owners() {
     return database_.Texts("SELECT DISTINCT owner FROM jobs WHERE state = 2 ORDER BY owner");
   }
 
-  // Makes the RUNNING jobs of a dead owner QUEUED again.
-  absl::Status Release(const std::string& owner) {
-    return database_.Run("UPDATE jobs SET state = 1, owner = '' WHERE state = 2 AND owner = ?", owner);
+  // Makes the RUNNING jobs of an owner that runs none QUEUED again; how many they were.
+  absl::StatusOr<int64_t> Release(const std::string& owner) {
+    return database_.RunAndCount("UPDATE jobs SET state = 1, owner = '' WHERE state = 2 AND owner = ?", owner);
   }
 
   absl::StatusOr<bool> CancelRequested(const std::string& id) {

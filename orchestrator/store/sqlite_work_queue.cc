@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "orchestrator/store/sqlite_work_queue.h"
 
-#include <atomic>
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -84,7 +84,7 @@ class SqliteLease final : public Lease {
       change(record);
       return true;
     };
-    RETURN_IF_ERROR(queue_.ChangeJob(job().id(), if_held).status());
+    RETURN_IF_ERROR(queue_.OrDamaged(queue_.ChangeJob(job().id(), if_held)).status());
     RETURN_IF_ERROR(CheckNotDeleted(records));
     for (const StageRecord& record : records) {
       if (record.result_key.empty()) continue;
@@ -149,17 +149,26 @@ absl::StatusOr<store::v1::JobRecord> SqliteWorkQueue::ChangeJob(
   return record;
 }
 
+absl::StatusOr<store::v1::JobRecord> SqliteWorkQueue::OrDamaged(absl::StatusOr<store::v1::JobRecord> record) {
+  if (!absl::IsNotFound(record.status()) && !absl::IsAlreadyExists(record.status())) return record;
+  return store_->database().Damaged(std::string(record.status().message()));
+}
+
 absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& filter) {
   store::v1::JobRecord taken;
   {
     ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_->database()));
     ASSIGN_OR_RETURN(const std::string id, ChooseJob(filter));
     if (id.empty()) return nullptr;
-    const auto begin = [this](store::v1::JobRecord& record) {
+    const auto begin = [this](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
+      // Otherwise it would be run again and again.
+      if (record.job().state() != v1::JOB_STATE_QUEUED) {
+        return store_->database().Damaged(record.job().id() + " is no job that waits, as an index says");
+      }
       BeginRun(record, store_->owner());
       return true;
     };
-    ASSIGN_OR_RETURN(taken, ChangeJob(id, begin));
+    ASSIGN_OR_RETURN(taken, OrDamaged(ChangeJob(id, begin)));
     RETURN_IF_ERROR(store_->deletions().BeginRun(id));
     RETURN_IF_ERROR(transaction.Commit());
   }
@@ -228,9 +237,29 @@ absl::StatusOr<bool> SqliteWorkQueue::BatchHasEnded(const std::string& batch_id)
   if (batch.open()) return false;
   for (const v1::JobState state : {v1::JOB_STATE_QUEUED, v1::JOB_STATE_RUNNING}) {
     ASSIGN_OR_RETURN(const auto ids, store_->jobs().IdsOf(batch_id, state, 1));
-    if (!ids.empty()) return false;
+    if (ids.empty()) continue;
+    RETURN_IF_ERROR(CheckWhenStill());
+    return false;
   }
   return true;
+}
+
+absl::Status SqliteWorkQueue::CheckWhenStill() {
+  Stillness still = Stillness::kStill;
+  if (still_ != still) return absl::OkStatus();
+  ASSIGN_OR_RETURN(const bool delayed, store_->jobs().AnyDelayed(clock_.Now()));
+  ASSIGN_OR_RETURN(const auto owners, store_->jobs().Owners());
+  const auto runs = [this](const std::string& id) {
+    std::lock_guard lock(mutex_);
+    return id == store_->owner() ? !held_.empty() : !OwnerLock::IsDead(store_->owners_path(), id);
+  };
+  if (delayed || std::any_of(owners.begin(), owners.end(), runs)) return absl::OkStatus();
+  RETURN_IF_ERROR(store_->database().CheckWhole());
+  still_.compare_exchange_strong(still, Stillness::kChecked);
+  // Jobs of this process that none of its runs has any more.
+  ASSIGN_OR_RETURN(const int64_t released, store_->jobs().Release(store_->owner()));
+  if (released > 0) NotifyWork();
+  return absl::OkStatus();
 }
 
 absl::Status SqliteWorkQueue::ReportStatus(const v1::OrchestratorStatus& status) {
@@ -269,6 +298,7 @@ void SqliteWorkQueue::NotifyBatchChanged(const std::string& batch_id) {
 }
 
 void SqliteWorkQueue::NotifyWork() {
+  still_ = Stillness::kBusy;
   std::lock_guard lock(listener_mutex_);
   listener_.work();
 }
@@ -314,7 +344,10 @@ void SqliteWorkQueue::OnOwnerGone() {
   const absl::StatusOr<bool> delay_passed = store_->jobs().AnyDelayPassed(clock_.Now());
   const absl::StatusOr<std::string> alone = store_->jobs().OldestWaiting("", clock_.Now());
   const bool work = released.value_or(false) || delay_passed.value_or(false) || !alone.value_or("").empty();
-  if (work) NotifyWork();
+  if (work) return NotifyWork();
+  Stillness busy = Stillness::kBusy;
+  still_.compare_exchange_strong(busy, Stillness::kStill);
+  NotifyBatchChanged("");
 }
 
 }  // namespace flair::orchestrator

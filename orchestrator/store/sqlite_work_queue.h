@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -89,9 +90,15 @@ class SqliteWorkQueue final : public WorkQueue {
   // keeps the ends of batches' jobs in step.
   absl::StatusOr<store::v1::JobRecord> ChangeJob(
       const std::string& job_id, const std::function<absl::StatusOr<bool>(store::v1::JobRecord&)>& change);
+  // Damaged when a job that the store itself named is not there, or has parts that it was not said to have.
+  absl::StatusOr<store::v1::JobRecord> OrDamaged(absl::StatusOr<store::v1::JobRecord> record);
   absl::Status ChangeBatch(const std::string& batch_id, const std::function<absl::StatusOr<bool>(v1::Batch&)>& change);
   absl::Status DeleteUnlessUsed(const std::string& artifact_id, ArtifactStore& artifacts, int64_t& deleted_count);
   absl::StatusOr<Deleted> RemoveLastJobs(const std::string& batch_id, int64_t limit);
+
+  // What makes a batch go on for which nothing has happened for a second, though nobody runs a job and none waits for
+  // its time. Damaged when an index has lost one.
+  absl::Status CheckWhenStill();
 
   void NotifyChanged(const std::string& job_id);
   void NotifyBatchChanged(const std::string& batch_id);
@@ -113,6 +120,10 @@ class SqliteWorkQueue final : public WorkQueue {
   std::map<std::string, std::shared_ptr<runtime::Cancellation>> held_;
   // The batch that had the last turn.
   std::string last_batch_;
+
+  // Whether nothing has happened for a second, and the store was looked through since.
+  enum class Stillness { kBusy, kStill, kChecked };
+  std::atomic<Stillness> still_ = Stillness::kBusy;
 
   // Destroyed first: it calls back.
   std::unique_ptr<StoreMonitor> monitor_;
