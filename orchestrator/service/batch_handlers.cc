@@ -62,20 +62,19 @@ absl::StatusOr<v1::Batch> OrchestratorHandlers::Add(const v1::Batch& batch, int6
   // Those that are there already need no room.
   const int64_t added = std::max<int64_t>(0, first_index + specs.size() - batch.job_count());
   RETURN_IF_ERROR(entry.Grant(added));
-  std::vector<v1::Job> jobs;
-  jobs.reserve(static_cast<size_t>(specs.size()));
-  for (int i = 0; i < specs.size(); ++i) {
-    v1::Job& job = jobs.emplace_back(NewJob(specs[i]));
-    job.set_id(BatchJobId(batch.id(), first_index + i));
-    job.set_batch_id(batch.id());
-    job.set_batch_index(first_index + i);
-    job.set_owner(batch.owner());
-  }
   absl::StatusOr<v1::Batch> grown = batch;
-  for (size_t at = 0; grown.ok() && (at == 0 || at < jobs.size()); at += kPage) {
-    const std::span<const v1::Job> rest = std::span(jobs).subspan(at);
-    grown = queue_.AddJobs(batch.id(), rest.first(std::min<size_t>(kPage, rest.size())), last && rest.size() <= kPage);
-  }
+  int at = 0;
+  do {
+    std::vector<v1::Job> page;
+    for (; at < specs.size() && page.size() < kPage; ++at) {
+      v1::Job& job = page.emplace_back(NewJob(specs[at]));
+      job.set_id(BatchJobId(batch.id(), first_index + at));
+      job.set_batch_id(batch.id());
+      job.set_batch_index(first_index + at);
+      job.set_owner(batch.owner());
+    }
+    grown = queue_.AddJobs(batch.id(), page, last && at == specs.size());
+  } while (grown.ok() && at < specs.size());
   if (grown.ok()) runner_.Request({}, batch.id());
   return grown;
 }

@@ -207,7 +207,7 @@ grpc::ServerBidiReactor<grpc::ByteBuffer, Response>* Watches::Start(
   const auto open_bytes = [open = std::move(open)](grpc::ByteBuffer& bytes, int64_t& after_sequence,
                                                    runtime::CallIds& ids) -> absl::StatusOr<WatchSource<Response>> {
     Request request;
-    RETURN_IF_ERROR(runtime::ParseMessage(bytes, request));
+    RETURN_IF_ERROR(runtime::ParseShortMessage(bytes, request));
     after_sequence = request.after_sequence();
     ids = runtime::CallIdsOf(request);
     return open(request);

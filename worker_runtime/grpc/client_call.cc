@@ -125,6 +125,8 @@ std::string InPlainWords(std::string_view message) {
   return std::string(message);
 }
 
+absl::Status TurnAway() { return absl::ResourceExhaustedError(kTurnedAway[0]); }
+
 bool TurnedAway(const absl::Status& status) {
   return std::ranges::find(kTurnedAway, status.message()) != kTurnedAway.end();
 }

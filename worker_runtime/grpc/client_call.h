@@ -36,6 +36,9 @@ std::string InPlainWords(std::string_view message);
 // the handshake in time, for example because it is very busy. The server has not seen the call.
 bool HandshakeTimedOut(const absl::Status& status);
 
+// What a server says that has no room for another large message.
+absl::Status TurnAway();
+
 // Whether a server that is there did not take the call, in which nothing was wrong: it may be made again.
 bool TurnedAway(const absl::Status& status);
 

@@ -7,6 +7,7 @@
 #include <google/protobuf/wire_format_lite.h>
 #include <grpc/grpc_security_constants.h>
 #include <grpcpp/support/proto_buffer_reader.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -87,12 +88,17 @@ constexpr int64_t kScalarBytes = 16;
 constexpr int64_t kObjectBytes = 48;
 constexpr int64_t kPackedBytes = 8;
 constexpr int kNestingLimit = 100;
+// What large messages may take that are in hand at once.
+constexpr int64_t kLargeBytes = 1 << 20;
+constexpr int64_t kLargeBytesInHand = 96 << 20;
 constexpr size_t kShortMessageBytes = 4096;
 
 // Goes through the fields of a message without making anything, and counts down what each would take.
 class Unfolding {
  public:
   Unfolding(pb::io::CodedInputStream& in, int64_t left) : in_(in), left_(left) {}
+
+  int64_t left() const { return left_; }
 
   // False when more is taken than is left. Stops at what is no field: so will the parser.
   bool Fits(const pb::Descriptor& type, int nesting = 0) {
@@ -229,17 +235,31 @@ void Service::AddMethod(const std::string& rpc, grpc::internal::MethodHandler* h
   MarkMethodRawCallback(paths_.size() - 1, handler);
 }
 
-absl::Status ParseMessage(grpc::ByteBuffer& bytes, pb::Message& message) {
+MessageRoom::~MessageRoom() {
+  *taken_ -= bytes_;
+  // What lies between other things would stay with the process, and pile up.
+  if (bytes_ > kAnyMessageBytes) ::malloc_trim(0);
+}
+
+bool MessageRoom::Take(int64_t bytes) {
+  if (bytes < kLargeBytes) return true;
+  bytes_ = bytes;
+  return taken_->fetch_add(bytes) + bytes <= std::max(kLargeBytesInHand, bytes);
+}
+
+absl::Status ParseMessage(grpc::ByteBuffer& bytes, pb::Message& message, MessageRoom* room) {
   const auto size = static_cast<int64_t>(bytes.Length());
   const int64_t limit = kAnyMessageBytes + std::min(kBytesPerByte * size, kLargeMessageBytes + 2 * size);
   const std::string name = message.GetDescriptor()->name();
   {
     grpc::ProtoBufferReader reader(&bytes);
     pb::io::CodedInputStream in(&reader);
-    if (!Unfolding(in, limit).Fits(*message.GetDescriptor())) {
+    Unfolding unfolding(in, limit);
+    if (!unfolding.Fits(*message.GetDescriptor())) {
       return InvalidArgument("{}: {} bytes that would take more than {} MiB of memory; send fewer fields at once", name,
                              size, limit >> 20);
     }
+    if (room != nullptr && !room->Take(limit - unfolding.left())) return TurnAway();
   }
   grpc::ProtoBufferReader reader(&bytes);
   const bool parsed = reader.status().ok() && message.ParseFromZeroCopyStream(&reader);

@@ -172,5 +172,17 @@ TEST_F(ClientStream, AFullQueueTurnsTheMessageAway) {
   server_.reset();
 }
 
+TEST_F(ClientStream, LargeMessagesBesideOthersAreTurnedAway) {
+  auto others = std::make_unique<MessageRoom>(*worker_);
+  EXPECT_TRUE(others->Take(200 << 20)) << "it is alone";
+  const std::string large(4 << 20, 'x');
+  const absl::Status status = Send({"a", large});
+  EXPECT_TRUE(TurnedAway(status)) << status;
+  EXPECT_EQ(script_.taken, 1) << "small ones are not counted";
+  others.reset();
+  MessageRoom room(*worker_);
+  EXPECT_TRUE(room.Take(4 << 20));
+}
+
 }  // namespace
 }  // namespace flair::runtime

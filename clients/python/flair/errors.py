@@ -73,7 +73,11 @@ def error_of(error: grpc.RpcError) -> FlairError:
 
 def turned_away(error: grpc.RpcError) -> bool:
     """Whether a server that is there did not take the call: it had no room for so large a message, or was stopping."""
-    return error.details() in ("Received RST_STREAM with error code 11", "GOAWAY received")
+    return error.details() in (
+        "Received RST_STREAM with error code 11",
+        "the server has no room for so large a message at the moment; try again later",
+        "GOAWAY received",
+    )
 
 
 def status_of(code: int) -> grpc.StatusCode:
