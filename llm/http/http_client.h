@@ -48,8 +48,8 @@ struct HttpTimeouts {
   absl::Duration connect = absl::Seconds(10);
   // Longest silence of the server: from the request to the first byte, and from one byte to the next.
   absl::Duration first_byte = absl::Seconds(120);
-  // From Send to the last byte.
-  absl::Duration total = absl::Seconds(300);
+  // From Send to the last byte: less than half a stage's deadline (PipelineOptions).
+  absl::Duration total = absl::Seconds(280);
 };
 
 // How requests to one server are made.

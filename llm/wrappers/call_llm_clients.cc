@@ -166,18 +166,25 @@ RetryingLlmClient::RetryingLlmClient(std::unique_ptr<LlmClient> inner, RetryPoli
     : LlmClientWrapper(std::move(inner)), policy_(policy), clock_(clock), wait_(std::move(wait)) {}
 
 absl::StatusOr<ChatAnswer> RetryingLlmClient::Ask(const ChatRequest& request, runtime::CallContext& call) {
-  // Unless the server itself asks for more, half the caller's time is spent on attempts at most; one that hung may hang
-  // as long again.
+  // Unless the server itself asks for more, further attempts end within half the caller's time, which is more than the
+  // first one takes (HttpTimeouts); one that hung may hang as long again.
   const absl::Time half = clock_.Now() + (call.deadline() - clock_.Now()) / 2;
+  absl::Time end = call.deadline();
+  absl::Status failure;
   for (int attempt = 1;; ++attempt) {
     const absl::Time begin = clock_.Now();
-    absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, call);
+    runtime::CallContext within(call.request_id(), end, clock_);
+    const runtime::OnCancel cancel(call.cancellation(), [&within] { within.cancellation().Cancel(); });
+    absl::StatusOr<ChatAnswer> answer = inner_->Ask(request, within);
     if (answer.ok()) return answer;
+    // Such as one that waited for its turn: what failed before says more.
+    if (absl::IsDeadlineExceeded(answer.status()) && attempt > 1) return AfterAttempts(failure, attempt - 1);
+    failure = answer.status();
     const std::optional<absl::Duration> delay =
-        policy_.DelayAfter(answer.status(), attempt, call.request_id() + "/" + request.step);
-    const absl::Time end = RetryAfter(answer.status()).has_value() ? call.deadline() : half;
+        policy_.DelayAfter(failure, attempt, call.request_id() + "/" + request.step);
+    end = RetryAfter(failure).has_value() ? call.deadline() : half;
     if (!delay.has_value() || clock_.Now() + *delay + (clock_.Now() - begin) >= end) {
-      return AfterAttempts(answer.status(), attempt);
+      return AfterAttempts(failure, attempt);
     }
     wait_(*delay, call);
     RETURN_IF_ERROR(call.CheckAlive());

@@ -3,6 +3,7 @@
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
+#include "llm/http/http_client.h"
 #include "llm/testing/test_llm_client.h"
 #include "llm/wrappers/llm_wrappers.h"
 #include "worker_runtime/testing/fakes.h"
@@ -99,6 +100,18 @@ TEST_F(RetryingLlmClientTest, AServerThatHangsHasHalfTheCallersTime) {
   EXPECT_TRUE(absl::IsUnavailable(client_.Ask(AskFor("zones"), call).status()));
   EXPECT_LE(clock_.Now() - begin, absl::Minutes(5));
   EXPECT_THAT(model_->requests, SizeIs(2));
+}
+
+TEST_F(RetryingLlmClientTest, FurtherAttemptsEndWithinHalfTheCallersTime) {
+  runtime::CallContext call("job-2", clock_.Now() + absl::Minutes(10), clock_);
+  const absl::Time half = clock_.Now() + absl::Minutes(5);
+  model_->answer = [this](size_t) {
+    clock_.Advance(absl::Seconds(100));
+    return Down();
+  };
+  EXPECT_TRUE(absl::IsUnavailable(client_.Ask(AskFor("zones"), call).status()));
+  EXPECT_THAT(model_->deadlines, ::testing::ElementsAre(call.deadline(), half));
+  EXPECT_LE(HttpTimeouts().total, absl::Seconds(285)) << "what the first attempt takes";
 }
 
 TEST_F(RetryingLlmClientTest, ACancelledCallDoesNotWaitForItsNextAttempt) {
