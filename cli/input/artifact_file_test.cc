@@ -127,6 +127,7 @@ TEST(ArtifactFile, WhatDoesNotFitAFieldIsToldInItsLine) {
       {"\"OBJECT_KIND_FLOOR\"", "\"FLOOR\"", ".kind: is \"FLOOR\"; expected one of OBJECT_KIND_FLOOR, "},
       {"\"double bed\"", "7", ".name: is 7; expected text"},
       {"\"height_m\": 3", "\"height_m\": \"tall\"", "room.height_m: is \"tall\"; expected a number"},
+      {"\"height_m\": 3", "\"heightM\": \"0x3\"", "room.heightM: is \"0x3\"; expected a number"},
   };
   for (const auto& [right, wrong, told] : faults) {
     const std::string text = Replaced(json, right, wrong);
@@ -137,6 +138,8 @@ TEST(ArtifactFile, WhatDoesNotFitAFieldIsToldInItsLine) {
   }
   const std::string text = Replaced(ToText(Graph()), "width_m", "widht_m");
   EXPECT_THAT(LineOf(text, NamedLine(Refusal("graph.textproto", text))), HasSubstr("widht_m"));
+  const std::string twice = Replaced(json, "\"height_m\": 3", "\"height_m\": 3, \"heightM\": 5");
+  EXPECT_EQ(Refusal("graph.json", twice).message(), "graph.json: \"heightM\" stands twice in one object; keep one");
 }
 
 TEST(ArtifactFile, BrokenJsonIsToldInItsLine) {
