@@ -148,6 +148,11 @@ absl::Status Check(const v1::JobSpec& spec) {
 
 namespace pb = google::protobuf;
 
+const pb::FieldDescriptor* FieldNamed(const pb::Descriptor& type, const std::string& name) {
+  const pb::FieldDescriptor* field = type.FindFieldByName(name);
+  return field != nullptr ? field : type.FindFieldByCamelcaseName(name);
+}
+
 // "leave-out" to MISFIT_POLICY_LEAVE_OUT; what is no word of the enum stays.
 void SpellOutWord(const pb::EnumDescriptor& type, json& value) {
   if (!value.is_string()) return;

@@ -127,7 +127,7 @@ TEST(ArtifactFile, WhatDoesNotFitAFieldIsToldInItsLine) {
       {"\"OBJECT_KIND_FLOOR\"", "\"FLOOR\"", ".kind: is \"FLOOR\"; expected one of OBJECT_KIND_FLOOR, "},
       {"\"double bed\"", "7", ".name: is 7; expected text"},
       {"\"height_m\": 3", "\"height_m\": \"tall\"", "room.height_m: is \"tall\"; expected a number"},
-      {"\"height_m\": 3", "\"heightM\": \"0x3\"", "room.heightM: is \"0x3\"; expected a number"},
+      {"\"height_m\": 3", "\"heightM\": \"0x3\"", "room.height_m: is \"0x3\"; expected a number"},
   };
   for (const auto& [right, wrong, told] : faults) {
     const std::string text = Replaced(json, right, wrong);

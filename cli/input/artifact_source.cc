@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/input/artifact_shelf.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "absl/strings/ascii.h"
-#include "cli/input/artifact_shelf.h"
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/session/session.h"

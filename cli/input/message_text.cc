@@ -13,6 +13,7 @@
 #include <set>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/str_replace.h"
 #include "cli/exit_code.h"
 #include "cli/output/output_folder.h"
 #include "fmt/format.h"
@@ -153,7 +154,8 @@ const pb::FieldDescriptor* FieldAt(const std::vector<PathStep>& path, const pb::
     if (step.in_brackets) continue;
     if (field != nullptr) type = field->message_type();
     if (type == nullptr) return nullptr;
-    field = FieldNamed(*type, step.text);
+    field = type->FindFieldByName(step.text);
+    if (field == nullptr) field = type->FindFieldByCamelcaseName(step.text);
     if (field == nullptr) return nullptr;
   }
   return field;
@@ -181,25 +183,6 @@ absl::Status Explain(const std::string& name, const std::string& json, const pb:
                          where.empty() ? "" : ": ", words);
 }
 
-// The first number that stands as text and that protobuf takes as C does: "0x4" is none of ours.
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the text, whose depth was checked.
-std::optional<Complaint> FindHexadecimal(const pb::Descriptor& type, const nlohmann::json& object,
-                                         const std::string& path) {
-  for (const auto& [name, value] : object.items()) {
-    const pb::FieldDescriptor* field = FieldNamed(type, name);
-    if (field == nullptr) continue;
-    for (size_t i = 0; i < (value.is_array() ? value.size() : 1); ++i) {
-      const nlohmann::json& one = value.is_array() ? value[i] : value;
-      const std::string place = path + name + (value.is_array() ? fmt::format("[{}]", i) : "");
-      const bool is_text = one.is_string() && field->cpp_type() == pb::FieldDescriptor::CPPTYPE_DOUBLE;
-      if (is_text && one.dump().find_first_of("xX") != std::string::npos) return {{place, "", one.dump(), ""}};
-      if (field->message_type() == nullptr || !one.is_object()) continue;
-      if (auto found = FindHexadecimal(*field->message_type(), one, place + ".")) return found;
-    }
-  }
-  return std::nullopt;
-}
-
 constexpr size_t kLongestName = 64;
 
 // Letters to insert, delete or replace on the way from one to the other.
@@ -218,11 +201,6 @@ size_t Distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
-
-const pb::FieldDescriptor* FieldNamed(const pb::Descriptor& type, const std::string& name) {
-  const pb::FieldDescriptor* field = type.FindFieldByName(name);
-  return field != nullptr ? field : type.FindFieldByCamelcaseName(name);
-}
 
 absl::Status ParseMessageText(TextForm form, const std::string& name, const std::string& text, pb::Message& message) {
   return form == TextForm::kJson ? ParseJsonMessage(name, text, message) : ParseProtobufText(name, text, message);
@@ -254,18 +232,16 @@ absl::Status ListProblems(const std::string& name, const std::vector<validation:
 }
 
 std::string RepeatedKey(std::string_view json) {
-  const auto as_in_protos = [](const std::string& key) {
-    std::string name;
-    for (const char c : key) name += absl::ascii_isupper(c) ? std::string{'_', absl::ascii_tolower(c)} : std::string{c};
-    return name;
-  };
   using Event = nlohmann::json::parse_event_t;
   std::vector<std::set<std::string>> objects;
   std::string repeated;
   const auto see = [&](int, Event event, nlohmann::json& value) {
     if (event == Event::object_start) objects.emplace_back();
     if (event == Event::object_end) objects.pop_back();
-    if (event == Event::key && !objects.back().insert(as_in_protos(value.get<std::string>())).second) repeated = value;
+    if (event == Event::key) {
+      const std::string key = absl::AsciiStrToLower(value.get<std::string>());
+      if (!objects.back().insert(absl::StrReplaceAll(key, {{"_", ""}})).second) repeated = value;
+    }
     return true;
   };
   return nlohmann::json::parse(json, see, false).is_discarded() ? "" : repeated;
@@ -275,18 +251,18 @@ absl::Status ParseJsonMessage(const std::string& name, const std::string& json, 
   if (const std::string key = RepeatedKey(json); !key.empty()) {
     return InvalidArgument("{}: \"{}\" stands twice in one object; keep one", name, key);
   }
-  const auto status = pb::util::JsonStringToMessage(json, &message);
-  if (status.ok()) {
-    const auto tree = nlohmann::json::parse(json, nullptr, false);
-    const auto odd = FindHexadecimal(*message.GetDescriptor(), tree, "");
-    return odd.has_value() ? Explain(name, json, message.GetDescriptor(), *odd) : absl::OkStatus();
-  }
+  // Protobuf takes "0x4" for a number, as C does. Marked, it does not, and what is text stays so.
+  const std::string marked =
+      absl::StrReplaceAll(json, {{"\"0x", "\"?0x"}, {"\"0X", "\"?0X"}, {"\"-0x", "\"?-0x"}, {"\"-0X", "\"?-0X"}});
+  auto status = pb::util::JsonStringToMessage(marked, &message);
+  if (status.ok() && marked != json) status = pb::util::JsonStringToMessage(json, &message);
+  if (status.ok()) return absl::OkStatus();
   if (const std::optional<Fault> fault = FindSyntaxFault(json)) {
     const int line = LineAt(json, fault->offset > 0 ? fault->offset - 1 : 0);
     const bool cut = fault->offset >= json.size();
     return InvalidArgument("{}:{}: {}{}", name, line, cut ? "ends too early: " : "", fault->problem);
   }
-  const std::string text(status.message());
+  const std::string text = absl::StrReplaceAll(std::string(status.message()), {{"\"?", "\""}});
   if (const std::optional<Complaint> complaint = ReadComplaint(text)) {
     return Explain(name, json, message.GetDescriptor(), *complaint);
   }

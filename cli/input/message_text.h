@@ -29,16 +29,13 @@ absl::Status LocateProblems(TextForm form, const std::string& name, const std::s
 // The same of what has no lines: "NAME: FIELD: is ...".
 absl::Status ListProblems(const std::string& name, const std::vector<validation::Problem>& problems);
 
-// A key that an object of the JSON text has twice, be it once in camel case, of which one would count or both together;
-// empty when there is none.
+// A key that an object of the JSON text has twice, in either spelling, of which one would count or both together; empty
+// when there is none.
 std::string RepeatedKey(std::string_view json);
 
 // Fills `message` from proto JSON, field names as in the .proto files or in camel case. INVALID_ARGUMENT as
 // ParseMessageText, in words of ours where protobuf's name its types.
 absl::Status ParseJsonMessage(const std::string& name, const std::string& json, google::protobuf::Message& message);
-
-// The field of a name as in the .proto files or in camel case; null when there is none.
-const google::protobuf::FieldDescriptor* FieldNamed(const google::protobuf::Descriptor& type, const std::string& name);
 
 // Messages that people write as protobuf text.
 

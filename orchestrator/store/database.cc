@@ -13,10 +13,6 @@ namespace {
 constexpr int kBusyTimeoutMs = 20000;
 constexpr int kWalRetryMs = 5;
 
-absl::Status DamagedFile(std::string_view path, std::string_view what) {
-  return DataLoss("{}: {}; restore a good copy, or move it away to start afresh", path, what);
-}
-
 absl::Status ToStatus(sqlite3* connection, int code) {
   const std::string message = fmt::format("store: {}", sqlite3_errmsg(connection));
   // A table or column of ours that is not there was lost.
@@ -24,7 +20,7 @@ absl::Status ToStatus(sqlite3* connection, int code) {
   switch (lost ? SQLITE_CORRUPT : code & 0xff) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return DamagedFile(sqlite3_db_filename(connection, "main"), message);
+      return Damaged(sqlite3_db_filename(connection, "main"), message);
     case SQLITE_FULL:
       return absl::ResourceExhaustedError(message);
     case SQLITE_CONSTRAINT:
@@ -41,6 +37,10 @@ absl::Status ToStatus(sqlite3* connection, int code) {
 }
 
 }  // namespace
+
+absl::Status Damaged(std::string_view path, std::string_view what) {
+  return DataLoss("{}: {}; restore a good copy, or move it away to start afresh", path, what);
+}
 
 Statement::Statement(Statement&& other) noexcept
     : connection_(other.connection_),
@@ -208,11 +208,9 @@ absl::Status Database::Execute(const std::string& sql) {
   return code == SQLITE_OK ? absl::OkStatus() : ToStatus(connection_, code);
 }
 
-absl::Status Database::Damaged(std::string_view what) const { return DamagedFile(path_, what); }
-
 absl::Status Database::CheckWhole() {
   ASSIGN_OR_RETURN(const std::string fault, FirstText("PRAGMA integrity_check(1)"));
-  return fault == "ok" ? absl::OkStatus() : Damaged(fault);
+  return fault == "ok" ? absl::OkStatus() : Damaged(path_, fault);
 }
 
 absl::Status Database::SetFlushedAtOnce(bool at_once) {

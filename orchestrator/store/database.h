@@ -28,6 +28,9 @@ struct Blob {
 // What a column holds of itself: nothing, a whole number, a number or text.
 using SqlValue = std::variant<std::monostate, int64_t, double, std::string>;
 
+// DATA_LOSS with the cure, for a file in which `what` is wrong.
+absl::Status Damaged(std::string_view path, std::string_view what);
+
 // One prepared statement in use: bind in order, step, read columns. Errors are kept and come out of Step. When
 // destroyed, it goes back to its database for the next use.
 class Statement {
@@ -134,8 +137,6 @@ class Database {
 
   absl::Status Execute(const std::string& sql);
 
-  // DATA_LOSS, naming the file and the cure, for a database in which `what` is wrong.
-  absl::Status Damaged(std::string_view what) const;
   // Damaged unless tables and indexes agree; reads the whole file.
   absl::Status CheckWhole();
 

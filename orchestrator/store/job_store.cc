@@ -83,19 +83,17 @@ absl::StatusOr<std::unique_ptr<JobStore>> JobStore::Open(const std::string& path
   ASSIGN_OR_RETURN(auto database, Database::Open(path + "/jobs.db"));
   ASSIGN_OR_RETURN(OwnerLock owner, OwnerLock::Acquire(path + "/owners"));
   std::unique_ptr<JobStore> store(new JobStore(path, std::move(database), std::move(owner)));
-  RETURN_IF_ERROR(store->ReleaseDeadOwners().status());
+  RETURN_IF_ERROR(store->ReleaseDeadOwners());
   return store;
 }
 
-absl::StatusOr<bool> JobStore::ReleaseDeadOwners() {
-  bool released = false;
+absl::Status JobStore::ReleaseDeadOwners() {
   ASSIGN_OR_RETURN(const std::vector<std::string> owners, jobs_.Owners());
   for (const std::string& id : owners) {
     if (id == owner() || !OwnerLock::IsDead(owners_path(), id)) continue;
     RETURN_IF_ERROR(jobs_.Release(id).status());
-    released = true;
   }
-  return released;
+  return absl::OkStatus();
 }
 
 StoreMonitor::StoreMonitor(JobStore& store, Callbacks callbacks) : store_(store), callbacks_(std::move(callbacks)) {

@@ -55,8 +55,8 @@ class JobStore {
   BatchTable& batches() { return batches_; }
   DeletionTable& deletions() { return deletions_; }
 
-  // Makes RUNNING jobs whose process has died QUEUED again. Whether there were any.
-  absl::StatusOr<bool> ReleaseDeadOwners();
+  // Makes RUNNING jobs whose process has died QUEUED again.
+  absl::Status ReleaseDeadOwners();
 
   std::string owners_path() const { return path_ + "/owners"; }
 

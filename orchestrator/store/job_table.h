@@ -153,12 +153,6 @@ class JobTable {
                                after);
   }
 
-  // Whether a job waited for a time that has come by `now`.
-  absl::StatusOr<bool> AnyDelayPassed(absl::Time now) {
-    return database_.Exists("SELECT 1 FROM jobs WHERE state = 1 AND not_before_us > 0 AND not_before_us <= ? LIMIT 1",
-                            absl::ToUnixMicros(now));
-  }
-
   // Whether a job waits for a time after `now`; one beyond the next hour is none of ours.
   absl::StatusOr<bool> AnyDelayed(absl::Time now) {
     return database_.Exists(

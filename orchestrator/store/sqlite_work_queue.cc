@@ -12,6 +12,12 @@ namespace flair::orchestrator {
 namespace {
 // An orchestrator that has said nothing for so long is not counted any more.
 constexpr absl::Duration kStatusLife = absl::Seconds(10);
+
+// Of a job that the store itself named: that it is not there, or has parts that it was not said to have, is damage.
+absl::Status OrDamaged(const JobStore& store, const absl::Status& status) {
+  if (!absl::IsNotFound(status) && !absl::IsAlreadyExists(status)) return status;
+  return Damaged(store.path() + "/jobs.db", std::string(status.message()));
+}
 }  // namespace
 
 // A run of a job in a store. Every write asks in its own transaction whether the run still holds the job.
@@ -84,7 +90,7 @@ class SqliteLease final : public Lease {
       change(record);
       return true;
     };
-    RETURN_IF_ERROR(queue_.OrDamaged(queue_.ChangeJob(job().id(), if_held)).status());
+    RETURN_IF_ERROR(OrDamaged(store_, queue_.ChangeJob(job().id(), if_held).status()));
     RETURN_IF_ERROR(CheckNotDeleted(records));
     for (const StageRecord& record : records) {
       if (record.result_key.empty()) continue;
@@ -149,11 +155,6 @@ absl::StatusOr<store::v1::JobRecord> SqliteWorkQueue::ChangeJob(
   return record;
 }
 
-absl::StatusOr<store::v1::JobRecord> SqliteWorkQueue::OrDamaged(absl::StatusOr<store::v1::JobRecord> record) {
-  if (!absl::IsNotFound(record.status()) && !absl::IsAlreadyExists(record.status())) return record;
-  return store_->database().Damaged(std::string(record.status().message()));
-}
-
 absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& filter) {
   store::v1::JobRecord taken;
   {
@@ -163,12 +164,14 @@ absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& f
     const auto begin = [this](store::v1::JobRecord& record) -> absl::StatusOr<bool> {
       // Otherwise it would be run again and again.
       if (record.job().state() != v1::JOB_STATE_QUEUED) {
-        return store_->database().Damaged(record.job().id() + " is no job that waits, as an index says");
+        return absl::NotFoundError(record.job().id() + " waits only by an index");
       }
       BeginRun(record, store_->owner());
       return true;
     };
-    ASSIGN_OR_RETURN(taken, OrDamaged(ChangeJob(id, begin)));
+    absl::StatusOr<store::v1::JobRecord> begun = ChangeJob(id, begin);
+    RETURN_IF_ERROR(OrDamaged(*store_, begun.status()));
+    taken = *std::move(begun);
     RETURN_IF_ERROR(store_->deletions().BeginRun(id));
     RETURN_IF_ERROR(transaction.Commit());
   }
@@ -320,14 +323,12 @@ void SqliteWorkQueue::CancelHeld(const std::string& job_id) {
 }
 
 void SqliteWorkQueue::HonourCancelRequests() {
-  std::vector<std::string> held;
-  {
-    std::lock_guard lock(mutex_);
-    for (const auto& [id, cancellation] : held_) held.push_back(id);
-  }
-  for (const std::string& id : held) {
+  std::unique_lock lock(mutex_);
+  const auto held = held_;
+  lock.unlock();
+  for (const auto& [id, cancellation] : held) {
     const absl::StatusOr<bool> requested = store_->jobs().CancelRequested(id);
-    if (requested.ok() && *requested) CancelHeld(id);
+    if (requested.ok() && *requested) cancellation->Cancel();
   }
 }
 
@@ -339,15 +340,13 @@ void SqliteWorkQueue::OnChange() {
 }
 
 void SqliteWorkQueue::OnOwnerGone() {
-  // Of one's own writes nobody else tells.
-  const absl::StatusOr<bool> released = store_->ReleaseDeadOwners();
-  const absl::StatusOr<bool> delay_passed = store_->jobs().AnyDelayPassed(clock_.Now());
-  const absl::StatusOr<std::string> alone = store_->jobs().OldestWaiting("", clock_.Now());
-  const bool work = released.value_or(false) || delay_passed.value_or(false) || !alone.value_or("").empty();
-  if (work) return NotifyWork();
+  (void)store_->ReleaseDeadOwners();
   Stillness busy = Stillness::kBusy;
   still_.compare_exchange_strong(busy, Stillness::kStill);
-  NotifyBatchChanged("");
+  // Of one's own writes and of delays that have passed nobody else tells.
+  std::lock_guard lock(listener_mutex_);
+  listener_.work();
+  listener_.batch_changed("");
 }
 
 }  // namespace flair::orchestrator

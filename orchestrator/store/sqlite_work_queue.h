@@ -90,8 +90,6 @@ class SqliteWorkQueue final : public WorkQueue {
   // keeps the ends of batches' jobs in step.
   absl::StatusOr<store::v1::JobRecord> ChangeJob(
       const std::string& job_id, const std::function<absl::StatusOr<bool>(store::v1::JobRecord&)>& change);
-  // Damaged when a job that the store itself named is not there, or has parts that it was not said to have.
-  absl::StatusOr<store::v1::JobRecord> OrDamaged(absl::StatusOr<store::v1::JobRecord> record);
   absl::Status ChangeBatch(const std::string& batch_id, const std::function<absl::StatusOr<bool>(v1::Batch&)>& change);
   absl::Status DeleteUnlessUsed(const std::string& artifact_id, ArtifactStore& artifacts, int64_t& deleted_count);
   absl::StatusOr<Deleted> RemoveLastJobs(const std::string& batch_id, int64_t limit);

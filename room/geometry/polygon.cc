@@ -47,11 +47,6 @@ bool Intersects(const Segment& a, const Segment& b) {
          (b_start == 0 && WithinBox(a, b.start)) || (b_end == 0 && WithinBox(a, b.end));
 }
 
-double DistanceBetween(const Segment& a, const Segment& b) {
-  if (Intersects(a, b)) return 0;
-  return std::min({DistanceTo(a, b.start), DistanceTo(a, b.end), DistanceTo(b, a.start), DistanceTo(b, a.end)});
-}
-
 double SignedArea(std::span<const Vec2<double>> vertices) {
   double twice = 0;
   for (size_t i = 0; i < vertices.size(); ++i) twice += Cross(vertices[i], vertices[(i + 1) % vertices.size()]);

@@ -36,9 +36,6 @@ inline double DistanceTo(const Segment& s, const Vec2<double>& p) { return Dista
 // Whether the two share a point; touching counts.
 bool Intersects(const Segment& a, const Segment& b);
 
-// Least distance between points of the two; 0 when they intersect.
-double DistanceBetween(const Segment& a, const Segment& b);
-
 struct Polygon {
   std::vector<Vec2<double>> vertices;
 

@@ -98,11 +98,9 @@ Room RectangularRoom(double width_m, double depth_m);
 // The end of the opening that carries the hinges, on the floor's edge. The start when there is no leaf.
 Vec2<double> HingePoint(const Room& room, const Opening& door);
 
-// The sector of radius width_m that the leaf sweeps inside the room, as a polygon around the arc (so that it covers the
-// arc: at most 0.3 % of the radius too large), counter-clockwise. Empty for doors that do not open inwards.
-Polygon SwingArea(const Room& room, const Opening& door, int arc_pieces = 8);
-
-// The same in convex pieces: a leaf that opens wider than a half turn minus the wall is not convex any more.
+// The sector of radius width_m that the leaf sweeps inside the room, as polygons around the arc (so that they cover the
+// arc: at most 0.3 % of the radius too large), counter-clockwise and convex: two where the leaf opens wider than a
+// quarter turn. Empty for doors that do not open inwards.
 std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int arc_pieces = 8);
 
 // "the south wall"; a wall that is just numbered keeps its name.

@@ -108,11 +108,6 @@ Vec2<double> HingePoint(const Room& room, const Opening& door) {
   return door.leaf.has_value() && door.leaf->hinge == HingeSide::kEnd ? opening.end : opening.start;
 }
 
-Polygon SwingArea(const Room& room, const Opening& door, int arc_pieces) {
-  if (!OpensInward(door)) return {};
-  return Sector(room, door, 0, door.leaf->swing_angle_rad, arc_pieces);
-}
-
 std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int arc_pieces) {
   if (!OpensInward(door)) return {};
   const double angle = door.leaf->swing_angle_rad;

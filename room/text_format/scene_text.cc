@@ -196,14 +196,4 @@ absl::StatusOr<SceneText> ParseScene(std::string_view text) {
   return reader.Take();
 }
 
-std::string LayoutToText(const Scene& scene, const Layout& layout) {
-  std::string text;
-  for (size_t i = 0; i < scene.objects.size() && i < layout.size(); ++i) {
-    const Object& o = scene.objects[i];
-    text += fmt::format("{} {}x{} at {:.3f},{:.3f},{:.1f}\n", o.id, o.footprint.width_m, o.footprint.depth_m,
-                        layout[i].x_m, layout[i].y_m, WrapHeading(layout[i].theta_rad) * 180 / kPi);
-  }
-  return text;
-}
-
 }  // namespace flair

@@ -31,7 +31,4 @@ struct SceneText {
 // INVALID_ARGUMENT with the item that cannot be read.
 absl::StatusOr<SceneText> ParseScene(std::string_view text);
 
-// One object per line, "desk 1.2x0.6 at 2,0.3,90", to the millimetre and tenth of a degree.
-std::string LayoutToText(const Scene& scene, const Layout& layout);
-
 }  // namespace flair

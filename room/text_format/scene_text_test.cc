@@ -39,11 +39,5 @@ TEST(SceneText, NamesTheItemThatCannotBeRead) {
   }
 }
 
-TEST(SceneText, WritesALineForEachObject) {
-  const auto read = ParseScene("4x3 room; desk 1.2x0.6 at 2,0.3,-90");
-  ASSERT_TRUE(read.ok());
-  EXPECT_EQ(LayoutToText(read->scene, read->layout), "desk 1.2x0.6 at 2.000,0.300,270.0\n");
-}
-
 }  // namespace
 }  // namespace flair

@@ -60,7 +60,6 @@ void ReadSceneText(std::string_view bytes) {
     return;
   }
   Require(text->layout.size() == text->scene.objects.size(), "every object has a pose");
-  LayoutToText(text->scene, text->layout);
 }
 
 }  // namespace flair::fuzz

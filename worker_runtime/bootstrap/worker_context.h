@@ -36,8 +36,8 @@ struct WorkerContext {
   RpcMetrics& rpc_metrics;
   // Shared because spdlog's sinks and loggers are; never null.
   std::shared_ptr<spdlog::logger> logger;
-  // What large messages in hand take; see MessageRoom. Shared with calls that outlive the server.
-  std::shared_ptr<std::atomic<int64_t>> large_message_bytes = std::make_shared<std::atomic<int64_t>>(0);
+  // What the large messages may take that are being answered; see ServerCall.
+  std::shared_ptr<std::atomic<int64_t>> unfolded_bytes = std::make_shared<std::atomic<int64_t>>(0);
   // Names the data that the service answers from, beyond the program itself; set by the service while it is made. Two
   // servers whose answers may differ must differ here or in their build.
   std::string revision = "";

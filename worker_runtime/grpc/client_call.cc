@@ -40,8 +40,7 @@ constexpr std::array kConnectionErrors = {
 };
 
 // Of a server that is sent more large messages than it has room for, and of one that stops.
-constexpr std::array kTurnedAway = {"the server has no room for so large a message at the moment; try again later",
-                                    "the server closed the connection before it took the call; try again"};
+constexpr std::array kTurnedAway = {kNoRoom, "the server closed the connection before it took the call; try again"};
 
 // Whole messages without an address.
 constexpr std::array kWholeMessages = {
@@ -124,8 +123,6 @@ std::string InPlainWords(std::string_view message) {
   }
   return std::string(message);
 }
-
-absl::Status TurnAway() { return absl::ResourceExhaustedError(kTurnedAway[0]); }
 
 bool TurnedAway(const absl::Status& status) {
   return std::ranges::find(kTurnedAway, status.message()) != kTurnedAway.end();

@@ -37,7 +37,7 @@ std::string InPlainWords(std::string_view message);
 bool HandshakeTimedOut(const absl::Status& status);
 
 // What a server says that has no room for another large message.
-absl::Status TurnAway();
+inline constexpr char kNoRoom[] = "the server has no room for so large a message at the moment; try again later";
 
 // Whether a server that is there did not take the call, in which nothing was wrong: it may be made again.
 bool TurnedAway(const absl::Status& status);

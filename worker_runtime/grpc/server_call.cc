@@ -13,6 +13,7 @@
 #include <chrono>
 #include <vector>
 
+#include "absl/cleanup/cleanup.h"
 #include "worker_runtime/grpc/client_call.h"
 #include "worker_runtime/logging/log.h"
 
@@ -24,6 +25,17 @@ constexpr size_t kLongestId = 200;
 constexpr size_t kLongestError = 500;
 
 std::string_view Cut(std::string_view text, size_t limit) { return text.substr(0, limit); }
+
+// What a message may take: some in any case, then so many times its bytes; of large ones hardly more than they are.
+constexpr int64_t kAnyMessageBytes = 8 << 20;
+constexpr int64_t kBytesPerByte = 16;
+constexpr int64_t kLargeMessageBytes = 120 << 20;
+constexpr int64_t MostUnfolded(int64_t size) {
+  return kAnyMessageBytes + std::min(kBytesPerByte * size, kLargeMessageBytes + 2 * size);
+}
+// What messages from here on may take that a worker has in hand at once; one that is alone may take more.
+constexpr int64_t kLargeBytes = 1 << 20;
+constexpr int64_t kUnfoldedInHand = 192 << 20;
 
 // One call from arrival to answer. Deletes itself when gRPC is done with it, which is never before it has ended.
 class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
@@ -50,13 +62,26 @@ class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   void Step(bool has_message) {
     record_.Begin();
     if (const absl::Status alive = call_.CheckAlive(); !alive.ok()) return End(alive);
-    absl::StatusOr<std::optional<grpc::ByteBuffer>> answer =
-        has_message ? steps_.take(message_, call_, record_) : steps_.finish(call_);
+    absl::StatusOr<std::optional<grpc::ByteBuffer>> answer = Answer(has_message);
     if (!answer.ok()) return End(answer.status());
     if (!answer->has_value()) return StartRead(&message_);
     answer_ = **std::move(answer);
     record_.End(absl::OkStatus(), steps_.is_stream ? message_count_ : -1);
     StartWriteAndFinish(&answer_, grpc::WriteOptions(), grpc::Status::OK);
+  }
+
+  absl::StatusOr<std::optional<grpc::ByteBuffer>> Answer(bool has_message) {
+    const auto size = static_cast<int64_t>(message_.Length());
+    const int64_t bytes = size < kLargeBytes ? 0 : MostUnfolded(size);
+    std::atomic<int64_t>& in_hand = *worker_.unfolded_bytes;
+    const absl::Cleanup give_back = [&] {
+      in_hand -= bytes;
+      // What is free between other things would stay with the process, and pile up.
+      if (bytes > 0) ::malloc_trim(0);
+    };
+    if ((in_hand += bytes) > std::max(kUnfoldedInHand, bytes)) return absl::ResourceExhaustedError(kNoRoom);
+    if (has_message) return steps_.take(message_, call_, record_);
+    return steps_.finish(call_);
   }
 
   void End(const absl::Status& status) {
@@ -79,26 +104,17 @@ class ServerCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
 namespace pb = google::protobuf;
 using pb::internal::WireFormatLite;
 
-// What a message may take: some in any case, then so many times its bytes; of large ones hardly more than they are.
-constexpr int64_t kAnyMessageBytes = 8 << 20;
-constexpr int64_t kBytesPerByte = 16;
-constexpr int64_t kLargeMessageBytes = 120 << 20;
 // Of what is allocated for each: about, and not too little for fields that the message does not know.
 constexpr int64_t kScalarBytes = 16;
 constexpr int64_t kObjectBytes = 48;
 constexpr int64_t kPackedBytes = 8;
 constexpr int kNestingLimit = 100;
-// What large messages may take that are in hand at once.
-constexpr int64_t kLargeBytes = 1 << 20;
-constexpr int64_t kLargeBytesInHand = 96 << 20;
 constexpr size_t kShortMessageBytes = 4096;
 
 // Goes through the fields of a message without making anything, and counts down what each would take.
 class Unfolding {
  public:
   Unfolding(pb::io::CodedInputStream& in, int64_t left) : in_(in), left_(left) {}
-
-  int64_t left() const { return left_; }
 
   // False when more is taken than is left. Stops at what is no field: so will the parser.
   bool Fits(const pb::Descriptor& type, int nesting = 0) {
@@ -235,31 +251,17 @@ void Service::AddMethod(const std::string& rpc, grpc::internal::MethodHandler* h
   MarkMethodRawCallback(paths_.size() - 1, handler);
 }
 
-MessageRoom::~MessageRoom() {
-  *taken_ -= bytes_;
-  // What lies between other things would stay with the process, and pile up.
-  if (bytes_ > kAnyMessageBytes) ::malloc_trim(0);
-}
-
-bool MessageRoom::Take(int64_t bytes) {
-  if (bytes < kLargeBytes) return true;
-  bytes_ = bytes;
-  return taken_->fetch_add(bytes) + bytes <= std::max(kLargeBytesInHand, bytes);
-}
-
-absl::Status ParseMessage(grpc::ByteBuffer& bytes, pb::Message& message, MessageRoom* room) {
+absl::Status ParseMessage(grpc::ByteBuffer& bytes, pb::Message& message) {
   const auto size = static_cast<int64_t>(bytes.Length());
-  const int64_t limit = kAnyMessageBytes + std::min(kBytesPerByte * size, kLargeMessageBytes + 2 * size);
+  const int64_t limit = MostUnfolded(size);
   const std::string name = message.GetDescriptor()->name();
   {
     grpc::ProtoBufferReader reader(&bytes);
     pb::io::CodedInputStream in(&reader);
-    Unfolding unfolding(in, limit);
-    if (!unfolding.Fits(*message.GetDescriptor())) {
+    if (!Unfolding(in, limit).Fits(*message.GetDescriptor())) {
       return InvalidArgument("{}: {} bytes that would take more than {} MiB of memory; send fewer fields at once", name,
                              size, limit >> 20);
     }
-    if (room != nullptr && !room->Take(limit - unfolding.left())) return TurnAway();
   }
   grpc::ProtoBufferReader reader(&bytes);
   const bool parsed = reader.status().ok() && message.ParseFromZeroCopyStream(&reader);

@@ -31,24 +31,9 @@ namespace flair::runtime {
 
 // Messages between their bytes and what they unfold to.
 
-// The memory of a message, given back when it goes: that of large ones is counted, of all that a worker has in hand.
-class MessageRoom {
- public:
-  explicit MessageRoom(const WorkerContext& worker) : taken_(worker.large_message_bytes) {}
-  ~MessageRoom();
-  MessageRoom(const MessageRoom&) = delete;
-
-  // False when there is no room for it beside the others; there is for one that is alone.
-  bool Take(int64_t bytes);
-
- private:
-  const std::shared_ptr<std::atomic<int64_t>> taken_;
-  int64_t bytes_ = 0;
-};
-
 // Parses `bytes` and lets go of them. INVALID_ARGUMENT for what is no such message, and for a small one that would take
-// much memory, such as millions of empty fields; RESOURCE_EXHAUSTED when `room` has none. Then nothing of it is made.
-absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message, MessageRoom* room = nullptr);
+// much memory, such as millions of empty fields: nothing of it is made then.
+absl::Status ParseMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message);
 
 // The same of what anybody may ask: INVALID_ARGUMENT for more than 4 KiB too.
 absl::Status ParseShortMessage(grpc::ByteBuffer& bytes, google::protobuf::Message& message);
@@ -168,11 +153,10 @@ class Service : public grpc::Service {
     AddSteps(rpc, [this, make]() -> CallSteps {
       // Shared by the steps, which std::function copies.
       const std::shared_ptr taker = make();
-      return {.take = [this, taker](grpc::ByteBuffer& bytes, CallContext& call,
-                                    RpcRecord& record) -> absl::StatusOr<std::optional<grpc::ByteBuffer>> {
-                MessageRoom room(worker_);
+      return {.take = [taker](grpc::ByteBuffer& bytes, CallContext& call,
+                              RpcRecord& record) -> absl::StatusOr<std::optional<grpc::ByteBuffer>> {
                 Request request;
-                RETURN_IF_ERROR(ParseMessage(bytes, request, &room));
+                RETURN_IF_ERROR(ParseMessage(bytes, request));
                 if (CallIds ids = CallIdsOf(request); !ids.request_id.empty()) record.SetIds(std::move(ids));
                 RETURN_IF_ERROR(taker->Take(request, call));
                 return std::nullopt;
@@ -202,9 +186,8 @@ class Service : public grpc::Service {
     AddSteps(rpc, [this, function]() -> CallSteps {
       return {.take = [this, &function](grpc::ByteBuffer& bytes, CallContext& call,
                                         RpcRecord& record) -> absl::StatusOr<std::optional<grpc::ByteBuffer>> {
-                MessageRoom room(worker_);
                 Request request;
-                RETURN_IF_ERROR(ParseMessage(bytes, request, &room));
+                RETURN_IF_ERROR(ParseMessage(bytes, request));
                 CallIds ids = CallIdsOf(request);
                 call.set_request_id(ids.request_id);
                 record.SetIds(std::move(ids));

@@ -79,8 +79,9 @@ class ClientStream : public testing::Test {
   }
 
   // Sends the captions, one message each.
-  absl::Status Send(const std::vector<std::string>& captions) {
-    const auto writer = stub_->ComposeContactSheet(&context_, &response_);
+  absl::Status Send(const std::vector<std::string>& captions) { return SendIn(context_, captions); }
+  absl::Status SendIn(grpc::ClientContext& context, const std::vector<std::string>& captions) {
+    const auto writer = stub_->ComposeContactSheet(&context, &response_);
     for (const std::string& caption : captions) {
       Request request;
       request.mutable_tile()->set_caption(caption);
@@ -173,15 +174,13 @@ TEST_F(ClientStream, AFullQueueTurnsTheMessageAway) {
 }
 
 TEST_F(ClientStream, LargeMessagesBesideOthersAreTurnedAway) {
-  auto others = std::make_unique<MessageRoom>(*worker_);
-  EXPECT_TRUE(others->Take(200 << 20)) << "it is alone";
-  const std::string large(4 << 20, 'x');
-  const absl::Status status = Send({"a", large});
+  EXPECT_EQ(Send({std::string(31 << 20, 'x')}), absl::OkStatus()) << "alone";
+  EXPECT_EQ(*worker_->unfolded_bytes, 0);
+  *worker_->unfolded_bytes = 150 << 20;
+  grpc::ClientContext second;
+  const absl::Status status = SendIn(second, {"a", std::string(4 << 20, 'x')});
   EXPECT_TRUE(TurnedAway(status)) << status;
-  EXPECT_EQ(script_.taken, 1) << "small ones are not counted";
-  others.reset();
-  MessageRoom room(*worker_);
-  EXPECT_TRUE(room.Take(4 << 20));
+  EXPECT_EQ(script_.taken, 2) << "small ones are not counted";
 }
 
 }  // namespace

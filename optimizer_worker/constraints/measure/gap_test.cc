@@ -32,6 +32,11 @@ Placed RandomBox(std::mt19937_64& random, double extent) {
           {Uniform(random, 0, extent), Uniform(random, 0, extent), Uniform(random, -4, 4)}};
 }
 
+double DistanceBetween(const Segment& a, const Segment& b) {
+  if (Intersects(a, b)) return 0;
+  return std::min({DistanceTo(a, b.start), DistanceTo(a, b.end), DistanceTo(b, a.start), DistanceTo(b, a.end)});
+}
+
 double BruteDistance(const Polygon& a, const Polygon& b) {
   double least = 1e300;
   for (size_t i = 0; i < a.vertices.size(); ++i) {
