@@ -93,6 +93,14 @@ TEST(BackoffPolicy, EndsWithTheLastAttempt) {
   EXPECT_FALSE(policy.DelayAfter(down, 2, "j1").has_value());
 }
 
+TEST(OfStore, AStoreThatIsAwayIsWaitedFor) {
+  const absl::Status away = OfStore(absl::UnavailableError("the queue does not answer"));
+  EXPECT_TRUE(IsOutage(away));
+  EXPECT_EQ(KindOfFailure(away, "brief"), v1::FAILURE_KIND_STORE);
+  EXPECT_FALSE(IsOutage(OfStore(absl::ResourceExhaustedError("the disk is full"))));
+  EXPECT_FALSE(IsOutage(OfStore(absl::OkStatus())));
+}
+
 TEST(WaitUnlessCancelled, ReturnsAtOnceWhenCancelled) {
   runtime::CallContext call;
   call.cancellation().Cancel();

@@ -57,7 +57,7 @@ void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call) {
 absl::Status OfStore(absl::Status status) {
   // A lost lease is no fault of the store.
   if (!status.ok() && !absl::IsAborted(status)) status.SetPayload(kStorePayload, absl::Cord());
-  return status;
+  return absl::IsUnavailable(status) ? OfOutage(std::move(status)) : status;
 }
 
 absl::Status OfOutage(absl::Status status) {

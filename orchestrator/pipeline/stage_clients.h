@@ -118,10 +118,11 @@ void WaitUnlessCancelled(absl::Duration duration, runtime::CallContext& call);
 
 // What kind of failure ended a run, and whether another run may help.
 
-// The same error, known to come from the orchestrator's own store and not from a worker.
+// The same error, known to come from the orchestrator's own store and not from a worker; an outage when the store is
+// away.
 absl::Status OfStore(absl::Status status);
 
-// The same error, because no worker of a stage is there: no run of the job has failed, it waits for one.
+// The same error, because what a stage needs is not there, such as a worker: no run of the job has failed, it waits.
 absl::Status OfOutage(absl::Status status);
 bool IsOutage(const absl::Status& status);
 
