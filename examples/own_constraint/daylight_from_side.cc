@@ -8,7 +8,6 @@
 //   out(x, interval)  how far x is outside of it
 // Zero exactly when one of the two sides looks at a window within 30 degrees, lies before it at least by its edge and
 // is at most max_distance_m from its wall. Continuously differentiable but where another window or side takes over.
-#include <utility>
 #include <vector>
 
 #include "optimizer_worker/constraints/facts.h"
@@ -22,47 +21,38 @@
 namespace flair::optimizer {
 namespace {
 
-struct DaylightFromSide {
-  static constexpr bool kSeesZero = true;
+// One way for the light: through a window, an interval of its wall, onto a side.
+struct Light {
+  Wall wall;
+  double start_m;
+  double end_m;
+  Side side;
+};
 
-  // One way for the light: through a window, an interval of its wall, onto a side.
-  struct Light {
-    Wall wall;
-    double start_m;
-    double end_m;
-    Side side;
-  };
-
-  Footprint footprint;
+BoundCost BindDaylightFromSide(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object");
+  const Room& room = context.scene.room;
   std::vector<Light> lights;
-  double max_distance_m;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(lights, frames, [this](const Light& light, const auto& f) {
+  for (const Opening& opening : room.openings) {
+    if (opening.kind != OpeningKind::kWindow) continue;
+    for (const Side side : {Side::kLeft, Side::kRight}) {
+      lights.push_back(
+          {room.walls[static_cast<size_t>(opening.wall)], opening.offset_m, opening.offset_m + opening.width_m, side});
+    }
+  }
+  if (lights.empty()) return absl::FailedPreconditionError("the room has no window");
+  const auto formula = [lights, footprint = FootprintOf(context, object),
+                        max_m = a.Number("max_distance_m")]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(lights, frames, [&](const Light& light, const auto& f) {
       constexpr double kPlay = 0.1339745962155614;  // 1 - cos of 30 degrees
       const double reach_m = SideLength(footprint, light.side) / 2;
       const auto middle = MiddleOf(footprint, f[0], light.side);
       return SquaredHinge(TurnToWall(f[0], light.side, light.wall) - kPlay) +
              SquaredOutside(light.wall.Offset(middle), light.start_m - reach_m, light.end_m + reach_m) +
-             SquaredOutside(light.wall.Height(middle), 0, max_distance_m);
+             SquaredOutside(light.wall.Height(middle), 0, max_m);
     });
-  }
-};
-
-BoundCost BindDaylightFromSide(const Arguments& a, const BindContext& context) {
-  const int object = a.Object("object");
-  DaylightFromSide formula{FootprintOf(context, object), {}, a.Number("max_distance_m")};
-  const Room& room = context.scene.room;
-  for (const Opening& opening : room.openings) {
-    if (opening.kind != OpeningKind::kWindow) continue;
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      formula.lights.push_back(
-          {room.walls[static_cast<size_t>(opening.wall)], opening.offset_m, opening.offset_m + opening.width_m, side});
-    }
-  }
-  if (formula.lights.empty()) return absl::FailedPreconditionError("the room has no window");
-  return MakeCost(std::move(formula), {object});
+  };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 }  // namespace

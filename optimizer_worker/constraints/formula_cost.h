@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns a formula over one, two or three objects into a Cost. A formula is a struct with
-//   template <typename T> T operator()(const Frames<T, K>& frames) const;   // K objects; T: double or a Dual
+// Turns a formula over one, two or three objects into a Cost. A formula is
+//   [...]<typename T>(const Frames<T, K>& frames) -> T { ... }   // K objects; T: double or a Dual
 // It gets frames, not poses: headings only ever enter by sine and cosine, so a full turn changes nothing.
-// It may also say
-//   static constexpr bool kOnlyRelative = true;  // the room does not enter: T has three derivatives fewer, see below
-//   static constexpr bool kSeesZero = true;      // finds out on values that it is 0, before any derivative
 #pragma once
 
 #include <algorithm>
@@ -82,13 +79,10 @@ inline void AddReaction(const Frame<double>& moved, double gx, double gy, double
   gradient[2] -= gtheta + Cross(moved.center - fixed.center, Vec2<double>{gx, gy});
 }
 
-template <typename Formula>
-concept OnlyRelative = requires {
-  requires Formula::kOnlyRelative;
-};
-template <typename Formula>
-concept SeesZero = requires {
-  requires Formula::kSeesZero;
+// What else holds of a formula, which makes it faster.
+enum FormulaTraits : unsigned {
+  kOnlyRelative = 1,  // the room does not enter: T has three derivatives fewer
+  kSeesZero = 2,      // finds out on values that it is 0, before any derivative
 };
 
 template <typename Formula>
@@ -98,11 +92,11 @@ constexpr int ObjectCount() {
   return 3;
 }
 
-template <typename Formula>
+template <typename Formula, unsigned traits>
 class FormulaCost final : public Cost {
   static constexpr int kCount = ObjectCount<Formula>();
   // Of the formula's objects the first so many have derivatives.
-  static constexpr int kMoving = OnlyRelative<Formula> ? kCount - 1 : kCount;
+  static constexpr int kMoving = (traits & kOnlyRelative) != 0 ? kCount - 1 : kCount;
   static constexpr int kVariables = 3 * kMoving;
 
  public:
@@ -124,7 +118,7 @@ class FormulaCost final : public Cost {
 
   double GradientAt(std::span<const Frame<double>> frames, std::span<double> gradient) const override {
     // Costs are never negative, so where one is 0 its gradient is 0 too; this is the common case while solving.
-    if (!SeesZero<Formula> && ValueAt(frames) == 0) {
+    if ((traits & kSeesZero) == 0 && ValueAt(frames) == 0) {
       std::ranges::fill(gradient, 0.0);
       return 0;
     }
@@ -132,7 +126,7 @@ class FormulaCost final : public Cost {
     for (int k = 0; k < kMoving; ++k) {
       for (int c = 0; c < 3; ++c) gradient[3 * slot_[k] + c] = cost.partial[3 * k + c];
     }
-    if constexpr (OnlyRelative<Formula>) {
+    if constexpr ((traits & kOnlyRelative) != 0) {
       const int last = slot_[kCount - 1];
       const std::span<double> reaction = gradient.subspan(3 * last, 3);
       std::ranges::fill(reaction, 0.0);
@@ -156,9 +150,10 @@ class FormulaCost final : public Cost {
   std::array<int, kCount> slot_;
 };
 
-template <typename Formula>
-std::unique_ptr<Cost> MakeCost(Formula formula, std::array<int, ObjectCount<Formula>()> objects) {
-  return std::make_unique<FormulaCost<Formula>>(std::move(formula), objects);
+// Of `objects` in the formula's order, all different.
+template <unsigned traits = 0, typename Formula>
+std::unique_ptr<Cost> MakeCost(std::array<int, ObjectCount<Formula>()> objects, Formula formula) {
+  return std::make_unique<FormulaCost<Formula, traits>>(std::move(formula), objects);
 }
 
 }  // namespace flair::optimizer

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "optimizer_worker/constraints/formula_cost.h"
@@ -32,20 +34,16 @@ T LeastOf(const Ways& ways, const std::array<Frame<T>, K>& frames, const WayCost
   }
 }
 
-// Sum over areas of the squared depth of an object in each [m2], which is the shortest push out of it.
-struct ClearOfAreas {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::vector<ConvexPiece> areas;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
+// Keeps an object out of areas: the sum of its squared depth in each [m2], which is the shortest push out of it.
+inline std::unique_ptr<Cost> ClearOfAreas(int object, const Footprint& footprint, std::vector<ConvexPiece> areas) {
+  const auto formula = [footprint, areas = std::move(areas)]<typename T>(const Frames<T, 1>& frames) {
     const Box<T> box(footprint, frames[0]);
     T sum(0.0);
     for (const ConvexPiece& area : areas) sum += SquaredPenetration<T>(box, area);
     return sum;
-  }
-};
+  };
+  return MakeCost<kSeesZero>({object}, formula);
+}
 
 // Sums over many objects are differentiated one object at a time: three partials, whatever the number of objects.
 

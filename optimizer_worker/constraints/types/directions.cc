@@ -34,20 +34,6 @@ T Faces(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point)
   return sum + SquaredHinge(2.0 * Magnitude(p.x) - footprint.width_m);
 }
 
-struct Facing {
-  static constexpr bool kOnlyRelative = true;
-  Footprint object;
-  Footprint target;
-  bool both;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const T one_way = Faces(object, frames[0], frames[1].center);
-    if (!both) return one_way;
-    return one_way + Faces(target, frames[1], frames[0].center) + Square(Dot(frames[0].front, frames[1].front) + 1.0);
-  }
-};
-
 // How an object misses looking at another: out of its strip, or behind.
 Shortfall NotFaced(const PlacedCall& call, int object, int target) {
   const Frame<double> frame = call.FrameOf(object);
@@ -74,25 +60,18 @@ std::optional<Shortfall> FacingShortfall(const PlacedCall& call) {
 
 BoundCost BindFacing(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(Facing{FootprintOf(context, object), FootprintOf(context, target), a.Flag("both")}, {object, target});
+  const auto formula = [first = FootprintOf(context, object), second = FootprintOf(context, target),
+                        both = a.Flag("both")]<typename T>(const Frames<T, 2>& frames) {
+    const T one_way = Faces(first, frames[0], frames[1].center);
+    if (!both) return one_way;
+    return one_way + Faces(second, frames[1], frames[0].center) + Square(Dot(frames[0].front, frames[1].front) + 1.0);
+  };
+  return MakeCost<kOnlyRelative>({object, target}, formula);
 }
 
 // Turns an object away from another: cost = max(cos a - cos 45, 0)^2, a the angle between its front and the direction
 // from its centre to the target's. Zero exactly when the target is at least 45 degrees off its look. The released
 // io_not_facing is identically zero (SEMANTICS.md section 4).
-struct NotFacing {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    constexpr double kCos45 = 0.70710678118654757;
-    const Vec2<T> to_target = frames[1].center - frames[0].center;
-    constexpr double kNoDirection_m2 = 1e-8;
-    if (ValueOf(SquaredNorm(to_target)) < kNoDirection_m2) return T(0.0);
-    return SquaredHinge(Dot(frames[0].front, to_target) / Length(to_target) - kCos45);
-  }
-};
-
 std::optional<Shortfall> NotFacingShortfall(const PlacedCall& call) {
   const Frame<double> frame = call.FrameOf(call.object());
   const double angle = AngleOf(frame.front, call.FrameOf(call.target()).center - frame.center);
@@ -102,29 +81,29 @@ std::optional<Shortfall> NotFacingShortfall(const PlacedCall& call) {
                  missed_deg, "deg"}});
 }
 
-BoundCost BindNotFacing(const Arguments& a, const BindContext& context) {
-  return MakeCost(NotFacing{}, {a.Object("object"), a.Object("target")});
+BoundCost BindNotFacing(const Arguments& a, const BindContext&) {
+  const auto formula = []<typename T>(const Frames<T, 2>& frames) {
+    constexpr double kCos45 = 0.70710678118654757;
+    const Vec2<T> to_target = frames[1].center - frames[0].center;
+    constexpr double kNoDirection_m2 = 1e-8;
+    if (ValueOf(SquaredNorm(to_target)) < kNoDirection_m2) return T(0.0);
+    return SquaredHinge(Dot(frames[0].front, to_target) / Length(to_target) - kCos45);
+  };
+  return MakeCost<kOnlyRelative>({a.Object("object"), a.Object("target")}, formula);
 }
 
 // Gives two objects the same heading: cost = 1 - cos(theta_1 - theta_2). Zero exactly when both face the same way. The
 // released io_parallel squares the difference of headings reduced to [0, 2 pi), which jumps by 39 at the wrap
 // (SEMANTICS.md section 4).
-struct Parallel {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return Turn(frames[0].front, frames[1].front);
-  }
-};
-
 std::optional<Shortfall> ParallelShortfall(const PlacedCall& call) {
   return Worst({Turned(call.NameOf("object"), "the direction of " + call.NameOf("target"),
                        AngleOf(call.FrameOf(call.object()).front, call.FrameOf(call.target()).front))});
 }
 
-BoundCost BindParallel(const Arguments& a, const BindContext& context) {
-  return MakeCost(Parallel{}, {a.Object("object"), a.Object("target")});
+BoundCost BindParallel(const Arguments& a, const BindContext&) {
+  return MakeCost<kOnlyRelative>({a.Object("object"), a.Object("target")}, []<typename T>(const Frames<T, 2>& frames) {
+    return Turn(frames[0].front, frames[1].front);
+  });
 }
 
 // Stands two objects at a right angle, with a third object before both when one is named.
@@ -133,32 +112,11 @@ BoundCost BindParallel(const Arguments& a, const BindContext& context) {
 // The sum is there with `center` only. Zero exactly when they stand at a right angle and the centre object is ahead of
 // the middle half of both. The released io_perp drops object 0, reads the pose of another object and divides by zero
 // for parallel ones (SEMANTICS.md section 4).
-struct RightAngle {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return Square(Dot(frames[0].front, frames[1].front));
-  }
-};
-
 template <typename T>
 T Before(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point) {
   const Vec2<T> p = frame.ToObject(point);
   return SquaredOutside(p.x, -footprint.width_m / 4, footprint.width_m / 4) + SquaredHinge(-p.y);
 }
-
-struct PerpendicularAround {
-  static constexpr bool kOnlyRelative = true;
-  Footprint object;
-  Footprint target;
-
-  template <typename T>
-  T operator()(const Frames<T, 3>& frames) const {
-    return Square(Dot(frames[0].front, frames[1].front)) + Before(object, frames[0], frames[2].center) +
-           Before(target, frames[1], frames[2].center);
-  }
-};
 
 std::optional<Shortfall> PerpendicularShortfall(const PlacedCall& call) {
   const double angle = AngleOf(call.FrameOf(call.object()).front, call.FrameOf(call.target()).front);
@@ -175,9 +133,16 @@ std::optional<Shortfall> PerpendicularShortfall(const PlacedCall& call) {
 BoundCost BindPerpendicular(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
   const int center = a.MaybeObject("center");
-  if (center < 0) return MakeCost(RightAngle{}, {object, target});
-  return MakeCost(PerpendicularAround{FootprintOf(context, object), FootprintOf(context, target)},
-                  {object, target, center});
+  const auto right_angle = []<typename T>(const Frames<T, 2>& frames) {
+    return Square(Dot(frames[0].front, frames[1].front));
+  };
+  if (center < 0) return MakeCost<kOnlyRelative>({object, target}, right_angle);
+  const auto formula = [right_angle, first = FootprintOf(context, object),
+                        second = FootprintOf(context, target)]<typename T>(const Frames<T, 3>& frames) {
+    return right_angle(Frames<T, 2>{frames[0], frames[1]}) + Before(first, frames[0], frames[2].center) +
+           Before(second, frames[1], frames[2].center);
+  };
+  return MakeCost<kOnlyRelative>({object, target, center}, formula);
 }
 
 constexpr ConstraintCode kDirectionsCode[] = {

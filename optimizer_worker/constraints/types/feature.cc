@@ -24,20 +24,11 @@ namespace {
 //   gap  signed gap between the rectangle and the feature's interval on the wall
 // Zero exactly when every one is at least min_distance_m away. The released ind_away_from_fixed_object measures from
 // centre to hinge less half a diagonal (SEMANTICS.md section 3).
-struct AwayFromFeature {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  double min_distance_m;
-  std::vector<ConvexPiece> features;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    const Box<T> box(footprint, frames[0]);
-    T sum(0.0);
-    for (const ConvexPiece& feature : features) sum += SquaredNearness<T>(box, feature, min_distance_m);
-    return sum;
-  }
-};
+std::vector<ConvexPiece> PiecesOf(const Room& room, const RoomFeature& feature) {
+  std::vector<ConvexPiece> pieces;
+  for (const Segment& s : FeatureSegments(room, feature)) pieces.emplace_back(s);
+  return pieces;
+}
 
 std::optional<Shortfall> AwayFromFeatureShortfall(const PlacedCall& call) {
   return Worst({TooNear(call.NameOf("object"), call.FeatureName(), call.NearestFeatureGap(),
@@ -46,9 +37,15 @@ std::optional<Shortfall> AwayFromFeatureShortfall(const PlacedCall& call) {
 
 BoundCost BindAwayFromFeature(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  AwayFromFeature formula{FootprintOf(context, object), a.Number("min_distance_m"), {}};
-  for (const Segment& s : FeatureSegments(context.scene.room, a.Feature("feature"))) formula.features.emplace_back(s);
-  return MakeCost(std::move(formula), {object});
+  const auto formula =
+      [footprint = FootprintOf(context, object), min_m = a.Number("min_distance_m"),
+       features = PiecesOf(context.scene.room, a.Feature("feature"))]<typename T>(const Frames<T, 1>& frames) {
+        const Box<T> box(footprint, frames[0]);
+        T sum(0.0);
+        for (const ConvexPiece& feature : features) sum += SquaredNearness<T>(box, feature, min_m);
+        return sum;
+      };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 // Keeps an object out of the space that a door, window or socket needs.
@@ -115,8 +112,7 @@ std::optional<Shortfall> ClearOfFeatureShortfall(const PlacedCall& call) {
 
 BoundCost BindClearOfFeature(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(ClearOfAreas{FootprintOf(context, object), AreasOf(context.scene, object, a.Feature("feature"))},
-                  {object});
+  return ClearOfAreas(object, FootprintOf(context, object), AreasOf(context.scene, object, a.Feature("feature")));
 }
 
 // Keeps an object, or one of its sides, close to a door, window or socket.
@@ -124,23 +120,6 @@ BoundCost BindClearOfFeature(const Arguments& a, const BindContext& context) {
 //   d  distance between the rectangle (or the side) and the feature's interval on the wall
 // Zero exactly when some feature is within max_distance_m. The released ind_close_to_fixed_object measures to a door's
 // hinge and does not square the excess (SEMANTICS.md section 3).
-struct CloseToFeature {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::optional<Side> side;
-  double max_distance_m;
-  std::vector<ConvexPiece> features;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(features, frames, [this](const ConvexPiece& feature, const auto& f) {
-      using S = std::decay_t<decltype(f[0].center.x)>;
-      if (!side.has_value()) return SquaredDistanceBeyond<S>(Box<S>(footprint, f[0]), feature, max_distance_m);
-      return SquaredDistanceBeyond<S>(Box<S>::Before(footprint, f[0], *side, 0), feature, max_distance_m);
-    });
-  }
-};
-
 std::optional<Shortfall> CloseToFeatureShortfall(const PlacedCall& call) {
   return Worst({TooFar(call.NameOf("object"), call.FeatureName(), call.NearestFeatureGap(),
                        call.arguments().Number("max_distance_m"))});
@@ -148,9 +127,16 @@ std::optional<Shortfall> CloseToFeatureShortfall(const PlacedCall& call) {
 
 BoundCost BindCloseToFeature(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  CloseToFeature formula{FootprintOf(context, object), a.MaybeSide("side"), a.Number("max_distance_m"), {}};
-  for (const Segment& s : FeatureSegments(context.scene.room, a.Feature("feature"))) formula.features.emplace_back(s);
-  return MakeCost(std::move(formula), {object});
+  const auto formula =
+      [footprint = FootprintOf(context, object), side = a.MaybeSide("side"), max_m = a.Number("max_distance_m"),
+       features = PiecesOf(context.scene.room, a.Feature("feature"))]<typename T>(const Frames<T, 1>& frames) {
+        return LeastOf<T>(features, frames, [&](const ConvexPiece& feature, const auto& f) {
+          using S = std::decay_t<decltype(f[0].center.x)>;
+          if (!side.has_value()) return SquaredDistanceBeyond<S>(Box<S>(footprint, f[0]), feature, max_m);
+          return SquaredDistanceBeyond<S>(Box<S>::Before(footprint, f[0], *side, 0), feature, max_m);
+        });
+      };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 // Turns an object towards a door, window or socket.
@@ -159,21 +145,6 @@ BoundCost BindCloseToFeature(const Arguments& a, const BindContext& context) {
 //   as seen
 //                   from the room);  v  how far ahead its middle is
 // Zero exactly when the straight look ahead meets the feature. A socket is taken 0.3 m wide.
-struct FacesFeature {
-  static constexpr bool kSeesZero = true;
-  std::vector<Segment> features;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(features, frames, [](const Segment& feature, const auto& f) {
-      using S = std::decay_t<decltype(f[0].center.x)>;
-      const Vec2<S> start = f[0].ToObject(Cast<S>(feature.start));
-      const Vec2<S> end = f[0].ToObject(Cast<S>(feature.end));
-      return SquaredHinge(end.x) + SquaredHinge(-start.x) + SquaredHinge(S(-0.5) * (start.y + end.y));
-    });
-  }
-};
-
 std::vector<Segment> Targets(const Room& room, const RoomFeature& feature) {
   std::vector<Segment> targets = FeatureSegments(room, feature);
   if (feature.kind != FeatureKind::kSocket) return targets;
@@ -198,7 +169,16 @@ std::optional<Shortfall> FacesFeatureShortfall(const PlacedCall& call) {
 }
 
 BoundCost BindFacesFeature(const Arguments& a, const BindContext& context) {
-  return MakeCost(FacesFeature{Targets(context.scene.room, a.Feature("feature"))}, {a.Object("object")});
+  const auto formula = [features =
+                            Targets(context.scene.room, a.Feature("feature"))]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(features, frames, [](const Segment& feature, const auto& f) {
+      using S = std::decay_t<decltype(f[0].center.x)>;
+      const Vec2<S> start = f[0].ToObject(Cast<S>(feature.start));
+      const Vec2<S> end = f[0].ToObject(Cast<S>(feature.end));
+      return SquaredHinge(end.x) + SquaredHinge(-start.x) + SquaredHinge(S(-0.5) * (start.y + end.y));
+    });
+  };
+  return MakeCost<kSeesZero>({a.Object("object")}, formula);
 }
 
 // Puts an object under a window.
@@ -216,14 +196,22 @@ struct WindowPlace {
   double width_m;
 };
 
-struct UnderWindow {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::vector<WindowPlace> windows;
+std::optional<Shortfall> UnderWindowShortfall(const PlacedCall& call) {
+  return Worst({OffBy(call.NameOf("object"), "its place under the nearest window", call.CostRoot())});
+}
 
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(windows, frames, [this](const WindowPlace& window, const auto& f) {
+BoundCost BindUnderWindow(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object");
+  std::vector<WindowPlace> windows;
+  const RoomFeature feature = a.Has("feature") ? a.Feature("feature") : RoomFeature{FeatureKind::kWindow};
+  for (int i = 0; i < static_cast<int>(context.scene.room.openings.size()); ++i) {
+    const Opening& o = context.scene.room.openings[static_cast<size_t>(i)];
+    if (o.kind != OpeningKind::kWindow || !feature.Includes(i)) continue;
+    windows.push_back({context.scene.room.walls[static_cast<size_t>(o.wall)], o.offset_m + o.width_m / 2, o.width_m});
+  }
+  if (windows.empty()) return absl::FailedPreconditionError("the room has no window");
+  const auto formula = [footprint = FootprintOf(context, object), windows]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(windows, frames, [&](const WindowPlace& window, const auto& f) {
       constexpr double kAir_m = 0.1;
       const Side side = SideTowards(ValueOf(f[0].front), window.wall);
       const auto middle = MiddleOf(footprint, f[0], side);
@@ -232,25 +220,8 @@ struct UnderWindow {
              SquaredOutside(window.wall.Offset(middle) - window.middle_m, -play, play) +
              TurnToWall(f[0], side, window.wall);
     });
-  }
-};
-
-std::optional<Shortfall> UnderWindowShortfall(const PlacedCall& call) {
-  return Worst({OffBy(call.NameOf("object"), "its place under the nearest window", call.CostRoot())});
-}
-
-BoundCost BindUnderWindow(const Arguments& a, const BindContext& context) {
-  const int object = a.Object("object");
-  UnderWindow formula{FootprintOf(context, object), {}};
-  const RoomFeature feature = a.Has("feature") ? a.Feature("feature") : RoomFeature{FeatureKind::kWindow};
-  for (int i = 0; i < static_cast<int>(context.scene.room.openings.size()); ++i) {
-    const Opening& o = context.scene.room.openings[static_cast<size_t>(i)];
-    if (o.kind != OpeningKind::kWindow || !feature.Includes(i)) continue;
-    formula.windows.push_back(
-        {context.scene.room.walls[static_cast<size_t>(o.wall)], o.offset_m + o.width_m / 2, o.width_m});
-  }
-  if (formula.windows.empty()) return absl::FailedPreconditionError("the room has no window");
-  return MakeCost(std::move(formula), {object});
+  };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 constexpr ConstraintCode kFeatureCode[] = {

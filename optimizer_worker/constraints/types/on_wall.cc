@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "optimizer_worker/constraints/facts.h"
@@ -27,27 +26,18 @@ namespace {
 // Zero exactly when the back is flush on one wall and off its openings. The paper's Eq. on_wall is a product over all
 // walls with headings that are not reduced, so that a painting flush on the south wall at 2 pi costs millions
 // (SEMANTICS.md section 5): here the least wall counts.
-struct OnWallFormula {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::vector<HangingWall> places;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(places, frames,
-                      [this](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
-  }
-};
+// The first object, hung on the wall where that costs least.
+template <typename T, size_t K>
+T Hangs(const Footprint& footprint, const std::array<Frame<T>, K>& frames, const std::vector<HangingWall>& places) {
+  return LeastOf<T>(places, frames,
+                    [&](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
+}
 
 // How an object misses hanging on any wall.
 Shortfall NotHanging(const PlacedCall& call, int object) {
-  const Scene& scene = call.scene();
-  double least = std::numeric_limits<double>::infinity();
-  for (const HangingWall& place : HangingWalls(scene, object)) {
-    least = std::min(least, HangsOn(call.FootprintOf(object), call.FrameOf(object), place));
-  }
-  return OffBy(call.Name(object), "a place flat on one wall, clear of its doors and windows",
-               std::isfinite(least) ? std::sqrt(least) : 0);
+  const double least = Hangs<double>(call.FootprintOf(object), Frames<double, 1>{call.FrameOf(object)},
+                                     HangingWalls(call.scene(), object));
+  return OffBy(call.Name(object), "a place flat on one wall, clear of its doors and windows", std::sqrt(least));
 }
 
 // How `object` misses hanging beside `target`: metres along the wall from its middle to the interval that the target
@@ -81,28 +71,6 @@ BoundCost BindOnWall(const Arguments& a, const BindContext& context) {
 //   m_1, m_2  middles of the two along the wall;  p, p_min  as in on_wall_near
 //   play      0 for the only thing above the target, else what it can move above it: several share the place
 // Zero exactly when it hangs on the wall that the target stands at, above its middle.
-struct OnWallAbove {
-  static constexpr bool kSeesZero = true;
-  Footprint object;
-  Footprint target;
-  std::vector<HangingWall> places;
-  bool shares_place;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const NearestWall nearest = NearestWallTo(target, ValueOf(frames[1]), places);
-    return LeastOf<T>(places, frames, [this, &nearest](const HangingWall& place, const auto& f) {
-      using S = std::decay_t<decltype(f[0].center.x)>;
-      constexpr double kAtWall_m = 0.15;
-      const WallView<S> view(target, f[1], place.wall);
-      const S beside = Magnitude(place.wall.Offset(f[0].center) - view.Middle());
-      const S play = shares_place ? Positive(0.5 * (view.Length() - object.width_m)) : S(0.0);
-      return HangsOn(object, f[0], place) + SquaredHinge(beside - play) +
-             SquaredNotItsWall(target, f[1], view.distance, nearest, kAtWall_m);
-    });
-  }
-};
-
 std::optional<Shortfall> OnWallAboveShortfall(const PlacedCall& call) {
   return Worst(OffBeside(call, 0, 0.15, "the middle of"));
 }
@@ -110,9 +78,20 @@ std::optional<Shortfall> OnWallAboveShortfall(const PlacedCall& call) {
 BoundCost BindOnWallAbove(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
   const bool shares = context.linked != nullptr && context.linked->CountAbove(target) > 1;
-  return MakeCost(OnWallAbove{FootprintOf(context, object), FootprintOf(context, target),
-                              HangingWalls(context.scene, object), shares},
-                  {object, target});
+  const Footprint hung = FootprintOf(context, object), host = FootprintOf(context, target);
+  const auto formula = [=, places = HangingWalls(context.scene, object)]<typename T>(const Frames<T, 2>& frames) {
+    const NearestWall nearest = NearestWallTo(host, ValueOf(frames[1]), places);
+    return LeastOf<T>(places, frames, [&](const HangingWall& place, const auto& f) {
+      using S = std::decay_t<decltype(f[0].center.x)>;
+      constexpr double kAtWall_m = 0.15;
+      const WallView<S> view(host, f[1], place.wall);
+      const S beside = Magnitude(place.wall.Offset(f[0].center) - view.Middle());
+      const S play = shares ? Positive(0.5 * (view.Length() - hung.width_m)) : S(0.0);
+      return HangsOn(hung, f[0], place) + SquaredHinge(beside - play) +
+             SquaredNotItsWall(host, f[1], view.distance, nearest, kAtWall_m);
+    });
+  };
+  return MakeCost<kSeesZero>({object, target}, formula);
 }
 
 // Hangs a wall object where a floor object looks: a television before the sofa, a mirror before the chair.
@@ -121,21 +100,6 @@ BoundCost BindOnWallAbove(const Arguments& a, const BindContext& context) {
 //   u, v     how far right and ahead of the target the object's centre is;  w  the target's width;  f1, f2  front
 //   directions
 // Zero exactly when it hangs on a wall straight ahead of the target's middle half, looking back at it.
-struct OnWallFacing {
-  Footprint object;
-  Footprint target;
-  std::vector<HangingWall> places;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const Vec2<T> p = frames[1].ToObject(frames[0].center);
-    return LeastOf<T>(places, frames,
-                      [this](const HangingWall& place, const auto& f) { return HangsOn(object, f[0], place); }) +
-           SquaredOutside(p.x, -target.width_m / 4, target.width_m / 4) + SquaredHinge(-p.y) +
-           (Dot(frames[0].front, frames[1].front) + 1.0);
-  }
-};
-
 std::optional<Shortfall> OnWallFacingShortfall(const PlacedCall& call) {
   const int object = call.object(), target = call.target();
   const Frame<double> frame = call.FrameOf(target);
@@ -152,38 +116,29 @@ std::optional<Shortfall> OnWallFacingShortfall(const PlacedCall& call) {
 
 BoundCost BindOnWallFacing(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(
-      OnWallFacing{FootprintOf(context, object), FootprintOf(context, target), HangingWalls(context.scene, object)},
-      {object, target});
+  const auto formula = [hung = FootprintOf(context, object), width_m = FootprintOf(context, target).width_m,
+                        places = HangingWalls(context.scene, object)]<typename T>(const Frames<T, 2>& frames) {
+    const Vec2<T> p = frames[1].ToObject(frames[0].center);
+    return Hangs<T>(hung, frames, places) + SquaredOutside(p.x, -width_m / 4, width_m / 4) + SquaredHinge(-p.y) +
+           (Dot(frames[0].front, frames[1].front) + 1.0);
+  };
+  return MakeCost({object, target}, formula);
 }
 
 // Hangs a wall object in a zone.
 //   cost = (zone cost of measure/walls.h) + (cost of on_wall) [m2]
 // Zero exactly when it hangs on a wall, its centre in the zone's Voronoi cell. The released on_wall_in_region is the
 // first part; the second is there so that the call alone says all of its sentence.
-struct OnWallInZone {
-  Footprint footprint;
-  std::vector<HangingWall> places;
-  std::vector<Vec2<double>> centers;
-  int zone;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return SquaredBeyondBorders<T>(frames[0].center, centers, zone) +
-           LeastOf<T>(places, frames,
-                      [this](const HangingWall& place, const auto& f) { return HangsOn(footprint, f[0], place); });
-  }
-};
-
 BoundCost BindOnWallInZone(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   const int zone = a.Zone("zone");
   RETURN_IF_ERROR(CheckHasPlace(context, zone));
-  return MakeCost(OnWallInZone{FootprintOf(context, object),
-                               HangingWalls(context.scene, object),
-                               {context.zone_centers.begin(), context.zone_centers.end()},
-                               zone},
-                  {object});
+  const auto formula = [footprint = FootprintOf(context, object), places = HangingWalls(context.scene, object), zone,
+                        centers = std::vector(context.zone_centers.begin(), context.zone_centers.end())]<typename T>(
+                           const Frames<T, 1>& frames) {
+    return SquaredBeyondBorders<T>(frames[0].center, centers, zone) + Hangs<T>(footprint, frames, places);
+  };
+  return MakeCost({object}, formula);
 }
 
 // Hangs a wall object near a floor object.
@@ -194,28 +149,6 @@ BoundCost BindOnWallInZone(const Arguments& a, const BindContext& context) {
 // Zero exactly when it hangs on the target's nearest wall (or one within half a metre of it), at most half a metre
 // beside it. The released on_wall_near adds the squared distance of the centres and is never zero (SEMANTICS.md section
 // 6).
-struct OnWallNear {
-  static constexpr bool kSeesZero = true;
-  Footprint object;
-  Footprint target;
-  std::vector<HangingWall> places;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const NearestWall nearest = NearestWallTo(target, ValueOf(frames[1]), places);
-    return LeastOf<T>(places, frames, [this, &nearest](const HangingWall& place, const auto& f) {
-      using S = std::decay_t<decltype(f[0].center.x)>;
-      constexpr double kBeside_m = 0.5;
-      const WallView<S> view(target, f[1], place.wall);
-      const S offset = place.wall.Offset(f[0].center);
-      const double reach = object.width_m / 2 + kBeside_m;
-      return HangsOn(object, f[0], place) + SquaredHinge(view.low - offset - reach) +
-             SquaredHinge(offset - view.high - reach) +
-             SquaredNotItsWall(target, f[1], view.distance, nearest, kBeside_m);
-    });
-  }
-};
-
 std::optional<Shortfall> OnWallNearShortfall(const PlacedCall& call) {
   const double reach = call.FootprintOf(call.object()).width_m / 2 + 0.5;
   return Worst(OffBeside(call, reach, 0.5, "beside"));
@@ -223,9 +156,21 @@ std::optional<Shortfall> OnWallNearShortfall(const PlacedCall& call) {
 
 BoundCost BindOnWallNear(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(
-      OnWallNear{FootprintOf(context, object), FootprintOf(context, target), HangingWalls(context.scene, object)},
-      {object, target});
+  const Footprint hung = FootprintOf(context, object), host = FootprintOf(context, target);
+  const auto formula = [=, places = HangingWalls(context.scene, object)]<typename T>(const Frames<T, 2>& frames) {
+    const NearestWall nearest = NearestWallTo(host, ValueOf(frames[1]), places);
+    return LeastOf<T>(places, frames, [&](const HangingWall& place, const auto& f) {
+      using S = std::decay_t<decltype(f[0].center.x)>;
+      constexpr double kBeside_m = 0.5;
+      const WallView<S> view(host, f[1], place.wall);
+      const S offset = place.wall.Offset(f[0].center);
+      const double reach = hung.width_m / 2 + kBeside_m;
+      return HangsOn(hung, f[0], place) + SquaredHinge(view.low - offset - reach) +
+             SquaredHinge(offset - view.high - reach) +
+             SquaredNotItsWall(host, f[1], view.distance, nearest, kBeside_m);
+    });
+  };
+  return MakeCost<kSeesZero>({object, target}, formula);
 }
 
 constexpr ConstraintCode kOnWallCode[] = {
@@ -241,7 +186,8 @@ constexpr ConstraintCode kOnWallCode[] = {
 std::unique_ptr<Cost> OnWall(const Scene& scene, int object) {
   const Object& o = scene.objects[static_cast<size_t>(object)];
   if (o.kind != ObjectKind::kWall) return nullptr;
-  return MakeCost(OnWallFormula{o.footprint, HangingWalls(scene, object)}, {object});
+  return MakeCost<kSeesZero>({object}, [footprint = o.footprint, places = HangingWalls(scene, object)]<typename T>(
+                                           const Frames<T, 1>& frames) { return Hangs<T>(footprint, frames, places); });
 }
 
 std::span<const ConstraintCode> OnWallCode() { return kOnWallCode; }

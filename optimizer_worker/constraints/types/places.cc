@@ -22,23 +22,6 @@ namespace {
 // Keeps two objects apart: cost = max(min - gap, 0)^2 [m2], gap the signed gap between the two rectangles.
 // Zero exactly when they are at least min_distance_m apart. The released io_away_from is exp(min - centre distance),
 // never zero (SEMANTICS.md section 4).
-struct AwayFrom {
-  static constexpr bool kOnlyRelative = true;
-  static constexpr bool kSeesZero = true;
-  Footprint object;
-  Footprint target;
-  double min_distance_m;
-  // Their centres are at least this far apart: nothing to do.
-  double reach_m = min_distance_m + CircumscribedRadius(object) + CircumscribedRadius(target);
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    // Far apart by their circles already.
-    if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) >= reach_m * reach_m) return T(0.0);
-    return SquaredNearness<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1]), min_distance_m);
-  }
-};
-
 std::optional<Shortfall> AwayFromShortfall(const PlacedCall& call) {
   return Worst({TooNear(call.NameOf("object"), call.NameOf("target"), call.GapBetween(call.object(), call.target()),
                         call.arguments().Number("min_distance_m"))});
@@ -46,8 +29,14 @@ std::optional<Shortfall> AwayFromShortfall(const PlacedCall& call) {
 
 BoundCost BindAwayFrom(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(AwayFrom{FootprintOf(context, object), FootprintOf(context, target), a.Number("min_distance_m")},
-                  {object, target});
+  const Footprint first = FootprintOf(context, object), second = FootprintOf(context, target);
+  const double min_m = a.Number("min_distance_m");
+  // Their centres are at least this far apart: nothing to do.
+  const double reach_m = min_m + CircumscribedRadius(first) + CircumscribedRadius(second);
+  return MakeCost<kOnlyRelative | kSeesZero>({object, target}, [=]<typename T>(const Frames<T, 2>& frames) {
+    if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) >= reach_m * reach_m) return T(0.0);
+    return SquaredNearness<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]), min_m);
+  });
 }
 
 // Puts an object between two others.
@@ -56,27 +45,6 @@ BoundCost BindAwayFrom(const Arguments& a, const BindContext& context) {
 //   s_1, s_2 how far its centre is from either, along that line, less a quarter of the line or half its shorter side
 // Zero exactly when its centre lies over the middle half of the way from one to the other. The released io_between asks
 // it to touch both, with all three facing the same way (SEMANTICS.md section 4).
-struct Between {
-  static constexpr bool kOnlyRelative = true;
-  Footprint footprint;
-
-  template <typename T>
-  T operator()(const Frames<T, 3>& frames) const {
-    const Vec2<T> way = frames[2].center - frames[1].center;
-    const Vec2<T> from_first = frames[0].center - frames[1].center;
-    const T length = Length(way);
-    const double shorter = std::min(footprint.width_m, footprint.depth_m);
-    constexpr double kNoWay_m = 1e-4;
-    // Two in one place: there is nothing between them; near them is nearest.
-    if (ValueOf(length) < kNoWay_m) return SquaredNorm(from_first) + T(shorter * shorter / 4);
-    const T along = Dot(from_first, way) / length;
-    const T lateral = Cross(way, from_first) / length;
-    const T margin = ValueOf(length) > 2 * shorter ? length / 4 : T(shorter / 2);
-    return SquaredOutside(lateral, -shorter / 4, shorter / 4) + SquaredHinge(margin - along) +
-           SquaredHinge(along - length + margin);
-  }
-};
-
 std::optional<Shortfall> BetweenShortfall(const PlacedCall& call) {
   return Worst(
       {OffBy(call.NameOf("object"), fmt::format("the way from {} to {}", call.NameOf("first"), call.NameOf("second")),
@@ -85,7 +53,22 @@ std::optional<Shortfall> BetweenShortfall(const PlacedCall& call) {
 
 BoundCost BindBetween(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(Between{FootprintOf(context, object)}, {object, a.Object("first"), a.Object("second")});
+  const Footprint& footprint = FootprintOf(context, object);
+  const double shorter = std::min(footprint.width_m, footprint.depth_m);
+  const auto formula = [shorter]<typename T>(const Frames<T, 3>& frames) {
+    const Vec2<T> way = frames[2].center - frames[1].center;
+    const Vec2<T> from_first = frames[0].center - frames[1].center;
+    const T length = Length(way);
+    constexpr double kNoWay_m = 1e-4;
+    // Two in one place: there is nothing between them; near them is nearest.
+    if (ValueOf(length) < kNoWay_m) return SquaredNorm(from_first) + T(shorter * shorter / 4);
+    const T along = Dot(from_first, way) / length;
+    const T lateral = Cross(way, from_first) / length;
+    const T margin = ValueOf(length) > 2 * shorter ? length / 4 : T(shorter / 2);
+    return SquaredOutside(lateral, -shorter / 4, shorter / 4) + SquaredHinge(margin - along) +
+           SquaredHinge(along - length + margin);
+  };
+  return MakeCost<kOnlyRelative>({object, a.Object("first"), a.Object("second")}, formula);
 }
 
 // Puts an object in front of another.
@@ -96,30 +79,6 @@ BoundCost BindBetween(const Arguments& a, const BindContext& context) {
 // Zero exactly when the object stands before the target's middle, at distance_m or down to half of it, square to it (a
 // half turn is the same). The released io_infront asks for one point, counts a side shift like a distance and jumps
 // where headings wrap (SEMANTICS.md section 4).
-struct InFrontOf {
-  static constexpr bool kOnlyRelative = true;
-  Footprint object;
-  Footprint target;
-  double distance_m;
-  bool parallel;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const Box<T> box(object, frames[0]);
-    const Frame<double> target_value = ValueOf(frames[1]);
-    int nearest = 0;
-    for (int i = 1; i < box.count(); ++i) {
-      if (target_value.ToObject(box.value(i)).y < target_value.ToObject(box.value(nearest)).y) nearest = i;
-    }
-    const T gap = frames[1].ToObject(box.vertex(nearest)).y - target.depth_m / 2;
-    const T lateral = frames[1].ToObject(frames[0].center).x;
-    const double play = std::abs(object.width_m - target.width_m) / 4;
-    T sum = SquaredOutside(gap, distance_m / 2, distance_m) + SquaredOutside(lateral, -play, play);
-    if (parallel) sum += Square(Cross(frames[0].front, frames[1].front));
-    return sum;
-  }
-};
-
 std::optional<Shortfall> InFrontOfShortfall(const PlacedCall& call) {
   const int object = call.object(), target = call.target();
   const Frame<double> frame = call.FrameOf(target);
@@ -142,30 +101,28 @@ std::optional<Shortfall> InFrontOfShortfall(const PlacedCall& call) {
 
 BoundCost BindInFrontOf(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(
-      InFrontOf{FootprintOf(context, object), FootprintOf(context, target), a.Number("distance_m"), a.Flag("parallel")},
-      {object, target});
+  const Footprint first = FootprintOf(context, object), second = FootprintOf(context, target);
+  const auto formula = [=, distance_m = a.Number("distance_m"),
+                        parallel = a.Flag("parallel")]<typename T>(const Frames<T, 2>& frames) {
+    const Box<T> box(first, frames[0]);
+    const Frame<double> target_value = ValueOf(frames[1]);
+    int nearest = 0;
+    for (int i = 1; i < box.count(); ++i) {
+      if (target_value.ToObject(box.value(i)).y < target_value.ToObject(box.value(nearest)).y) nearest = i;
+    }
+    const T gap = frames[1].ToObject(box.vertex(nearest)).y - second.depth_m / 2;
+    const T lateral = frames[1].ToObject(frames[0].center).x;
+    const double play = std::abs(first.width_m - second.width_m) / 4;
+    T sum = SquaredOutside(gap, distance_m / 2, distance_m) + SquaredOutside(lateral, -play, play);
+    if (parallel) sum += Square(Cross(frames[0].front, frames[1].front));
+    return sum;
+  };
+  return MakeCost<kOnlyRelative>({object, target}, formula);
 }
 
 // Keeps two objects near each other: cost = max(gap - max, 0)^2 [m2], gap the distance between the two rectangles.
 // Zero exactly when they are at most max_distance_m apart. The released io_near measures from centre to centre
 // (SEMANTICS.md section 4).
-struct Near {
-  static constexpr bool kOnlyRelative = true;
-  static constexpr bool kSeesZero = true;
-  Footprint object;
-  Footprint target;
-  double max_distance_m;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    // The gap is less than the distance of the centres.
-    if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) <= max_distance_m * max_distance_m)
-      return T(0.0);
-    return SquaredDistanceBeyond<T>(Box<T>(object, frames[0]), Box<T>(target, frames[1]), max_distance_m);
-  }
-};
-
 std::optional<Shortfall> NearShortfall(const PlacedCall& call) {
   return Worst({TooFar(call.NameOf("object"), call.NameOf("target"), call.GapBetween(call.object(), call.target()),
                        call.arguments().Number("max_distance_m"))});
@@ -173,8 +130,14 @@ std::optional<Shortfall> NearShortfall(const PlacedCall& call) {
 
 BoundCost BindNear(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(Near{FootprintOf(context, object), FootprintOf(context, target), a.Number("max_distance_m")},
-                  {object, target});
+  const Footprint first = FootprintOf(context, object), second = FootprintOf(context, target);
+  const double max_m = a.Number("max_distance_m");
+  const auto formula = [=]<typename T>(const Frames<T, 2>& frames) {
+    // The gap is less than the distance of the centres.
+    if (SquaredNorm(ValueOf(frames[0].center) - ValueOf(frames[1].center)) <= max_m * max_m) return T(0.0);
+    return SquaredDistanceBeyond<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]), max_m);
+  };
+  return MakeCost<kOnlyRelative | kSeesZero>({object, target}, formula);
 }
 
 // Puts a side of one object next to a side of another.
@@ -188,11 +151,7 @@ BoundCost BindNear(const Arguments& a, const BindContext& context) {
 // Air that still counts as next to.
 inline constexpr double kNextToSlack_m = 0.05;
 
-// The cost of one pair of sides, shared with groups.
-template <typename T>
-T SidesMeet(const Footprint& first, const Frame<T>& first_frame, Side first_side, const Footprint& second,
-            const Frame<T>& second_frame, Side second_side);
-
+// The cost of one pair of sides.
 template <typename T>
 T SidesMeet(const Footprint& first, const Frame<T>& first_frame, Side first_side, const Footprint& second,
             const Frame<T>& second_frame, Side second_side) {
@@ -204,22 +163,6 @@ T SidesMeet(const Footprint& first, const Frame<T>& first_frame, Side first_side
          (T(1.0) + Dot(n1, n2));
 }
 
-struct NextTo {
-  static constexpr bool kOnlyRelative = true;
-  static constexpr bool kSeesZero = true;
-  Footprint object;
-  Footprint target;
-  // Side of the object, side of the target.
-  std::vector<std::pair<Side, Side>> ways;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return LeastOf<T>(ways, frames, [this](const std::pair<Side, Side>& way, const auto& f) {
-      return SidesMeet(object, f[0], way.first, target, f[1], way.second);
-    });
-  }
-};
-
 std::vector<Side> SidesOrAll(const std::optional<Side>& side) {
   if (side.has_value()) return {*side};
   return {kSides.begin(), kSides.end()};
@@ -227,11 +170,18 @@ std::vector<Side> SidesOrAll(const std::optional<Side>& side) {
 
 BoundCost BindNextTo(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  NextTo formula{FootprintOf(context, object), FootprintOf(context, target), {}};
+  // Side of the object, side of the target.
+  std::vector<std::pair<Side, Side>> ways;
   for (Side first : SidesOrAll(a.MaybeSide("object_side"))) {
-    for (Side second : SidesOrAll(a.MaybeSide("target_side"))) formula.ways.emplace_back(first, second);
+    for (Side second : SidesOrAll(a.MaybeSide("target_side"))) ways.emplace_back(first, second);
   }
-  return MakeCost(std::move(formula), {object, target});
+  const auto formula = [ways, first = FootprintOf(context, object),
+                        second = FootprintOf(context, target)]<typename T>(const Frames<T, 2>& frames) {
+    return LeastOf<T>(ways, frames, [&](const std::pair<Side, Side>& way, const auto& f) {
+      return SidesMeet(first, f[0], way.first, second, f[1], way.second);
+    });
+  };
+  return MakeCost<kOnlyRelative | kSeesZero>({object, target}, formula);
 }
 
 std::optional<Shortfall> NextToShortfall(const PlacedCall& call) {

@@ -16,19 +16,6 @@ namespace {
 
 // Weakly prefers headings along the room's axes: cost = sin^2(2 theta) / 5, [Paper] Eq. aligned, as released.
 // In a room that is not an upright rectangle theta is measured from its longest wall. Zero at every quarter turn.
-struct AlignedFormula {
-  // Unit vector along the longest wall.
-  Vec2<double> axis;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    const Vec2<T> along = Cast<T>(axis);
-    // sin(2 a) = 2 sin(a) cos(a), a from the axis to the object's right.
-    const T sine2 = T(2.0) * Cross(along, frames[0].right) * Dot(along, frames[0].right);
-    return sine2 * sine2 * T(0.2);
-  }
-};
-
 BoundCost BindAligned(const Arguments& a, const BindContext& context) {
   return Aligned(context.scene, a.Object("object"));
 }
@@ -90,17 +77,6 @@ BoundCost BindDoorClear(const Arguments& a, const BindContext& context) {
 //   depth  penetration of the rectangle into a part of the hull that is not floor (none in a rectangle)
 // Zero exactly when the whole rectangle is on the floor. For a rectangular room [Paper] Eq. in_bounds: the released
 // function is 10 times this. The weight is the solver's.
-struct InBoundsFormula {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  FloorShape floor;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return floor.SquaredExcess(Box<T>(footprint, frames[0]));
-  }
-};
-
 BoundCost BindInBounds(const Arguments& a, const BindContext& context) {
   return InBounds(context.scene, a.Object("object"));
 }
@@ -111,22 +87,18 @@ BoundCost BindInBounds(const Arguments& a, const BindContext& context) {
 // Zero exactly when they are apart or touch; continuously differentiable at contact; pushes apart in the cheapest
 // direction. The paper's Eq. no_overlap sums squared edge lengths of the intersection, which jumps from 0 to 10 at
 // contact and has no usable slope (SEMANTICS.md section 5).
-struct NoOverlap {
-  static constexpr bool kOnlyRelative = true;
-  Footprint first;
-  Footprint second;
+std::unique_ptr<Cost> Apart(const Footprint& first, const Footprint& second, int a, int b) {
   // Their circles meet when the centres are closer than this.
-  double reach_m = CircumscribedRadius(first) + CircumscribedRadius(second);
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
+  const double reach_m = CircumscribedRadius(first) + CircumscribedRadius(second);
+  const auto formula = [=]<typename T>(const Frames<T, 2>& frames) {
     // Most pairs are far apart: their circles do not meet.
     const double dx = ValueOf(frames[0].center.x) - ValueOf(frames[1].center.x);
     const double dy = ValueOf(frames[0].center.y) - ValueOf(frames[1].center.y);
     if (dx * dx + dy * dy >= reach_m * reach_m) return T(0.0);
     return SquaredPenetration<T>(Box<T>(first, frames[0]), Box<T>(second, frames[1]));
-  }
-};
+  };
+  return MakeCost<kOnlyRelative>({a, b}, formula);
+}
 
 BoundCost BindNoOverlap(const Arguments& a, const BindContext& context) {
   std::unique_ptr<Cost> cost = NoOverlapPair(context.scene, a.Object("object"), a.Object("other"));
@@ -139,26 +111,6 @@ BoundCost BindNoOverlap(const Arguments& a, const BindContext& context) {
 //   d  distance of the object's centre to the nearest wall, r half its diagonal, T = 0.5 m
 // [Paper] Eq. wall_attraction without its factor 1/lambda_2. Zero exactly when the object is within T of a wall. The
 // released term also asks for the back to be the nearest side; that is against_wall's matter.
-struct WallAttractionFormula {
-  static constexpr bool kSeesZero = true;
-  std::vector<Wall> walls;
-  // r + T.
-  double free_m;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(walls, frames, [this](const Wall& wall, const auto& f) {
-      const auto& center = f[0].center;
-      // Beyond the ends of a wall its end counts.
-      const auto height = wall.Height(center);
-      const auto beyond = SquaredOutside(wall.Offset(center), 0, wall.length_m);
-      using std::sqrt;
-      if (ValueOf(beyond) == 0) return SquaredHinge(Magnitude(height) - free_m);
-      return SquaredHinge(sqrt(height * height + beyond) - free_m);
-    });
-  }
-};
-
 BoundCost BindWallAttraction(const Arguments& a, const BindContext& context) {
   return WallAttraction(context.scene, a.Object("object"));
 }
@@ -172,12 +124,19 @@ constexpr ConstraintCode kRoomCode[] = {
 
 std::unique_ptr<Cost> Aligned(const Scene& scene, int object) {
   if (scene.objects[static_cast<size_t>(object)].at_round) return nullptr;
-  AlignedFormula formula{{1, 0}};
+  // Unit vector along the longest wall.
+  Vec2<double> axis{1, 0};
   double longest = 0;
   for (const Wall& wall : scene.room.walls) {
-    if (wall.length_m > longest) longest = wall.length_m, formula.axis = wall.Along();
+    if (wall.length_m > longest) longest = wall.length_m, axis = wall.Along();
   }
-  return MakeCost(formula, {object});
+  const auto formula = [axis]<typename T>(const Frames<T, 1>& frames) {
+    const Vec2<T> along = Cast<T>(axis);
+    // sin(2 a) = 2 sin(a) cos(a), a from the axis to the object's right.
+    const T sine2 = T(2.0) * Cross(along, frames[0].right) * Dot(along, frames[0].right);
+    return sine2 * sine2 * T(0.2);
+  };
+  return MakeCost({object}, formula);
 }
 
 std::unique_ptr<Cost> Balanced(const Scene& scene, std::span<const int> objects) {
@@ -202,12 +161,14 @@ std::unique_ptr<Cost> DoorClear(const Scene& scene, int object) {
   const bool out_of_the_way = o.walk_over || o.kind == ObjectKind::kSurface ||
                               (o.kind != ObjectKind::kFloor && scene.BottomOf(object) >= kHeadroom_m);
   if (areas.empty() || out_of_the_way || o.kind == ObjectKind::kCeiling) return nullptr;
-  return MakeCost(ClearOfAreas{o.footprint, std::move(areas)}, {object});
+  return ClearOfAreas(object, o.footprint, std::move(areas));
 }
 
 std::unique_ptr<Cost> InBounds(const Scene& scene, int object) {
-  return MakeCost(InBoundsFormula{scene.objects[static_cast<size_t>(object)].footprint, FloorShape(scene.room.floor)},
-                  {object});
+  return MakeCost<kSeesZero>({object}, [footprint = scene.objects[static_cast<size_t>(object)].footprint,
+                                        floor = FloorShape(scene.room.floor)]<typename T>(const Frames<T, 1>& frames) {
+    return floor.SquaredExcess(Box<T>(footprint, frames[0]));
+  });
 }
 
 bool CanCollide(const Scene& scene, int a, int b) {
@@ -239,19 +200,28 @@ std::optional<Footprint> OpeningBelow(const Scene& scene, int object, int host) 
 std::unique_ptr<Cost> NoOverlapPair(const Scene& scene, int a, int b) {
   const Footprint& first = scene.objects[static_cast<size_t>(a)].footprint;
   const Footprint& second = scene.objects[static_cast<size_t>(b)].footprint;
-  if (const std::optional<Footprint> below = OpeningBelow(scene, a, b))
-    return MakeCost(NoOverlap{first, *below}, {a, b});
-  if (const std::optional<Footprint> below = OpeningBelow(scene, b, a))
-    return MakeCost(NoOverlap{*below, second}, {a, b});
+  if (const std::optional<Footprint> below = OpeningBelow(scene, a, b)) return Apart(first, *below, a, b);
+  if (const std::optional<Footprint> below = OpeningBelow(scene, b, a)) return Apart(*below, second, a, b);
   if (!CanCollide(scene, a, b)) return nullptr;
-  return MakeCost(NoOverlap{first, second}, {a, b});
+  return Apart(first, second, a, b);
 }
 
 std::unique_ptr<Cost> WallAttraction(const Scene& scene, int object) {
   const Footprint& f = scene.objects[static_cast<size_t>(object)].footprint;
   constexpr double kThreshold_m = 0.5;
-  return MakeCost(WallAttractionFormula{scene.room.walls, std::hypot(f.width_m, f.depth_m) / 2 + kThreshold_m},
-                  {object});
+  const double free_m = std::hypot(f.width_m, f.depth_m) / 2 + kThreshold_m;
+  const auto formula = [walls = scene.room.walls, free_m]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(walls, frames, [free_m](const Wall& wall, const auto& f) {
+      const auto& center = f[0].center;
+      // Beyond the ends of a wall its end counts.
+      const auto height = wall.Height(center);
+      const auto beyond = SquaredOutside(wall.Offset(center), 0, wall.length_m);
+      using std::sqrt;
+      if (ValueOf(beyond) == 0) return SquaredHinge(Magnitude(height) - free_m);
+      return SquaredHinge(sqrt(height * height + beyond) - free_m);
+    });
+  };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 std::span<const ConstraintCode> RoomCode() { return kRoomCode; }

@@ -223,14 +223,16 @@ BoundCost BindAccessible(const Arguments& a, const BindContext& context) {
 //   hx, hy  distance of the centre outside the middle third of the room's bounding box, east-west and north-south
 // Zero exactly when the centre is in the middle third along one axis (or both). The released ind_central multiplies hx
 // and hy, so that it is flat along either third, and adds a heading term that whole-room alignment has already.
-struct Central {
-  BoundingBox box;
-  bool both;
+std::optional<Shortfall> CentralShortfall(const PlacedCall& call) {
+  return Worst({OffBy(call.NameOf("object"), "the middle of the room", call.CostRoot())});
+}
 
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    // What is in the middle of a room on both axes is seen to be so.
-    const double beside = both ? 5.0 / 12 : 1.0 / 3;
+BoundCost BindCentral(const Arguments& a, const BindContext& context) {
+  const BoundingBox box = BoundsOf(context.scene.room.floor);
+  const bool both = a.Flag("both");
+  // What is in the middle of a room on both axes is seen to be so.
+  const double beside = both ? 5.0 / 12 : 1.0 / 3;
+  const auto formula = [=]<typename T>(const Frames<T, 1>& frames) {
     const auto outside = [beside](const T& x, double low, double high) {
       return SquaredOutside(x, low + (high - low) * beside, high - (high - low) * beside);
     };
@@ -238,15 +240,8 @@ struct Central {
     const T along = outside(frames[0].center.y, box.min.y, box.max.y);
     if (both) return across + along;
     return across < along ? across : along;
-  }
-};
-
-std::optional<Shortfall> CentralShortfall(const PlacedCall& call) {
-  return Worst({OffBy(call.NameOf("object"), "the middle of the room", call.CostRoot())});
-}
-
-BoundCost BindCentral(const Arguments& a, const BindContext& context) {
-  return MakeCost(Central{BoundsOf(context.scene.room.floor), a.Flag("both")}, {a.Object("object")});
+  };
+  return MakeCost({a.Object("object")}, formula);
 }
 
 // Turns an object's front into the room.
@@ -255,20 +250,6 @@ BoundCost BindCentral(const Arguments& a, const BindContext& context) {
 // Zero exactly when it faces the middle of the room within 45 degrees; any heading will do in the very middle. The
 // released ind_facing_into_room is this with arccos without clipping, which scores 0 for many objects that are turned
 // exactly away.
-struct FacingIntoRoom {
-  Vec2<double> room_center;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    using std::atan2;
-    const Vec2<T> to_center = Cast<T>(room_center) - frames[0].center;
-    constexpr double kNoDirection_m2 = 1e-8;
-    if (ValueOf(SquaredNorm(to_center)) < kNoDirection_m2) return T(0.0);
-    const T angle = atan2(Magnitude(Cross(frames[0].front, to_center)), Dot(frames[0].front, to_center));
-    return SquaredHinge(angle - kPi / 4);
-  }
-};
-
 std::optional<Shortfall> FacingIntoRoomShortfall(const PlacedCall& call) {
   const Frame<double> frame = call.FrameOf(call.object());
   const Vec2<double> center = BoundsOf(call.scene().room.floor).Center();
@@ -277,25 +258,30 @@ std::optional<Shortfall> FacingIntoRoomShortfall(const PlacedCall& call) {
 }
 
 BoundCost BindFacingIntoRoom(const Arguments& a, const BindContext& context) {
-  return MakeCost(FacingIntoRoom{Centroid(context.scene.room.floor)}, {a.Object("object")});
+  const auto formula = [room_center = Centroid(context.scene.room.floor)]<typename T>(const Frames<T, 1>& frames) {
+    using std::atan2;
+    const Vec2<T> to_center = Cast<T>(room_center) - frames[0].center;
+    constexpr double kNoDirection_m2 = 1e-8;
+    if (ValueOf(SquaredNorm(to_center)) < kNoDirection_m2) return T(0.0);
+    const Vec2<T>& front = frames[0].front;
+    const T angle = atan2(Magnitude(Cross(front, to_center)), Dot(front, to_center));
+    return SquaredHinge(angle - kPi / 4);
+  };
+  return MakeCost({a.Object("object")}, formula);
 }
 
 // Keeps an object's centre in the Voronoi cell of a zone: cost as in measure/walls.h [m2]. Zero exactly in the cell.
 // The released ind_in_region is 5 times this.
-struct InZone {
-  std::vector<Vec2<double>> centers;
-  int zone;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return SquaredBeyondBorders<T>(frames[0].center, centers, zone);
-  }
-};
+std::unique_ptr<Cost> InZone(int object, std::span<const Vec2<double>> zone_centers, int zone) {
+  return MakeCost({object},
+                  [centers = std::vector(zone_centers.begin(), zone_centers.end()), zone]<typename T>(
+                      const Frames<T, 1>& frames) { return SquaredBeyondBorders<T>(frames[0].center, centers, zone); });
+}
 
 BoundCost BindInZone(const Arguments& a, const BindContext& context) {
   const int zone = a.Zone("zone");
   RETURN_IF_ERROR(CheckHasPlace(context, zone));
-  return MakeCost(InZone{{context.zone_centers.begin(), context.zone_centers.end()}, zone}, {a.Object("object")});
+  return InZone(a.Object("object"), context.zone_centers, zone);
 }
 
 // The whole-room term "zone": in_zone for an object and the zone it belongs to. [Paper] Eq. zone.
@@ -319,7 +305,7 @@ constexpr ConstraintCode kSpaceCode[] = {
 std::unique_ptr<Cost> ZoneAffinity(const Scene& scene, int object, std::span<const Vec2<double>> zone_centers) {
   const int zone = scene.objects[static_cast<size_t>(object)].zone;
   if (zone < 0 || zone_centers.size() < 2 || !HasPlace(zone_centers[static_cast<size_t>(zone)])) return nullptr;
-  return MakeCost(InZone{{zone_centers.begin(), zone_centers.end()}, zone}, {object});
+  return InZone(object, zone_centers, zone);
 }
 
 std::span<const ConstraintCode> SpaceCode() { return kSpaceCode; }

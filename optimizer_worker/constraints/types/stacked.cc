@@ -11,42 +11,33 @@
 namespace flair::optimizer {
 namespace {
 
-// Hangs an object above another: cost = |c1 - c2|^2 [m2], as the released ceiling_above. Zero exactly when the centres
-// meet.
-struct CeilingAbove {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
+// cost = |c1 - c2|^2 [m2]. Zero exactly when the centres meet.
+std::unique_ptr<Cost> CentersMeet(int first, int second) {
+  return MakeCost<kOnlyRelative>({first, second}, []<typename T>(const Frames<T, 2>& frames) {
     return SquaredNorm(frames[0].center - frames[1].center);
-  }
-};
+  });
+}
 
+// Hangs an object above another: their centres meet, as the released ceiling_above.
 std::optional<Shortfall> CeilingAboveShortfall(const PlacedCall& call) {
   return OffMiddle(call, call.object(), call.target());
 }
 
-BoundCost BindCeilingAbove(const Arguments& a, const BindContext& context) {
-  return MakeCost(CeilingAbove{}, {a.Object("object"), a.Object("target")});
+BoundCost BindCeilingAbove(const Arguments& a, const BindContext&) {
+  return CentersMeet(a.Object("object"), a.Object("target"));
 }
 
 // Hangs an object from the middle of the ceiling: cost = |c - c_room|^2 [m2], as the released center_ceiling. The
 // room's centre is its centre of mass. Zero exactly there.
-struct CeilingCenter {
-  Vec2<double> room_center;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return SquaredNorm(frames[0].center - Cast<T>(room_center));
-  }
-};
-
 std::optional<Shortfall> CeilingCenterShortfall(const PlacedCall& call) {
   return Worst({OffBy(call.NameOf("object"), "the middle of the ceiling", call.CostRoot())});
 }
 
 BoundCost BindCeilingCenter(const Arguments& a, const BindContext& context) {
-  return MakeCost(CeilingCenter{Centroid(context.scene.room.floor)}, {a.Object("object")});
+  return MakeCost({a.Object("object")},
+                  [room_center = Centroid(context.scene.room.floor)]<typename T>(const Frames<T, 1>& frames) {
+                    return SquaredNorm(frames[0].center - Cast<T>(room_center));
+                  });
 }
 
 // Keeps an object wholly on another, seen from above.
@@ -54,18 +45,6 @@ BoundCost BindCeilingCenter(const Arguments& a, const BindContext& context) {
 //   u, v  the object's corners in the target's frame;  w, d  the target's width and depth
 // Zero exactly when no corner sticks out. The released io_on sums edges of the intersection, so that less contact costs
 // less (SEMANTICS.md section 4).
-struct On {
-  static constexpr bool kOnlyRelative = true;
-  static constexpr bool kSeesZero = true;
-  Footprint object;
-  Footprint target;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return SquaredSticksOut(object, frames[0], target, frames[1]);
-  }
-};
-
 std::optional<Shortfall> OnShortfall(const PlacedCall& call) {
   const double out = call.CostRoot();
   return Worst(
@@ -74,20 +53,14 @@ std::optional<Shortfall> OnShortfall(const PlacedCall& call) {
 
 BoundCost BindOn(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  return MakeCost(On{FootprintOf(context, object), FootprintOf(context, target)}, {object, target});
+  return MakeCost<kOnlyRelative | kSeesZero>(
+      {object, target},
+      [first = FootprintOf(context, object), second = FootprintOf(context, target)]<typename T>(
+          const Frames<T, 2>& frames) { return SquaredSticksOut(first, frames[0], second, frames[1]); });
 }
 
 // Sets a thing on the middle of another: cost = |c1 - c2|^2 + (1 - cos(theta_1 - theta_2)) [m2]. Zero exactly when the
 // centres meet and both face the same way. The released on_top_central compares headings that wrap.
-struct OnTopCenter {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return SquaredNorm(frames[0].center - frames[1].center) + Turn(frames[0].front, frames[1].front);
-  }
-};
-
 std::optional<Shortfall> OnTopCenterShortfall(const PlacedCall& call) {
   const int object = call.object(), host = call.arguments().Object("host");
   if (const std::optional<Shortfall> off = OffMiddle(call, object, host)) return off;
@@ -95,8 +68,10 @@ std::optional<Shortfall> OnTopCenterShortfall(const PlacedCall& call) {
                        AngleOf(call.FrameOf(object).front, call.FrameOf(host).front))});
 }
 
-BoundCost BindOnTopCenter(const Arguments& a, const BindContext& context) {
-  return MakeCost(OnTopCenter{}, {a.Object("object"), a.Object("host")});
+BoundCost BindOnTopCenter(const Arguments& a, const BindContext&) {
+  return MakeCost<kOnlyRelative>({a.Object("object"), a.Object("host")}, []<typename T>(const Frames<T, 2>& frames) {
+    return SquaredNorm(frames[0].center - frames[1].center) + Turn(frames[0].front, frames[1].front);
+  });
 }
 
 // Sets a thing on one corner of another.
@@ -105,23 +80,6 @@ BoundCost BindOnTopCenter(const Arguments& a, const BindContext& context) {
 //   overhang  of its corners over the host's edges (measure/walls.h); of its centre when it is too large to fit
 // Zero exactly when it stands wholly on the host, its centre in that quarter, facing the same way. The released
 // on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
-struct OnTopCorner {
-  static constexpr bool kOnlyRelative = true;
-  Footprint object;
-  Footprint host;
-  Vec2<double> signs;
-  bool fits;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const Vec2<T> p = frames[1].ToObject(frames[0].center);
-    const T overhang = fits ? SquaredSticksOut(object, frames[0], host, frames[1])
-                            : SquaredSticksOut(Footprint{}, frames[0], host, frames[1]);
-    return overhang + SquaredHinge(-signs.x * p.x) + SquaredHinge(-signs.y * p.y) +
-           Turn(frames[0].front, frames[1].front);
-  }
-};
-
 Vec2<double> SignsOf(Corner corner) {
   const bool right = corner == Corner::kBackRight || corner == Corner::kFrontRight;
   const bool front = corner == Corner::kFrontLeft || corner == Corner::kFrontRight;
@@ -137,29 +95,25 @@ std::optional<Shortfall> OnTopCornerShortfall(const PlacedCall& call) {
 
 BoundCost BindOnTopCorner(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), host = a.Object("host");
-  const Footprint& small = FootprintOf(context, object);
-  const Footprint& large = FootprintOf(context, host);
+  const Footprint small = FootprintOf(context, object), large = FootprintOf(context, host);
   const bool fits = small.width_m <= large.width_m && small.depth_m <= large.depth_m;
-  return MakeCost(OnTopCorner{small, large, SignsOf(a.OneCorner("corner")), fits}, {object, host});
+  const Vec2<double> signs = SignsOf(a.OneCorner("corner"));
+  const auto formula = [=]<typename T>(const Frames<T, 2>& frames) {
+    const Vec2<T> p = frames[1].ToObject(frames[0].center);
+    const T overhang = SquaredSticksOut(fits ? small : Footprint{}, frames[0], large, frames[1]);
+    return overhang + SquaredHinge(-signs.x * p.x) + SquaredHinge(-signs.y * p.y) +
+           Turn(frames[0].front, frames[1].front);
+  };
+  return MakeCost<kOnlyRelative>({object, host}, formula);
 }
 
-// Centres a rug under an object: cost = |c_rug - c_object|^2 [m2], as the released rug_under_central. Zero exactly when
-// the centres meet.
-struct RugUnderCenter {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return SquaredNorm(frames[0].center - frames[1].center);
-  }
-};
-
+// Centres a rug under an object: their centres meet, as the released rug_under_central.
 std::optional<Shortfall> RugUnderCenterShortfall(const PlacedCall& call) {
   return OffMiddle(call, call.arguments().Object("rug"), call.object());
 }
 
-BoundCost BindRugUnderCenter(const Arguments& a, const BindContext& context) {
-  return MakeCost(RugUnderCenter{}, {a.Object("rug"), a.Object("object")});
+BoundCost BindRugUnderCenter(const Arguments& a, const BindContext&) {
+  return CentersMeet(a.Object("rug"), a.Object("object"));
 }
 
 // Lays a rug half under an object and half before it.
@@ -167,19 +121,6 @@ BoundCost BindRugUnderCenter(const Arguments& a, const BindContext& context) {
 //   m  middle of the object's front;  a  angle between the rug's longer side and the object's back edge
 // Zero exactly when the rug is centred on the front edge, its longer side along it; a half turn is the same. The
 // released rug_under_central_forward compares directed edges by arccos without clipping (SEMANTICS.md section 6).
-struct RugUnderForward {
-  static constexpr bool kOnlyRelative = true;
-  Footprint rug;
-  Footprint object;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    const Vec2<T>& along = rug.width_m >= rug.depth_m ? frames[0].right : frames[0].front;
-    return SquaredNorm(frames[0].center - MiddleOf(object, frames[1], Side::kFront)) +
-           Square(Cross(along, frames[1].right));
-  }
-};
-
 std::optional<Shortfall> RugUnderForwardShortfall(const PlacedCall& call) {
   const int rug = call.arguments().Object("rug"), object = call.object();
   const Vec2<double> front = MiddleOf(call.FootprintOf(object), call.FrameOf(object), Side::kFront);
@@ -192,21 +133,19 @@ std::optional<Shortfall> RugUnderForwardShortfall(const PlacedCall& call) {
 
 BoundCost BindRugUnderForward(const Arguments& a, const BindContext& context) {
   const int rug = a.Object("rug"), object = a.Object("object");
-  return MakeCost(RugUnderForward{FootprintOf(context, rug), FootprintOf(context, object)}, {rug, object});
+  const Footprint& shape = FootprintOf(context, rug);
+  const bool wide = shape.width_m >= shape.depth_m;
+  const auto formula = [wide, footprint = FootprintOf(context, object)]<typename T>(const Frames<T, 2>& frames) {
+    const Vec2<T>& along = wide ? frames[0].right : frames[0].front;
+    return SquaredNorm(frames[0].center - MiddleOf(footprint, frames[1], Side::kFront)) +
+           Square(Cross(along, frames[1].right));
+  };
+  return MakeCost<kOnlyRelative>({rug, object}, formula);
 }
 
 // Lays an object under the middle of another: cost = |c1 - c2|^2 + sin^2(theta_1 - theta_2) [m2]. Zero exactly when the
 // centres meet and the sides are parallel; a half turn is the same. The released io_under_central compares headings
 // that wrap.
-struct UnderCenter {
-  static constexpr bool kOnlyRelative = true;
-
-  template <typename T>
-  T operator()(const Frames<T, 2>& frames) const {
-    return SquaredNorm(frames[0].center - frames[1].center) + Square(Cross(frames[0].front, frames[1].front));
-  }
-};
-
 std::optional<Shortfall> UnderCenterShortfall(const PlacedCall& call) {
   const Frame<double> object = call.FrameOf(call.object()), target = call.FrameOf(call.target());
   const double angle = AngleOf(object.front, target.front);
@@ -215,8 +154,10 @@ std::optional<Shortfall> UnderCenterShortfall(const PlacedCall& call) {
        Turned(call.NameOf("object"), "the sides of " + call.NameOf("target"), std::min(angle, kPi - angle))});
 }
 
-BoundCost BindUnderCenter(const Arguments& a, const BindContext& context) {
-  return MakeCost(UnderCenter{}, {a.Object("object"), a.Object("target")});
+BoundCost BindUnderCenter(const Arguments& a, const BindContext&) {
+  return MakeCost<kOnlyRelative>({a.Object("object"), a.Object("target")}, []<typename T>(const Frames<T, 2>& frames) {
+    return SquaredNorm(frames[0].center - frames[1].center) + Square(Cross(frames[0].front, frames[1].front));
+  });
 }
 
 constexpr ConstraintCode kStackedCode[] = {

@@ -29,20 +29,6 @@ namespace {
 // Zero exactly when the whole side lies on the wall. Smooth but where the nearest wall changes.
 // The released ind_next_to_wall multiplies the distances to two walls, so that the same gap costs more in a larger
 // room; SEMANTICS.md section 3 names this form as correct.
-struct AgainstWall {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  Side side;
-  // The walls to choose from.
-  std::vector<Wall> walls;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(walls, frames,
-                      [this](const Wall& wall, const auto& f) { return SideOnWall(footprint, f[0], side, wall); });
-  }
-};
-
 std::optional<Shortfall> AgainstWallShortfall(const PlacedCall& call) {
   const int object = call.object();
   const Side side = call.arguments().OneSide("side");
@@ -53,28 +39,19 @@ std::optional<Shortfall> AgainstWallShortfall(const PlacedCall& call) {
 
 BoundCost BindAgainstWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(
-      AgainstWall{FootprintOf(context, object), a.OneSide("side"), WallsToUse(context.scene.room, a.MaybeWall("wall"))},
-      {object});
+  const auto formula =
+      [footprint = FootprintOf(context, object), side = a.OneSide("side"),
+       walls = WallsToUse(context.scene.room, a.MaybeWall("wall"))]<typename T>(const Frames<T, 1>& frames) {
+        return LeastOf<T>(walls, frames,
+                          [&](const Wall& wall, const auto& f) { return SideOnWall(footprint, f[0], side, wall); });
+      };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 // Puts an object's back on a wall, in the middle of it.
 //   cost = min over walls of  (cost of against_wall) + (offset - L / 2)^2                                    [m2]
 //   offset  place of the back's middle along the wall of length L
 // Zero exactly when the back lies on the wall, centred.
-struct CenteredOnWall {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  std::vector<Wall> walls;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(walls, frames, [this](const Wall& wall, const auto& f) {
-      return SideOnWall(footprint, f[0], Side::kBack, wall) + Square(wall.Offset(f[0].center) - wall.length_m / 2);
-    });
-  }
-};
-
 std::optional<Shortfall> CenteredOnWallShortfall(const PlacedCall& call) {
   const int object = call.object();
   const Frame<double> frame = call.FrameOf(object);
@@ -88,8 +65,14 @@ std::optional<Shortfall> CenteredOnWallShortfall(const PlacedCall& call) {
 
 BoundCost BindCenteredOnWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(CenteredOnWall{FootprintOf(context, object), WallsToUse(context.scene.room, a.MaybeWall("wall"))},
-                  {object});
+  const auto formula =
+      [footprint = FootprintOf(context, object),
+       walls = WallsToUse(context.scene.room, a.MaybeWall("wall"))]<typename T>(const Frames<T, 1>& frames) {
+        return LeastOf<T>(walls, frames, [&](const Wall& wall, const auto& f) {
+          return SideOnWall(footprint, f[0], Side::kBack, wall) + Square(wall.Offset(f[0].center) - wall.length_m / 2);
+        });
+      };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 // Puts an object into a corner of the room.
@@ -108,32 +91,13 @@ struct RoomCorner {
   bool at_end;
 };
 
-struct InCorner {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  Side side;
-  std::vector<RoomCorner> corners;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(corners, frames, [this](const RoomCorner& corner, const auto& f) {
-      // Walking along the wall with the room on the left, one runs against the side's outward normal turned left.
-      const auto normal = NormalOf(f[0], side);
-      const double half = (corner.at_end ? 1 : -1) * SideLength(footprint, side) / 2;
-      const auto tip = MiddleOf(footprint, f[0], side) + half * Perpendicular(normal);
-      return SquaredNorm(tip - Cast<std::decay_t<decltype(tip.x)>>(corner.point)) + TurnToWall(f[0], side, corner.wall);
-    });
-  }
-};
-
-std::vector<RoomCorner> CornersOf(const Room& room) {
-  std::vector<RoomCorner> corners;
+// The walls before and after each corner of the room that opens inwards.
+std::vector<std::pair<Wall, Wall>> CornerWalls(const Room& room) {
+  std::vector<std::pair<Wall, Wall>> corners;
   for (size_t i = 0; i < room.walls.size(); ++i) {
     const Wall& before = room.walls[i];
     const Wall& after = room.walls[(i + 1) % room.walls.size()];
-    if (Cross(before.Along(), after.Along()) <= 1e-6) continue;
-    corners.push_back({before.end, before, true});
-    corners.push_back({before.end, after, false});
+    if (Cross(before.Along(), after.Along()) > 1e-6) corners.emplace_back(before, after);
   }
   return corners;
 }
@@ -145,7 +109,22 @@ std::optional<Shortfall> InCornerShortfall(const PlacedCall& call) {
 
 BoundCost BindInCorner(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(InCorner{FootprintOf(context, object), a.OneSide("side"), CornersOf(context.scene.room)}, {object});
+  std::vector<RoomCorner> corners;
+  for (const auto& [before, after] : CornerWalls(context.scene.room)) {
+    corners.push_back({before.end, before, true});
+    corners.push_back({before.end, after, false});
+  }
+  const auto formula = [footprint = FootprintOf(context, object), side = a.OneSide("side"),
+                        corners]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(corners, frames, [&](const RoomCorner& corner, const auto& f) {
+      // Walking along the wall with the room on the left, one runs against the side's outward normal turned left.
+      const auto normal = NormalOf(f[0], side);
+      const double half = (corner.at_end ? 1 : -1) * SideLength(footprint, side) / 2;
+      const auto tip = MiddleOf(footprint, f[0], side) + half * Perpendicular(normal);
+      return SquaredNorm(tip - Cast<std::decay_t<decltype(tip.x)>>(corner.point)) + TurnToWall(f[0], side, corner.wall);
+    });
+  };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 // Keeps one side of an object (its back by default) near a wall and turned to it.
@@ -155,25 +134,6 @@ BoundCost BindInCorner(const Arguments& a, const BindContext& context) {
 //   offset  place of the side's middle along the wall
 // Zero exactly when the side is at most max_distance_m from a wall that it looks at (within 45 degrees). The released
 // ind_near_wall has no side, so that calls with one fail silently (SEMANTICS.md section 3).
-struct NearWall {
-  static constexpr bool kSeesZero = true;
-  Footprint footprint;
-  Side side;
-  double max_distance_m;
-  std::vector<Wall> walls;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    return LeastOf<T>(walls, frames, [this](const Wall& wall, const auto& f) {
-      constexpr double kCos45 = 0.70710678118654757;
-      const auto middle = MiddleOf(footprint, f[0], side);
-      return SquaredOutside(wall.Height(middle), 0, max_distance_m) +
-             SquaredHinge(TurnToWall(f[0], side, wall) - (1 - kCos45)) +
-             SquaredOutside(wall.Offset(middle), 0, wall.length_m);
-    });
-  }
-};
-
 std::optional<Shortfall> NearWallShortfall(const PlacedCall& call) {
   const int object = call.object();
   const Side side = call.arguments().OneSide("side");
@@ -198,9 +158,18 @@ std::optional<Shortfall> NearWallShortfall(const PlacedCall& call) {
 
 BoundCost BindNearWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(NearWall{FootprintOf(context, object), a.OneSide("side"), a.Number("max_distance_m"),
-                           WallsToUse(context.scene.room, a.MaybeWall("wall"))},
-                  {object});
+  const auto formula =
+      [footprint = FootprintOf(context, object), side = a.OneSide("side"), most_m = a.Number("max_distance_m"),
+       walls = WallsToUse(context.scene.room, a.MaybeWall("wall"))]<typename T>(const Frames<T, 1>& frames) {
+        return LeastOf<T>(walls, frames, [&](const Wall& wall, const auto& f) {
+          constexpr double kCos45 = 0.70710678118654757;
+          const auto middle = MiddleOf(footprint, f[0], side);
+          return SquaredOutside(wall.Height(middle), 0, most_m) +
+                 SquaredHinge(TurnToWall(f[0], side, wall) - (1 - kCos45)) +
+                 SquaredOutside(wall.Offset(middle), 0, wall.length_m);
+        });
+      };
+  return MakeCost<kSeesZero>({object}, formula);
 }
 
 // Keeps an object, or one of its sides, away from all walls.
@@ -209,41 +178,6 @@ BoundCost BindNearWall(const Arguments& a, const BindContext& context) {
 // In other rooms d is the gap between the whole object and each wall, once per wall. Zero exactly when everything is at
 // least min_distance_m from every wall. The released ind_not_against_wall is 10 times this, lets corners pass through
 // walls and refuses the side that its own documentation names (SEMANTICS.md section 3).
-struct NotAgainstWall {
-  Footprint footprint;
-  std::optional<Side> side;
-  double min_distance_m;
-  std::vector<Wall> walls;
-  // The walls' lines bound the room.
-  bool convex;
-  // The same walls as pieces, for rooms that are not convex.
-  std::vector<ConvexPiece> pieces;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    T sum(0.0);
-    if (!convex && !side.has_value()) {
-      const Box<T> box(footprint, frames[0]);
-      for (const ConvexPiece& piece : pieces) sum += SquaredNearness<T>(box, piece, min_distance_m);
-      return sum;
-    }
-    const auto corner_cost = [this, &sum](const Vec2<T>& corner) {
-      for (const Wall& wall : walls) {
-        const bool beside = ValueOf(wall.Offset(corner)) < 0 || ValueOf(wall.Offset(corner)) > wall.length_m;
-        if (convex || !beside) sum += SquaredHinge(min_distance_m - wall.Height(corner));
-      }
-    };
-    if (side.has_value()) {
-      const SideEdge<T> edge = EdgeOf(footprint, frames[0], *side);
-      corner_cost(edge.first);
-      corner_cost(edge.second);
-    } else {
-      for (const Vec2<T>& corner : Corners(footprint, frames[0])) corner_cost(corner);
-    }
-    return sum;
-  }
-};
-
 std::optional<Shortfall> NotAgainstWallShortfall(const PlacedCall& call) {
   const int object = call.object();
   const std::optional<Side> side = call.arguments().MaybeSide("side");
@@ -261,11 +195,34 @@ std::optional<Shortfall> NotAgainstWallShortfall(const PlacedCall& call) {
 BoundCost BindNotAgainstWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   const Room& room = context.scene.room;
-  NotAgainstWall formula{FootprintOf(context, object), a.MaybeSide("side"),
-                         a.Number("min_distance_m"),   room.walls,
-                         IsConvex(room.floor),         {}};
-  for (const Wall& wall : room.walls) formula.pieces.emplace_back(Segment{wall.start, wall.end});
-  return MakeCost(std::move(formula), {object});
+  // The walls as pieces, for rooms whose walls' lines do not bound them.
+  std::vector<ConvexPiece> pieces;
+  for (const Wall& wall : room.walls) pieces.emplace_back(Segment{wall.start, wall.end});
+  const auto formula = [footprint = FootprintOf(context, object), side = a.MaybeSide("side"),
+                        min_m = a.Number("min_distance_m"), walls = room.walls, convex = IsConvex(room.floor),
+                        pieces]<typename T>(const Frames<T, 1>& frames) {
+    T sum(0.0);
+    if (!convex && !side.has_value()) {
+      const Box<T> box(footprint, frames[0]);
+      for (const ConvexPiece& piece : pieces) sum += SquaredNearness<T>(box, piece, min_m);
+      return sum;
+    }
+    const auto corner_cost = [&](const Vec2<T>& corner) {
+      for (const Wall& wall : walls) {
+        const bool beside = ValueOf(wall.Offset(corner)) < 0 || ValueOf(wall.Offset(corner)) > wall.length_m;
+        if (convex || !beside) sum += SquaredHinge(min_m - wall.Height(corner));
+      }
+    };
+    if (side.has_value()) {
+      const SideEdge<T> edge = EdgeOf(footprint, frames[0], *side);
+      corner_cost(edge.first);
+      corner_cost(edge.second);
+    } else {
+      for (const Vec2<T>& corner : Corners(footprint, frames[0])) corner_cost(corner);
+    }
+    return sum;
+  };
+  return MakeCost({object}, formula);
 }
 
 // Keeps an object out of the corners of the room.
@@ -287,34 +244,6 @@ T Distance(const Points& points, const Wall& wall) {
   return Magnitude(least);
 }
 
-std::vector<std::pair<Wall, Wall>> CornerWalls(const Room& room) {
-  std::vector<std::pair<Wall, Wall>> corners;
-  for (size_t i = 0; i < room.walls.size(); ++i) {
-    const Wall& before = room.walls[i];
-    const Wall& after = room.walls[(i + 1) % room.walls.size()];
-    if (Cross(before.Along(), after.Along()) > 1e-6) corners.emplace_back(before, after);
-  }
-  return corners;
-}
-
-struct NotInCorner {
-  Footprint footprint;
-  double min_distance_m;
-  // The walls before and after each corner.
-  std::vector<std::pair<Wall, Wall>> corners;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    const auto points = Corners(footprint, frames[0]);
-    T sum(0.0);
-    for (const auto& [before, after] : corners) {
-      const T a = Distance<T>(points, before), b = Distance<T>(points, after);
-      sum += SquaredHinge(min_distance_m - (ValueOf(a) > ValueOf(b) ? a : b));
-    }
-    return sum;
-  }
-};
-
 std::optional<Shortfall> NotInCornerShortfall(const PlacedCall& call) {
   const double into = call.CostRoot();
   return Worst({{fmt::format("{} stands {:.2f} m too far into a corner", call.NameOf("object"), into), into, "m"}});
@@ -322,8 +251,17 @@ std::optional<Shortfall> NotInCornerShortfall(const PlacedCall& call) {
 
 BoundCost BindNotInCorner(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  return MakeCost(
-      NotInCorner{FootprintOf(context, object), a.Number("min_distance_m"), CornerWalls(context.scene.room)}, {object});
+  const auto formula = [footprint = FootprintOf(context, object), min_m = a.Number("min_distance_m"),
+                        corners = CornerWalls(context.scene.room)]<typename T>(const Frames<T, 1>& frames) {
+    const auto points = Corners(footprint, frames[0]);
+    T sum(0.0);
+    for (const auto& [before, after] : corners) {
+      const T a = Distance<T>(points, before), b = Distance<T>(points, after);
+      sum += SquaredHinge(min_m - (ValueOf(a) > ValueOf(b) ? a : b));
+    }
+    return sum;
+  };
+  return MakeCost({object}, formula);
 }
 
 // Turns an object so that its sides run along a wall.
@@ -332,20 +270,7 @@ BoundCost BindNotInCorner(const Arguments& a, const BindContext& context) {
 // Zero exactly when two sides of the object are parallel to a wall, near that the square of the angle that lacks. Kinks
 // half way between the directions of two walls; a rectangle has one direction. Models call it (ind_parallel_to_wall);
 // the released library has no such function, only `aligned` for all objects.
-struct ParallelToWall {
-  // Unit vectors along the walls, one of those that are parallel or at right angles.
-  std::vector<Vec2<double>> directions;
-
-  template <typename T>
-  T operator()(const Frames<T, 1>& frames) const {
-    // sin(2 a) / 2 = sin(a) cos(a), a the angle between front and wall.
-    return LeastOf<T>(directions, frames, [](const Vec2<double>& direction, const auto& f) {
-      const auto along = Cast<std::decay_t<decltype(f[0].front.x)>>(direction);
-      return Square(Cross(along, f[0].front) * Dot(along, f[0].front));
-    });
-  }
-};
-
+// Unit vectors along the walls, one of those that are parallel or at right angles.
 std::vector<Vec2<double>> DirectionsOf(const Room& room) {
   std::vector<Vec2<double>> directions;
   for (const Wall& wall : room.walls) {
@@ -363,7 +288,14 @@ std::optional<Shortfall> ParallelToWallShortfall(const PlacedCall& call) {
 }
 
 BoundCost BindParallelToWall(const Arguments& a, const BindContext& context) {
-  return MakeCost(ParallelToWall{DirectionsOf(context.scene.room)}, {a.Object("object")});
+  const auto formula = [directions = DirectionsOf(context.scene.room)]<typename T>(const Frames<T, 1>& frames) {
+    // sin(2 a) / 2 = sin(a) cos(a), a the angle between front and wall.
+    return LeastOf<T>(directions, frames, [](const Vec2<double>& direction, const auto& f) {
+      const auto along = Cast<std::decay_t<decltype(f[0].front.x)>>(direction);
+      return Square(Cross(along, f[0].front) * Dot(along, f[0].front));
+    });
+  };
+  return MakeCost({a.Object("object")}, formula);
 }
 
 constexpr ConstraintCode kWallCode[] = {
