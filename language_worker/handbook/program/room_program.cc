@@ -2,7 +2,6 @@
 #include "language_worker/handbook/program/room_program.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "language_worker/handbook/program/essentials.h"
 

@@ -2,21 +2,16 @@
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>
-#include <memory>
-#include <string>
 #include <string_view>
-#include <utility>
 
 #include "english/words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
-#include "language_worker/handbook/reading/opening_reader.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/place_reader.h"
 #include "language_worker/handbook/reading/room_kind.h"
-#include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -25,144 +20,131 @@ namespace {
 
 // Reads one brief; each step marks the tokens that it has used, so that "dining room" wishes for no dining table and
 // "green room" for no greenhouse.
-class BriefReader {
+class BriefReader : Reading {
  public:
   BriefReader(const Handbook& handbook, const std::vector<Token>& tokens)
-      : handbook_(handbook), tokens_(tokens), used_(tokens.size()) {}
+      : Reading{handbook, text_, used_, facts_}, text_(tokens), used_(tokens.size()) {}
 
   // With the classes that it takes for what was left over, if asked.
   absl::StatusOr<BriefFacts> Read(std::vector<OwnClass>* own = nullptr) {
-    ASSIGN_OR_RETURN(facts_.size, ReadSize(tokens_, handbook_, used_));
-    const std::vector<bool> size_words = std::exchange(used_, std::vector<bool>(tokens_.size()));
+    ASSIGN_OR_RETURN(facts.size, ReadSize(tokens(), handbook, used));
+    const std::vector<bool> size_words = std::exchange(used, std::vector<bool>(tokens().size()));
     ReadArchetype();
     TakeRoomOfNeeds();
-    facts_.shape = ReadShape(tokens_, handbook_);
-    if (IsIn("rooms_with_runs", facts_.archetype->name()))
-      facts_.run_form = ReadRunForm(tokens_, facts_.shape, facts_.told);
+    facts.shape = ReadShape(tokens(), handbook);
+    if (IsIn("rooms_with_runs", facts.archetype->name()))
+      facts.run_form = ReadRunForm(tokens(), facts.shape, facts.told);
     ReadParts();
-    const std::vector<bool> room_words = used_;
-    facts_.finishes = ReadFinishes(handbook_, tokens_, used_);
-    const NamedPieces pieces = ReadFurniture(handbook_, tokens_, used_, facts_);
+    const std::vector<bool> room_words = used;
+    ReadFinishes(*this);
+    const NamedPieces pieces = ReadFurniture(*this);
     counts_ = pieces.counts;
-    TakeSizes(tokens_, pieces.mentions, size_words, used_, facts_);
+    TakeSizes(*this, pieces.mentions, size_words);
     ReadOtherRooms(pieces.mentions);
-    ReadOpenings(tokens_, room_words, used_, facts_.openings);
-    ReadPlaces(handbook_, tokens_, pieces.mentions, used_, facts_);
-    NoteOtherNames(BriefText(tokens_), pieces.mentions, facts_);
+    ReadOpenings(tokens(), room_words, used, facts.openings);
+    ReadPlaces(*this, pieces.mentions);
+    NoteOtherNames(text, pieces.mentions, facts);
     ReadThemesAndStyles();
     ReadNeeds();
-    if (own != nullptr) *own = OwnClassesOf(handbook_, tokens_, pieces.mentions, used_);
-    facts_.reads_as_english = !IsForeign(tokens_) && (facts_.archetype_named || ReadsAsEnglish(tokens_));
-    if (facts_.reads_as_english) {
-      for (const std::size_t i : facts_.told) used_[i] = true;
-      Use(facts_.shape.begin, facts_.shape.end - facts_.shape.begin);
-      for (const std::size_t i : pieces.counts) used_[i] = true;
-      for (std::size_t i = 0; i < used_.size(); ++i) {
-        const bool only = facts_.nothing_else && IsOneOf(tokens_[i].text, {"nothing", "else"});
-        used_[i] = used_[i] || size_words[i] || only;
+    if (own != nullptr) *own = OwnClassesOf(handbook, tokens(), pieces.mentions, used);
+    facts.reads_as_english = !IsForeign(tokens()) && (facts.archetype_named || ReadsAsEnglish(tokens()));
+    if (facts.reads_as_english) {
+      for (const std::size_t i : facts.told) used[i] = true;
+      Use(facts.shape.begin, facts.shape.end);
+      for (const std::size_t i : pieces.counts) used[i] = true;
+      for (std::size_t i = 0; i < used.size(); ++i) {
+        const bool only = facts.nothing_else && IsOneOf(tokens()[i].text, {"nothing", "else"});
+        used[i] = used[i] || size_words[i] || only;
       }
-      facts_.unheard = UnheardClauses(tokens_, used_, handbook_.vocabulary());
+      facts.unheard = UnheardClauses(tokens(), used, handbook.vocabulary());
     }
-    return std::move(facts_);
+    return std::move(facts);
   }
 
  private:
-  void Use(std::size_t start, std::size_t length) {
-    std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
-  }
-
   void UseAll(std::string_view phrase) {
     const Phrase words(phrase);
-    for (std::size_t i = 0; i < tokens_.size(); ++i) Use(i, words.MatchAt(tokens_, i));
-  }
-
-  // That they are read shows in the room itself.
-  void TellAll(std::string_view phrase) {
-    const Phrase words(phrase);
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      for (std::size_t k = 0; k < words.MatchAt(tokens_, i); ++k) facts_.told.push_back(i + k);
-    }
+    for (std::size_t i = 0; i < tokens().size(); ++i) Use(i, i + words.MatchAt(tokens(), i));
   }
 
   void ReadArchetype() {
-    kind_ = ReadRoomKind(tokens_, handbook_);
-    facts_.archetype = kind_.room.archetype;
+    kind_ = ReadRoomKind(tokens(), handbook);
+    facts.archetype = kind_.room.archetype;
     // "A triclinium for a museum": the room that nobody named is the first, if its word means one.
-    const BriefText text(tokens_);
-    for (std::size_t i = 0; facts_.archetype != nullptr && i < kind_.room.begin; ++i) {
+    for (std::size_t i = 0; facts.archetype != nullptr && i < kind_.room.begin; ++i) {
       if (!text.Is(i, "for_whom")) continue;
-      if (const hb::Archetype* first = handbook_.vocabulary().meanings->RoomOf(text.Quote(text.BehindArticle(0), i))) {
-        facts_.archetype = first;
-        facts_.room_words = text.Quote(text.BehindArticle(0), i);
+      if (const hb::Archetype* first = handbook.vocabulary().meanings->RoomOf(text.Quote(text.BehindArticle(0), i))) {
+        facts.archetype = first;
+        facts.room_words = text.Quote(text.BehindArticle(0), i);
         Use(0, i);
         return;
       }
     }
-    facts_.archetype_named = facts_.archetype != nullptr;
-    if (!facts_.archetype_named) return GuessArchetype();
-    facts_.room_words = Quote(kind_.room);
+    facts.archetype_named = facts.archetype != nullptr;
+    if (!facts.archetype_named) return GuessArchetype();
+    facts.room_words = Quote(kind_.room);
     // "The tavern's back room" is not the taproom.
-    facts_.archetype_named = text.At(kind_.room.end) != "'s";
-    Use(kind_.room.begin, kind_.room.end - kind_.room.begin);
+    facts.archetype_named = text.At(kind_.room.end) != "'s";
+    Use(kind_.room.begin, kind_.room.end);
     for (const NamedRoom& one : kind_.also) {
-      Use(one.begin, one.end - one.begin);
-      facts_.also.push_back({one.archetype});
+      Use(one.begin, one.end);
+      facts.also.push_back({one.archetype});
     }
   }
 
   // "A bedroom for our twins, aged five" is a child's, and its words mean what they mean there.
   void TakeRoomOfNeeds() {
-    for (const hb::Need& need : handbook_.contents().needs()) {
+    for (const hb::Need& need : handbook.contents().needs()) {
       int people = 0;
-      const hb::Archetype* becomes = handbook_.FindArchetype(need.changes().becomes_room());
+      const hb::Archetype* becomes = handbook.FindArchetype(need.changes().becomes_room());
       if (becomes == nullptr || need.min_people() > 0 || !Applies(need, people)) continue;
-      facts_.archetype = becomes;
-      for (const std::string& keyword : need.keywords()) TellAll(keyword);
+      facts.archetype = becomes;
+      for (const std::string& keyword : need.keywords()) {
+        const Phrase words(keyword);
+        for (std::size_t i = 0; i < tokens().size(); ++i) Tell(i, i + words.MatchAt(tokens(), i));
+      }
       return;
     }
   }
 
   // Parts of a room that no outline has: "behind a half wall".
   void ReadParts() {
-    const BriefText text(tokens_);
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = 0; i < tokens().size(); ++i) {
       const auto end = text.BehindPhrase(i, "parts_not_drawn");
-      if (!end || LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true).second > 0) continue;
-      facts_.shape.parts.push_back(text.Quote(i, *end));
-      for (std::size_t k = i; k < *end; ++k) facts_.told.push_back(k);
+      if (!end || LongestAt(handbook.vocabulary().names, tokens(), i, /*plural=*/true).second > 0) continue;
+      facts.shape.parts.push_back(text.Quote(i, *end));
+      Tell(i, *end);
       i = *end - 1;
     }
   }
 
   // Rooms that the room has, unless their words mean a piece ("with a bar"): a corner of it, or a room of their own.
   void ReadOtherRooms(const std::vector<Mention>& pieces) {
-    const BriefText text(tokens_);
     for (const NamedRoom& one : kind_.named) {
       constexpr double kCorner = 0.4;
-      if (used_[one.begin] || text.At(one.end) == "of") continue;  // "a bank of tall units"
-      const bool same = std::ranges::any_of(handbook_.contents().needs(), [&](const hb::Need& need) {
-        return need.changes().becomes_room() == facts_.archetype->name() &&
+      if (used[one.begin] || text.At(one.end) == "of") continue;  // "a bank of tall units"
+      const bool same = std::ranges::any_of(handbook.contents().needs(), [&](const hb::Need& need) {
+        return need.changes().becomes_room() == facts.archetype->name() &&
                Includes(need.condition().rooms(), one.archetype->name());
       });
-      const bool own = one.archetype->serving() || facts_.archetype->serving();
-      if (!own && !same) facts_.also.push_back({one.archetype, kCorner});
-      if (own) facts_.other_rooms.push_back(Quote(one));
-      Use(one.begin, one.end - one.begin);
+      const bool own = one.archetype->serving() || facts.archetype->serving();
+      if (!own && !same) facts.also.push_back({one.archetype, kCorner});
+      if (own) facts.other_rooms.push_back(Quote(one));
+      Use(one.begin, one.end);
     }
     // Where in the room one of its uses lies: "kitchen at the east end".
     for (const NamedRoom& one : kind_.placed) {
       const bool piece =
           std::ranges::any_of(pieces, [&](const Mention& mention) { return mention.begin == one.begin; });
-      if (!piece) facts_.places_not_known.push_back(Quote(one));
+      if (!piece) facts.places_not_known.push_back(Quote(one));
     }
   }
 
-  std::string Quote(const NamedRoom& room) const { return BriefText(tokens_).Quote(room.begin, room.end); }
+  std::string Quote(const NamedRoom& room) const { return text.Quote(room.begin, room.end); }
 
   // The kind of room that most words of the brief hint at. Its first words name the kind that nobody knows: "a tea room
   // with six tables".
   void GuessArchetype() {
-    const BriefText text(tokens_);
     const std::size_t begin = text.BehindArticle(0);
     std::size_t end = begin;
     while (text.IsWord(end) && !text.Is(end, "after_a_room")) ++end;
@@ -170,98 +152,96 @@ class BriefReader {
     // "Six foot by nine", "the girls share", "my son is 15 and his room ..." name none.
     const bool none = text.IsNumber(begin) || NumberWord(text.At(begin)) || text.Is(begin, "pronouns") ||
                       CountsPeople(text.At(begin)) || (end > begin && CountsPeople(text.At(end - 1)));
-    if (!text.Is(begin, "rooms_by_head") && !none) facts_.room_words = text.Quote(begin, end);
+    if (!text.Is(begin, "rooms_by_head") && !none) facts.room_words = text.Quote(begin, end);
     // That it is not known is told once.
     bool pieces = false;
     for (std::size_t i = begin; i < end; ++i) pieces = pieces || NamesAPiece(i, i + 1);
-    for (std::size_t i = begin; i < end && !pieces; ++i) facts_.told.push_back(i);
+    if (!pieces) Tell(begin, end);
     const auto taken = [&](const hb::Archetype* archetype) {
-      if (archetype != nullptr) facts_.archetype = archetype;
+      if (archetype != nullptr) facts.archetype = archetype;
       return archetype != nullptr;
     };
-    const Meanings& meanings = *handbook_.vocabulary().meanings;
+    const Meanings& meanings = *handbook.vocabulary().meanings;
     if ((!NamesAPiece(begin, end) && taken(meanings.RoomOf(text.Quote(begin, end)))) ||
-        taken(MostHintedAt(handbook_, tokens_)))
+        taken(MostHintedAt(handbook, tokens())))
       return;
     // "A breakfast room", "a sleeping module": what goes on there.
     for (std::size_t i = end; end > begin && text.Is(end - 1, "room_like_nouns") && i - 1 > begin; --i) {
       if (text.IsWord(i - 2) && taken(meanings.RoomFor(text.At(i - 2)))) return;
     }
-    facts_.archetype = &KindOfPieces(handbook_, tokens_);
+    facts.archetype = &KindOfPieces(handbook, tokens());
   }
 
   bool NamesAPiece(std::size_t begin, std::size_t end) const {
     for (std::size_t i = begin; i < end; ++i) {
-      if (LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true).second + i >= end) return true;
+      if (LongestAt(handbook.vocabulary().names, tokens(), i, /*plural=*/true).second + i >= end) return true;
     }
     return false;
   }
 
   void ReadThemesAndStyles() {
-    for (const hb::Theme& theme : handbook_.contents().themes()) {
+    for (const hb::Theme& theme : handbook.contents().themes()) {
       const bool of_its_time = theme.changes().year() != 0;
-      if (!theme.fallback() && OccursUnused(theme.keywords(), of_its_time)) AddOnce(facts_.themes, &theme);
+      if (!theme.fallback() && OccursUnused(theme.keywords(), of_its_time)) AddOnce(facts.themes, &theme);
     }
-    for (const hb::Style& style : handbook_.contents().styles()) {
-      if (OccursUnused(style.name())) AddOnce(facts_.styles, &style);
+    for (const hb::Style& style : handbook.contents().styles()) {
+      if (OccursUnused(style.name())) AddOnce(facts.styles, &style);
     }
-    const BriefText text(tokens_);
-    const auto& colours = handbook_.vocabulary().colours;
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const auto [colour, length] = LongestAt(colours, tokens_, i, /*plural=*/false);
-      if (length == 0 || used_[i] || IsOfAThing(i + length)) continue;
+    const auto& colours = handbook.vocabulary().colours;
+    for (std::size_t i = 0; i < tokens().size(); ++i) {
+      const auto [colour, length] = LongestAt(colours, tokens(), i, /*plural=*/false);
+      if (length == 0 || used[i] || IsOfAThing(i + length)) continue;
       // "No pink", "not hospital white".
       const bool refused =
           text.Is(i - std::min<std::size_t>(i, 1), "refusing") || text.Is(i - std::min<std::size_t>(i, 2), "refusing");
-      AddOnce(refused ? facts_.refused_colours : facts_.colours, colour);
-      Use(i, length);
+      AddOnce(refused ? facts.refused_colours : facts.colours, colour);
+      Use(i, i + length);
       i += length - 1;
     }
-    for (const hb::Theme* theme : facts_.themes) {
+    for (const hb::Theme* theme : facts.themes) {
       for (const std::string& keyword : theme->keywords()) UseAll(keyword);
     }
-    for (const hb::Style* style : facts_.styles) UseAll(style->name());
+    for (const hb::Style* style : facts.styles) UseAll(style->name());
   }
 
   // "Black taps": the colour of something small that is not drawn, not the room's.
   bool IsOfAThing(std::size_t i) const {
-    const BriefText text(tokens_);
     return text.IsWord(i) && !text.Is(i, "coloured_rooms") && english::IsPlural(text.At(i)) &&
-           handbook_.vocabulary().meanings->ThingOf(text.At(i)).known;
+           handbook.vocabulary().meanings->ThingOf(text.At(i)).known;
   }
 
   void ReadNeeds() {
     // Needs look at the same words.
-    std::vector<bool> peoples_words = used_;
-    facts_.year = ReadYear(tokens_, peoples_words);
+    std::vector<bool> peoples_words = used;
+    facts.year = ReadYear(tokens(), peoples_words);
     // A "wizard's study" is of his time, though the words name the kind of room.
-    for (const hb::Theme& theme : handbook_.contents().themes()) {
+    for (const hb::Theme& theme : handbook.contents().themes()) {
       const int year = theme.changes().year();
-      for (std::size_t i = kind_.room.begin; i < kind_.room.end && year != 0 && !facts_.year; ++i) {
+      for (std::size_t i = kind_.room.begin; i < kind_.room.end && year != 0 && !facts.year; ++i) {
         for (const std::string& word : theme.keywords())
-          if (Phrase(word).MatchAt(tokens_, i) > 0) facts_.year = year;
+          if (Phrase(word).MatchAt(tokens(), i) > 0) facts.year = year;
       }
     }
     const std::vector<bool> before = peoples_words;
-    facts_.people = ReadPeople(tokens_, peoples_words);
-    for (std::size_t i = 0; i < tokens_.size() && facts_.people; ++i) {
+    facts.people = ReadPeople(tokens(), peoples_words);
+    for (std::size_t i = 0; i < tokens().size() && facts.people; ++i) {
       if (peoples_words[i] && !before[i])
-        facts_.people_said += (facts_.people_said.empty() ? "" : " ") + tokens_[i].text;
+        facts.people_said += (facts.people_said.empty() ? "" : " ") + tokens()[i].text;
     }
     std::vector<const hb::Need*> found;
-    for (const hb::Need& need : handbook_.contents().needs()) {
+    for (const hb::Need& need : handbook.contents().needs()) {
       int people = 0;
       if (!Applies(need, people)) continue;
       found.push_back(&need);
-      if (people > 0 && need.min_people() > 0 && !facts_.people) facts_.people = people;
+      if (people > 0 && need.min_people() > 0 && !facts.people) facts.people = people;
     }
-    used_ = std::move(peoples_words);
+    used = std::move(peoples_words);
     for (const hb::Need* need : found) {
       const bool overridden = std::any_of(found.begin(), found.end(), [&](const hb::Need* other) {
         return std::find(other->overrides().begin(), other->overrides().end(), need->name()) !=
                other->overrides().end();
       });
-      if (!overridden) facts_.needs.push_back(need);
+      if (!overridden) facts.needs.push_back(need);
     }
     for (const hb::Need* need : found) {
       for (const std::string& keyword : need->keywords()) UseAll(keyword);
@@ -270,7 +250,7 @@ class BriefReader {
 
   bool Applies(const hb::Need& need, int& people) const {
     const auto& rooms = need.condition().rooms();
-    if (!rooms.empty() && std::find(rooms.begin(), rooms.end(), facts_.archetype->name()) == rooms.end()) return false;
+    if (!rooms.empty() && std::find(rooms.begin(), rooms.end(), facts.archetype->name()) == rooms.end()) return false;
     if (!need.also_keywords().empty() && !OccursAny(need.also_keywords())) return false;
     for (const std::string& keyword : need.keywords()) {
       int number = 0;
@@ -281,7 +261,7 @@ class BriefReader {
       return true;
     }
     // "A team of eight", "twelve desks": however their number was said.
-    const int counted = facts_.people.value_or(DesksForMany());
+    const int counted = facts.people.value_or(DesksForMany());
     return need.min_people() > 0 && counted >= need.min_people() &&
            (need.max_people() == 0 || counted <= need.max_people());
   }
@@ -289,21 +269,21 @@ class BriefReader {
   // How many have a place of their own in the room; 0 where that makes no crowd.
   int DesksForMany() const {
     constexpr int kMany = 5;
-    const auto one = std::ranges::find_if(facts_.wishes, [&](const Wish& wish) {
-      return wish.furniture->name() == facts_.archetype->per_person() && wish.counted && wish.count >= kMany;
+    const auto one = std::ranges::find_if(facts.wishes, [&](const Wish& wish) {
+      return wish.furniture->name() == facts.archetype->per_person() && wish.counted && wish.count >= kMany;
     });
-    return one == facts_.wishes.end() ? 0 : one->count;
+    return one == facts.wishes.end() ? 0 : one->count;
   }
 
   // Whether it occurs without a number that belongs to something else.
   bool OccursFree(const Phrase& phrase, int& number) const {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = 0; i < tokens().size(); ++i) {
       int found = 0;
-      const std::size_t length = phrase.MatchAt(tokens_, i, true, &found);
-      if (length == 0 || (found > 0 && used_[i]) || IsAWish(i, length)) continue;
+      const std::size_t length = phrase.MatchAt(tokens(), i, true, &found);
+      if (length == 0 || (found > 0 && used[i]) || IsAWish(i, length)) continue;
       // "Not too many plants" makes nobody a gardener, "twin beds" are for no twins.
-      if (AsksForFew(BriefText(tokens_), i)) continue;
-      if (phrase.MatchAt(tokens_, i, /*plural=*/false) == 0 && NamesAPiece(i + length, i + length + 1)) continue;
+      if (AsksForFew(text, i)) continue;
+      if (phrase.MatchAt(tokens(), i, /*plural=*/false) == 0 && NamesAPiece(i + length, i + length + 1)) continue;
       number = found;
       return true;
     }
@@ -312,27 +292,27 @@ class BriefReader {
 
   // "A painting" is a piece and "white paint" on the walls: neither makes anybody a painter.
   bool IsAWish(std::size_t i, std::size_t length) const {
-    if (std::ranges::any_of(facts_.finishes, [&](const auto& one) { return one.begin <= i && i < one.end; }))
+    if (std::ranges::any_of(facts.finishes, [&](const auto& one) { return one.begin <= i && i < one.end; }))
       return true;
     // "Two plants", not "a few plants".
-    if (used_[i] && i > 0 && Includes(counts_, i - 1) && !IsIn("vague_numbers", tokens_[i - 1].text)) return true;
-    return used_[i] && std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
-             return Phrase(wish.furniture->name()).MatchAt(tokens_, i) == length;
+    if (used[i] && i > 0 && Includes(counts_, i - 1) && !IsIn("vague_numbers", tokens()[i - 1].text)) return true;
+    return used[i] && std::ranges::any_of(facts.wishes, [&](const Wish& wish) {
+             return Phrase(wish.furniture->name()).MatchAt(tokens(), i) == length;
            });
   }
 
   // As OccursAny, but not within words that name the room or its furniture: a king bed makes no king.
   bool OccursUnused(const google::protobuf::RepeatedPtrField<std::string>& phrases, bool of_the_room) const {
-    return std::ranges::any_of(phrases, [&](const std::string& text) { return OccursUnused(text, of_the_room); });
+    return std::ranges::any_of(phrases, [&](const std::string& one) { return OccursUnused(one, of_the_room); });
   }
 
   // Fairy lights make no fairy's room.
-  bool OccursUnused(const std::string& text, bool of_the_room = false) const {
-    const Phrase phrase(text);
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const std::size_t length = phrase.MatchAt(tokens_, i);
+  bool OccursUnused(const std::string& words, bool of_the_room = false) const {
+    const Phrase phrase(words);
+    for (std::size_t i = 0; i < tokens().size(); ++i) {
+      const std::size_t length = phrase.MatchAt(tokens(), i);
       for (std::size_t k = i; k < i + length; ++k) {
-        if (!used_[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
+        if (!used[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
       }
     }
     return false;
@@ -340,18 +320,16 @@ class BriefReader {
 
   // "In a Victorian terrace" is where the room is today.
   bool IsOfTheHouse(std::size_t i, std::size_t length) const {
-    const BriefText text(tokens_);
     const std::size_t before = i > 0 && text.Is(i - 1, "articles") ? i - 1 : i;
     return before > 0 && text.Is(before - 1, "into_a_wall") && text.Is(i + length, "houses");
   }
 
   bool OccursAny(const google::protobuf::RepeatedPtrField<std::string>& phrases) const {
     return std::any_of(phrases.begin(), phrases.end(),
-                       [&](const std::string& phrase) { return Phrase(phrase).Occurs(tokens_); });
+                       [&](const std::string& phrase) { return Phrase(phrase).Occurs(tokens()); });
   }
 
-  const Handbook& handbook_;
-  const std::vector<Token>& tokens_;
+  const BriefText text_;
   std::vector<bool> used_;
   RoomKind kind_;
   std::vector<std::size_t> counts_;  // tokens: the numbers of pieces

@@ -107,6 +107,21 @@ struct BriefFacts {
   const Handbook& HandbookOr(const Handbook& other) const { return own_handbook ? *own_handbook : other; }
 };
 
+// A brief while it is read.
+struct Reading {
+  const Handbook& handbook;
+  const BriefText& text;
+  std::vector<bool>& used;  // tokens that have a meaning already
+  BriefFacts& facts;
+
+  const std::vector<Token>& tokens() const { return text.tokens(); }
+  void Use(std::size_t begin, std::size_t end) const { Mark(begin, end, used); }
+  // That they are read a remark says, or the room itself.
+  void Tell(std::size_t begin, std::size_t end) const {
+    for (std::size_t i = begin; i < end; ++i) facts.told.push_back(i);
+  }
+};
+
 // Reads a brief. The same text and handbook give the same facts. Errors as ReadSize.
 absl::StatusOr<BriefFacts> ReadBrief(const v1::Brief& brief, const Handbook& handbook);
 

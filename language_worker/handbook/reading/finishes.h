@@ -9,6 +9,8 @@
 
 namespace flair::language {
 
+struct Reading;
+
 // What a brief says of a surface of the room: "walls covered in cork", "an oak floor", "dark green walls".
 struct AskedFinish {
   enum class Surface { kWalls, kFloor, kCeiling };
@@ -20,7 +22,6 @@ struct AskedFinish {
 
 // Reads them and marks the tokens that it has used. Words in `used` belong to something else. One finish a surface: the
 // first.
-std::vector<AskedFinish> ReadFinishes(const Handbook& handbook, const std::vector<Token>& tokens,
-                                      std::vector<bool>& used);
+void ReadFinishes(const Reading& reading);
 
 }  // namespace flair::language

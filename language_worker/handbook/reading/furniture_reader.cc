@@ -5,16 +5,13 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "english/quantities.h"
-#include "language_worker/handbook/reading/for_each.h"
-#include "language_worker/handbook/reading/meet_later.h"
-#include "language_worker/handbook/reading/no_piece.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_looks.h"
+#include "language_worker/handbook/reading/piece_mentions.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -23,120 +20,112 @@ namespace {
 
 constexpr double kAtADeskM = 0.65;  // of its width for each of several
 
-class FurnitureReader {
+class FurnitureReader : Reading {
  public:
-  FurnitureReader(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
-                  BriefFacts& facts)
-      : handbook_(handbook),
-        tokens_(tokens),
-        text_(tokens),
-        used_(used),
-        facts_(facts),
-        nouns_(handbook, facts),
-        names_(nouns_.names()) {
+  explicit FurnitureReader(const Reading& reading) : Reading(reading), nouns_(handbook, facts), names_(nouns_.names()) {
     std::vector<bool> free = used;
-    people_ = ReadPeople(tokens, free).value_or(0);
+    people_ = ReadPeople(tokens(), free).value_or(0);
   }
 
   NamedPieces Read() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (used_[i] || IsMeasure(text_, i) || IsNoNoun(text_, i)) continue;
-      if (AreFronts(handbook_, text_, i, used_, facts_)) continue;
+    for (std::size_t i = 0; i < tokens().size(); ++i) {
+      if (used[i] || IsMeasure(text, i) || IsNoNoun(text, i)) continue;
+      if (AreFronts(*this, i)) continue;
       const hb::Furniture* partner =
-          LongestAt(names_, tokens_, i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
-      const bool seats = SeatsFollow(text_, i + 1), several = CountsSeveral(text_, i);
+          LongestAt(names_, tokens(), i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
+      const bool seats = SeatsFollow(text, i + 1), several = CountsSeveral(text, i);
       const auto rank = [&](const hb::Furniture& furniture) {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
         // "Sewing machines on tables".
         const bool host = partner != nullptr && Includes(partner->hosts(), furniture.name());
-        const bool table = seats && SeatOf(furniture, handbook_) != nullptr;
+        const bool table = seats && SeatOf(furniture, handbook) != nullptr;
         // Between two seats stands something small.
         constexpr double kSmallM = 0.6;
-        const bool small = beside && text_.Says(i + 1, {"between", "in"}) && furniture.width_m().typical() <= kSmallM;
+        const bool small = beside && text.Says(i + 1, {"between", "in"}) && furniture.width_m().typical() <= kSmallM;
         // So many are no armchairs.
         const bool upright = several && IsSeat(furniture);
-        return (handbook_.IsOwn(furniture) ? 4096 : 0) + 2 * nouns_.RankAt(tokens_, i, furniture) + (beside ? 64 : 0) +
+        return (handbook.IsOwn(furniture) ? 4096 : 0) + 2 * nouns_.RankAt(tokens(), i, furniture) + (beside ? 64 : 0) +
                (small ? 32 : 0) + (table ? 128 : 0) + (host ? 7 : 0) + (upright ? 1 : 0);
       };
-      auto [named, name_length] = BestAt(names_, tokens_, i, /*plural=*/true, rank);
+      auto [named, name_length] = BestAt(names_, tokens(), i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
       if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
-      if (named != nullptr && IsOnlyTold(text_, *named, i, name_length)) {
-        Use(i, name_length);
+      if (named != nullptr && IsOnlyTold(text, *named, i, name_length)) {
+        Use(i, i + name_length);
         continue;
       }
-      const NounBook::Purpose purpose = nouns_.PurposeOf(tokens_, i, i + std::max<std::size_t>(name_length, 1));
+      const NounBook::Purpose purpose = nouns_.PurposeOf(tokens(), i, i + std::max<std::size_t>(name_length, 1));
       if (purpose.furniture != nullptr) named = purpose.furniture, name_length = std::max<std::size_t>(name_length, 1);
-      const bool own = named != nullptr && handbook_.IsOwn(*named);
+      const bool own = named != nullptr && handbook.IsOwn(*named);
       if (const std::size_t other = TakeOtherThing(i, name_length + (own ? 1 : 0)); other > 0) {
         i += other - 1;
         continue;
       }
-      if (named != nullptr && !own && MakesACompound(text_, i, i + name_length)) continue;
+      if (named != nullptr && !own && MakesACompound(text, i, i + name_length)) continue;
       if (named != nullptr && named->named_as_said() && !own &&
-          (IsOfAPurpose(text_, i) || AnyAt(i + name_length) != nullptr)) {
+          (IsOfAPurpose(text, i) || AnyAt(i + name_length) != nullptr)) {
         i += name_length - 1;
         continue;
       }
-      const bool refused = IsRefused(text_, i) && !TakesTurns(i);
+      const bool refused = IsRefused(text, i) && !TakesTurns(i);
       for (std::size_t k = i - std::min<std::size_t>(i, 4); k < i && refused; ++k) {
-        if (text_.Is(k, "refusing")) counts_.push_back(k);
+        if (text.Is(k, "refusing")) counts_.push_back(k);
       }
       const hb::Furniture* furniture =
-          own || purpose.furniture != nullptr ? named : nouns_.Modified(tokens_, i, name_length, named);
-      if (furniture != nullptr) furniture = handbook_.FindFurniture(furniture->name());
-      const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens_, i, name_length, *furniture);
+          own || purpose.furniture != nullptr ? named : nouns_.Modified(tokens(), i, name_length, named);
+      if (furniture != nullptr) furniture = handbook.FindFurniture(furniture->name());
+      const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens(), i, name_length, *furniture);
       if (length == 0) {
-        if (text_.IsWord(i) && refused) used_[i] = RefuseKind(handbook_, text_, i, facts_);
+        if (text.IsWord(i) && refused) used[i] = RefuseKind(handbook, text, i, facts);
         // The drawers of "parts cabinets with many small drawers", which nobody knows.
-        const std::size_t behind = i + name_length, parts = BehindParts(text_, behind);
+        const std::size_t behind = i + name_length, parts = BehindParts(text, behind);
         if (named != nullptr && parts > behind) i = parts - 1;
         continue;
       }
       if (refused) {
-        AddOnce(facts_.refusals, furniture);
-        if (length == 1) RefuseKind(handbook_, text_, i, facts_);
+        AddOnce(facts.refusals, furniture);
+        if (length == 1) RefuseKind(handbook, text, i, facts);
         last_.reset();
-      } else if (const std::optional<Mention> meant = MeantBefore(text_, i, length, nouns_, facts_, handbook_)) {
+      } else if (const std::optional<Mention> meant = MeantBefore(text, i, length, nouns_, facts, handbook)) {
         mentions_.push_back(*meant);
         TakeSeatsOfEach(*meant, i, length);
       } else if (!IsSaidTwice(*furniture, i, length)) {
         Wishing(*furniture, i, length);
       }
-      if (!text_.Is(i, "places_of_people")) Use(i, length);  // they count people, too
+      if (!text.Is(i, "places_of_people")) Use(i, i + length);  // they count people, too
       i += length - 1;
       if (mentions_.empty() || mentions_.back().end != i + 1) continue;
-      mentions_.back().end = BehindParts(text_, i + 1);
+      mentions_.back().end = BehindParts(text, i + 1);
       // The drawers of a desk are no chest; the cushions of a sofa lie on it.
       const std::size_t behind = mentions_.back().end, noun = i;
       const hb::Furniture* part = behind > i + 1 ? AnyAt(behind - 1) : nullptr;
       if (part != nullptr && IsFloorPiece(*part) && part->category() != "mat") {
-        Use(i + 1, behind - i - 1);
+        Use(i + 1, behind);
         i = behind - 1;
       }
       if (purpose.furniture == nullptr) continue;
-      Use(i + 1, purpose.end - i - 1);
+      Use(i + 1, purpose.end);
       mentions_.back().end = purpose.end;
       i = purpose.end - 1;
-      Wish& wish = *std::ranges::find(facts_.wishes, furniture, &Wish::furniture);
-      if (wish.count < 3 && text_.At(noun).ends_with('s'))
-        wish.count = std::max(wish.count, CountAlongWalls(text_, *furniture, purpose.end, facts_));
+      Wish& wish = *std::ranges::find(facts.wishes, furniture, &Wish::furniture);
+      if (wish.count < 3 && text.At(noun).ends_with('s'))
+        wish.count = std::max(wish.count, CountAlongWalls(text, *furniture, purpose.end, facts));
     }
-    MeetLater(text_, facts_, mentions_);
+    MeetLater(text, facts, mentions_);
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
-    std::erase_if(facts_.refusals, [this](const hb::Furniture* refusal) {
-      return std::ranges::any_of(facts_.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
+    std::erase_if(facts.refusals, [this](const hb::Furniture* refusal) {
+      return std::ranges::any_of(facts.wishes, [&](const Wish& wish) { return wish.furniture == refusal; });
     });
-    TakeLooksBehind(handbook_, text_, mentions_, used_, facts_);
-    facts_.nothing_else = !facts_.wishes.empty() && AsksForNothingElse(handbook_, text_);
+    TakeLooksBehind(*this, mentions_);
+    facts.nothing_else = !facts.wishes.empty() && AsksForNothingElse(handbook, text);
     return {std::move(mentions_), std::move(counts_)};
   }
 
  private:
   // "A table with six chairs, with a bench instead of chairs on the wall side" has chairs.
   bool TakesTurns(std::size_t i) const {
-    return i > 1 && text_.At(i - 2) == "instead" && text_.At(i - 1) == "of" && text_.Is(i + 1, "place_prepositions") &&
-           !facts_.wishes.empty();
+    return i > 1 && text.At(i - 2) == "instead" && text.At(i - 1) == "of" && text.Is(i + 1, "place_prepositions") &&
+           !facts.wishes.empty();
   }
 
   // A wish that what follows may belong to: its table, or the chairs that a table follows.
@@ -149,7 +138,7 @@ class FurnitureReader {
   // Of "futon sofa bed", a futon sofa and a sofa bed, the latter.
   void TakeOverlapping(std::size_t i, const hb::Furniture*& named, std::size_t& length) {
     for (std::size_t k = i + 1; k < i + length; ++k) {
-      const auto [later, later_length] = LongestAt(names_, tokens_, k, /*plural=*/true);
+      const auto [later, later_length] = LongestAt(names_, tokens(), k, /*plural=*/true);
       if (later == nullptr || k + later_length <= i + length) continue;
       named = later;
       length = k + later_length - i;
@@ -166,8 +155,8 @@ class FurnitureReader {
       before.end = i + length;
       return true;
     }
-    if (facts_.wishes.empty() || facts_.wishes.back().furniture != before.furniture) return false;
-    facts_.wishes.pop_back();
+    if (facts.wishes.empty() || facts.wishes.back().furniture != before.furniture) return false;
+    facts.wishes.pop_back();
     mentions_.pop_back();
     last_.reset();
     return false;
@@ -175,24 +164,24 @@ class FurnitureReader {
 
   // "Eighteen seats": what the room has for each; at a table that was spoken of its own. Null for other words.
   const hb::Furniture* SeatsAt(std::size_t i) const {
-    const std::size_t begin = text_.PhraseBegin(i);
+    const std::size_t begin = text.PhraseBegin(i);
     bool counted = false;
     for (std::size_t k = begin; k < i; ++k)
-      counted = counted || text_.IsNumber(k) || NumberWord(text_.At(k)).value_or(0) > 1;
-    if (!counted || !text_.Is(i, "places_of_people")) return nullptr;
+      counted = counted || text.IsNumber(k) || NumberWord(text.At(k)).value_or(0) > 1;
+    if (!counted || !text.Is(i, "places_of_people")) return nullptr;
     if (last_ && !last_->seat && OnlyWordsBetween(last_->end, i, /*around=*/false)) {
-      return SeatOf(*facts_.wishes[last_->wish].furniture, handbook_);
+      return SeatOf(*facts.wishes[last_->wish].furniture, handbook);
     }
-    return SeatOfTheRoom(*facts_.archetype, handbook_);
+    return SeatOfTheRoom(*facts.archetype, handbook);
   }
 
   // "a luggage rack": its last word is a class, but the thing is none.
   std::size_t TakeOtherThing(std::size_t i, std::size_t piece_length) {
-    const std::size_t length = nouns_.OtherThingAt(tokens_, i);
+    const std::size_t length = nouns_.OtherThingAt(tokens(), i);
     if (length == 0 || length < piece_length) return 0;
-    const std::string text = text_.Quote(i, i + length);
-    if (!IsRefused(text_, i) && !Includes(facts_.not_known, text)) facts_.not_known.push_back(text);
-    Use(i, length);
+    const std::string said = text.Quote(i, i + length);
+    if (!IsRefused(text, i) && !Includes(facts.not_known, said)) facts.not_known.push_back(said);
+    Use(i, i + length);
     return length;
   }
 
@@ -201,40 +190,40 @@ class FurnitureReader {
   const hb::Furniture* PartnerOf(std::size_t i) {
     constexpr std::size_t kMostWords = 8;
     bool together = false;
-    for (std::size_t k = i + 1; k < tokens_.size() && k < i + kMostWords; ++k) {
-      if (text_.IsSign(k) || text_.Says(k, {"with", "them"}) || (text_.At(k) == "and" && !together)) break;
-      together = together || text_.Is(k, "together");
+    for (std::size_t k = i + 1; k < tokens().size() && k < i + kMostWords; ++k) {
+      if (text.IsSign(k) || text.Says(k, {"with", "them"}) || (text.At(k) == "and" && !together)) break;
+      together = together || text.Is(k, "together");
       if (const hb::Furniture* piece = AnyAt(k); together && piece != nullptr) return piece;
     }
     if (mentions_.empty()) return nullptr;
     if (mentions_.back().end > i) return mentions_.back().furniture;  // a part of it: "a sofa with cushions"
     if (i - mentions_.back().end > kMostWords) return nullptr;
     for (std::size_t k = mentions_.back().end; k < i; ++k) {
-      if (text_.IsSign(k) && text_.At(k) != ",") return nullptr;
-      if (text_.Is(k, "joined") || text_.At(k) == "on") return mentions_.back().furniture;
+      if (text.IsSign(k) && text.At(k) != ",") return nullptr;
+      if (text.Is(k, "joined") || text.At(k) == "on") return mentions_.back().furniture;
     }
     return nullptr;
   }
 
   const hb::Furniture* AnyAt(std::size_t i) {
     const auto [found, fresh] = any_at_.try_emplace(i, nullptr);
-    if (fresh) found->second = LongestAt(names_, tokens_, i, /*plural=*/true).first;
+    if (fresh) found->second = LongestAt(names_, tokens(), i, /*plural=*/true).first;
     return found->second;
   }
 
   // "... six tables, four pupils at each table".
   void TakeSeatsOfEach(const Mention& mention, std::size_t i, std::size_t length) {
-    const SeatsSaid seats = SeatsAround(text_, i, length);
-    const auto wish = std::ranges::find(facts_.wishes, mention.furniture, &Wish::furniture);
-    if (!seats.of_each || wish == facts_.wishes.end() || mention.furniture->companions().empty()) return;
+    const SeatsSaid seats = SeatsAround(text, i, length);
+    const auto wish = std::ranges::find(facts.wishes, mention.furniture, &Wish::furniture);
+    if (!seats.of_each || wish == facts.wishes.end() || mention.furniture->companions().empty()) return;
     wish->seats = std::min(seats.number, kMostSeats);
-    Use(seats.begin, seats.end - seats.begin);
+    Use(seats.begin, seats.end);
   }
 
   void Mentioned(const hb::Furniture& furniture, std::size_t i, std::size_t length, const PieceCount& count) {
     Mention mention{&furniture, i, i + length, count.number};
-    for (const Wish& there : facts_.wishes) {
-      if (there.furniture != &furniture || !IsFurther(text_, i) || count.number != 1) continue;
+    for (const Wish& there : facts.wishes) {
+      if (there.furniture != &furniture || !IsFurther(text, i) || count.number != 1) continue;
       // "One desk by the door and another one ...": each has its own place from now on.
       mention.which = there.count;
       for (Mention& earlier : mentions_) {
@@ -245,81 +234,80 @@ class FurnitureReader {
   }
 
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-    PieceCount count = CountOf(handbook_, text_, furniture, i, length);
-    for (std::size_t k = text_.PhraseBegin(i); k < i; ++k) {
-      const std::optional<english::Measure> measure = english::MeasureAt(tokens_, k);
-      if ((text_.IsNumber(k) || NumberWord(text_.At(k))) && measure && measure->unit == 0) counts_.push_back(k);
+    PieceCount count = CountOf(handbook, text, furniture, i, length);
+    for (std::size_t k = text.PhraseBegin(i); k < i; ++k) {
+      const std::optional<english::Measure> measure = english::MeasureAt(tokens(), k);
+      if ((text.IsNumber(k) || NumberWord(text.At(k))) && measure && measure->unit == 0) counts_.push_back(k);
     }
     // "Six pews on each side"; two beds on either side are two.
-    if (count.said && count.number > 2 && text_.BehindPhrase(i + length, "on_each_side")) count.number *= 2;
-    const Groups groups = GroupsAround(text_, i, length);
+    if (count.said && count.number > 2 && text.BehindPhrase(i + length, "on_each_side")) count.number *= 2;
+    const Groups groups = GroupsAround(text, i, length);
     if (groups.count > 0 && groups.in_each > 0 && !(count.said && groups.begin > i))
       count = {groups.count * groups.in_each};
     if (groups.count == 0 && groups.in_each > 0 && groups.begin < i) count.said = false;
-    Use(groups.begin, groups.end - groups.begin);
+    Use(groups.begin, groups.end);
     if (SeatsTheLast(furniture, count, i, length)) return;
     // "Mismatched wooden chairs": those of the tables, which are counted already.
-    for (const Wish& wish : facts_.wishes) {
-      if (count.said || wish.seats == 0 || SeatOf(*wish.furniture, handbook_) != &furniture) continue;
+    for (const Wish& wish : facts.wishes) {
+      if (count.said || wish.seats == 0 || SeatOf(*wish.furniture, handbook) != &furniture) continue;
       mentions_.push_back({&furniture, i, i + length, wish.count * wish.seats});
-      return TakeLooksBefore(handbook_, text_, furniture, i, used_, facts_);
+      return TakeLooksBefore(*this, furniture, i);
     }
     // "Our three boys want their own desks."
-    if (!count.said && count.number > 1 && people_ > 1 && PhraseBefore("of_ones_own", text_, i)) count.number = people_;
+    if (!count.said && count.number > 1 && people_ > 1 && PhraseBefore("of_ones_own", text, i)) count.number = people_;
     constexpr int kMostForEach = 8;
     if (count.number <= kMostForEach) {
-      const int times = TimesForEach(text_, used_, i, i + length, mentions_, facts_.wishes, people_);
+      const int times = TimesForEach(*this, i, i + length, mentions_, people_);
       count.number = std::clamp(count.number * times, 1, kMostOfAKind);
     }
-    if (!count.said) count.number = std::max(count.number, CountAlongWalls(text_, furniture, i + length, facts_));
+    if (!count.said) count.number = std::max(count.number, CountAlongWalls(text, furniture, i + length, facts));
     // "Four chairs facing mirrors", "four chairs with mirrors".
     if (const std::size_t end = mentions_.empty() ? 0 : mentions_.back().end; !count.said && end > 0) {
-      const bool each =
-          text_.BehindPhrase(end, text_.At(end) == "with" ? "having" : "facing_it") == text_.PhraseBegin(i);
+      const bool each = text.BehindPhrase(end, text.At(end) == "with" ? "having" : "facing_it") == text.PhraseBegin(i);
       if (each) count.number = std::max(count.number, mentions_.back().count);
     }
-    Wish wish{&furniture, count.number, 0, count.said, IsOptional(text_, used_, i, i + length)};
+    Wish wish{&furniture, count.number, 0, count.said, IsOptional(text, used, i, i + length)};
     if (groups.end > 0) wish.in_each = groups.InEach(count.number);
     wish.in_rows = groups.rows;
-    wish.noun = nouns_.NounAt(tokens_, i, length);
-    if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens_, i + length - 1, 1);
-    SeatsSaid seats = SeatsAround(text_, i, length);
+    wish.noun = nouns_.NounAt(tokens(), i, length);
+    if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens(), i + length - 1, 1);
+    SeatsSaid seats = SeatsAround(text, i, length);
     const bool desk = furniture.category() == "desk";
-    if (const auto at = PhraseBefore("desks_for_two", text_, i); desk && at) seats = {2, *at, *at + 1};
+    if (const auto at = PhraseBefore("desks_for_two", text, i); desk && at) seats = {2, *at, *at + 1};
     if ((!furniture.companions().empty() || furniture.category().ends_with("table")) && seats.number > 0) {
       wish.seats = std::min(seats.number, kMostSeats);
       wish.counted = wish.counted && !seats.of_each;
       if (desk && (seats.of_each || seats.number > 1)) wish.size.width_m = kAtADeskM * seats.number;
-      Use(seats.begin, seats.end - seats.begin);  // not the room's
+      Use(seats.begin, seats.end);  // not the room's
     } else if (PlacesOn(furniture) > 0 && !IsSeat(furniture) && furniture.category() != "bed" && seats.number > 0) {
       const double width_m = furniture.width_m().typical();
       wish.size.width_m = std::max(width_m, seats.number * width_m / PlacesOn(furniture));
-      Use(seats.begin, seats.end - seats.begin);
+      Use(seats.begin, seats.end);
     }
     if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
-    const bool further = IsFurther(text_, i);
+    const bool further = IsFurther(text, i);
     Mentioned(furniture, i, length, count);
     const std::size_t end =
         std::max(i + length, groups.begin < i ? 0 : groups.end);  // "desks in two rows, each with ..."
     last_ = Last{AddWish(wish, further), end, IsSeat(furniture) && length == 1};
-    TakeLooksBefore(handbook_, text_, furniture, i, used_, facts_);
-    if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text_, i)) {
-      if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text_.BehindPhrase(*at, "wall_mounted") - *at);
+    TakeLooksBefore(*this, furniture, i);
+    if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text, i)) {
+      if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text.BehindPhrase(*at, "wall_mounted"));
     }
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".
   bool SeatsTheLast(const hb::Furniture& seat, const PieceCount& count, std::size_t i, std::size_t length) {
     if (!last_ || last_->seat || !OnlyWordsBetween(last_->end, i, /*around=*/false)) return false;
-    Wish& host = facts_.wishes[last_->wish];
-    const hb::Furniture* usual = SeatOf(*host.furniture, handbook_);
+    Wish& host = facts.wishes[last_->wish];
+    const hb::Furniture* usual = SeatOf(*host.furniture, handbook);
     if (usual == nullptr || host.seats > 0) return false;
-    const hb::Noun* noun = nouns_.NounAt(tokens_, i, length);
+    const hb::Noun* noun = nouns_.NounAt(tokens(), i, length);
     const auto is_usual = [&](const hb::NounOption& option) { return option.furniture() == usual->name(); };
     const bool any = length == 1 && (seat.category() == usual->category() ||
                                      (noun != nullptr && std::ranges::any_of(noun->options(), is_usual)));
     if (usual != &seat && !any) return false;
-    const bool each = text_.At(i + length) == "each";
+    const bool each = text.At(i + length) == "each";
     Mentioned(*host.furniture, i, length, {host.count});
     mentions_.back().seats = true;
     if (count.said) {
@@ -332,21 +320,21 @@ class FurnitureReader {
 
   // "six chairs round a table".
   bool TakesTheLastAsSeats(std::size_t i, Wish& host) {
-    if (!last_ || !last_->seat || SeatOf(*host.furniture, handbook_) == nullptr) return false;
+    if (!last_ || !last_->seat || SeatOf(*host.furniture, handbook) == nullptr) return false;
     if (!OnlyWordsBetween(last_->end, i, /*around=*/true)) return false;
-    const Wish seats = facts_.wishes[last_->wish];
+    const Wish seats = facts.wishes[last_->wish];
     // Stools at a table for chairs stay stools.
-    if (seats.furniture->category() != SeatOf(*host.furniture, handbook_)->category()) return false;
-    facts_.wishes.erase(facts_.wishes.begin() + static_cast<std::ptrdiff_t>(last_->wish));
+    if (seats.furniture->category() != SeatOf(*host.furniture, handbook)->category()) return false;
+    facts.wishes.erase(facts.wishes.begin() + static_cast<std::ptrdiff_t>(last_->wish));
     if (seats.counted) host.seats = std::min(std::max(1, seats.count / std::max(1, host.count)), kMostSeats);
     return true;
   }
 
   std::size_t AddWish(const Wish& wish, bool further) {
     const int most = MostOf(*wish.furniture), count = std::min(wish.count, most);
-    if (wish.count > most) AddOnce(facts_.too_many, wish.furniture);
-    for (std::size_t i = 0; i < facts_.wishes.size(); ++i) {
-      Wish& there = facts_.wishes[i];
+    if (wish.count > most) AddOnce(facts.too_many, wish.furniture);
+    for (std::size_t i = 0; i < facts.wishes.size(); ++i) {
+      Wish& there = facts.wishes[i];
       const bool other_size = there.seats > 0 && wish.seats > 0 && there.seats != wish.seats;
       if (there.furniture != wish.furniture || other_size) continue;  // "four tables for four, three for two"
       there.count = further ? std::min(there.count + count, most) : std::max(there.count, count);
@@ -356,9 +344,9 @@ class FurnitureReader {
       there.seats = std::max(there.seats, wish.seats);
       return i;
     }
-    facts_.wishes.push_back(wish);
-    facts_.wishes.back().count = count;
-    return facts_.wishes.size() - 1;
+    facts.wishes.push_back(wish);
+    facts.wishes.back().count = count;
+    return facts.wishes.size() - 1;
   }
 
   // Whether tokens [from, to) only say that what follows belongs to what came before.
@@ -367,21 +355,12 @@ class FurnitureReader {
     bool joined = false;
     if (to < from || to - from > kMostWords) return false;
     for (std::size_t i = from; i < to; ++i) {
-      if (used_[i] || (text_.IsSign(i) && !text_.Says(i + 1, {"each", "every"}))) return false;
-      joined = joined || text_.Is(i, around ? "around_a_table" : "with_seats");
+      if (used[i] || (text.IsSign(i) && !text.Says(i + 1, {"each", "every"}))) return false;
+      joined = joined || text.Is(i, around ? "around_a_table" : "with_seats");
     }
     return joined;
   }
 
-  void Use(std::size_t start, std::size_t length) {
-    std::fill_n(used_.begin() + static_cast<std::ptrdiff_t>(start), length, true);
-  }
-
-  const Handbook& handbook_;
-  const std::vector<Token>& tokens_;
-  const BriefText text_;
-  std::vector<bool>& used_;
-  BriefFacts& facts_;
   const NounBook nouns_;
   const PieceNames& names_;
   std::optional<Last> last_;
@@ -393,9 +372,6 @@ class FurnitureReader {
 
 }  // namespace
 
-NamedPieces ReadFurniture(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
-                          BriefFacts& facts) {
-  return FurnitureReader(handbook, tokens, used, facts).Read();
-}
+NamedPieces ReadFurniture(const Reading& reading) { return FurnitureReader(reading).Read(); }
 
 }  // namespace flair::language

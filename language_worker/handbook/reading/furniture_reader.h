@@ -18,7 +18,6 @@ struct NamedPieces {
 // Reads the pieces that a brief asks for and refuses, how many of them, who sits at them and in what colour. Marks the
 // tokens that it has used, but for the counts. `facts` must know the kind of room, and its size if the brief says it: a
 // word for several classes ("chair", "bench") means the one that belongs there.
-NamedPieces ReadFurniture(const Handbook& handbook, const std::vector<Token>& tokens, std::vector<bool>& used,
-                          BriefFacts& facts);
+NamedPieces ReadFurniture(const Reading& reading);
 
 }  // namespace flair::language

@@ -2,9 +2,8 @@
 #include "language_worker/handbook/reading/landmark.h"
 
 #include <algorithm>
-#include <utility>
 
-#include "language_worker/handbook/reading/no_piece.h"
+#include "language_worker/handbook/reading/piece_mentions.h"
 
 namespace flair::language {
 namespace {

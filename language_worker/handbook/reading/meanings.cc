@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "english/wordnet.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {

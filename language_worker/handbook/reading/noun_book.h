@@ -37,8 +37,8 @@ class NounBook {
   const hb::Furniture* Modified(const std::vector<Token>& tokens, std::size_t noun, std::size_t length,
                                 const hb::Furniture* named) const;
 
-  // A "rack for eight bikes" is a bike rack, a "cupboard for linen" a linen cupboard: the class that what the words for a
-  // piece in [begin, end) are for makes of it, and where those words end; null where they make no name.
+  // A "rack for eight bikes" is a bike rack, a "cupboard for linen" a linen cupboard: the class that what the words for
+  // a piece in [begin, end) are for makes of it, and where those words end; null where they make no name.
   struct Purpose {
     const hb::Furniture* furniture = nullptr;
     std::size_t end = 0;

@@ -2,8 +2,6 @@
 #include "language_worker/handbook/reading/opening_reader.h"
 
 #include <algorithm>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "fmt/format.h"
@@ -375,7 +373,7 @@ class OpeningReader {
   }
 
   void Use(std::size_t begin, std::size_t end) {
-    for (std::size_t i = places_[begin]; i <= places_[end - 1]; ++i) used_[i] = true;
+    Mark(places_[begin], places_[end - 1] + 1, used_);
     read_to_ = std::max(read_to_, end);
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walls, their ends and corners as briefs name them: "the long glass side", "both short walls", "the north-east
 // corner".
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>

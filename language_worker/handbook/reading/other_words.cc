@@ -7,7 +7,6 @@
 #include "absl/strings/numbers.h"
 #include "english/wordnet.h"
 #include "language_worker/handbook/reading/meanings.h"
-#include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 namespace {
@@ -102,8 +101,7 @@ class PeopleReader {
   }
 
   int Take(std::size_t begin, std::size_t end, int number) {
-    std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
-              true);
+    Mark(begin, end, used_);
     return number;
   }
 
@@ -147,7 +145,7 @@ std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>&
   constexpr double kLeast = 1000, kToday = 1990, kMostCentury = 19;
   const BriefText text(tokens);
   const auto take = [&](std::size_t begin, std::size_t end, double year) {
-    std::fill(used.begin() + static_cast<std::ptrdiff_t>(begin), used.begin() + static_cast<std::ptrdiff_t>(end), true);
+    Mark(begin, end, used);
     return static_cast<int>(year);
   };
   for (std::size_t i = 0; i < tokens.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Things that a brief names and the handbook has no class for: each gets a class that only this brief has, after the
-// class that its last word names ("reagent cabinet"), else after what WordNet knows of it ("honey extractor"), else after
-// the handbook's plain thing of its kind.
+// class that its last word names ("reagent cabinet"), else after what WordNet knows of it ("honey extractor"), else
+// after the handbook's plain thing of its kind.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace flair::language {
 
 struct OwnClass {
   hb::Furniture furniture;
-  std::string base = {};       // name of the handbook's class that it is a kind of; empty for none
+  std::string base = {};  // name of the handbook's class that it is a kind of; empty for none
   bool unplaced = false;  // is a piece only if the brief lists it or says where it goes
   bool listed = false;    // among what the room is to have: "with a honey extractor, two kick wheels and ..."
   bool plain = false;     // nobody knows what it looks like or where it stands

@@ -22,19 +22,18 @@ struct Looks {
   std::size_t begin = 0, end = 0;
 };
 
-class LooksReader {
+class LooksReader : Reading {
  public:
-  LooksReader(const Handbook& handbook, const BriefText& text, std::vector<bool>& used, BriefFacts& facts)
-      : handbook_(handbook), text_(text), used_(used), facts_(facts) {}
+  explicit LooksReader(const Reading& reading) : Reading(reading) {}
 
   void Before(const hb::Furniture& furniture, std::size_t noun) {
-    std::size_t begin = text_.PhraseBegin(noun);
+    std::size_t begin = text.PhraseBegin(noun);
     // "An oak and steel desk".
-    while (begin > 2 && text_.At(begin - 1) == "and" && begin < noun && text_.Is(begin - 2, "materials"))
-      begin = text_.PhraseBegin(begin - 2);
+    while (begin > 2 && text.At(begin - 1) == "and" && begin < noun && text.Is(begin - 2, "materials"))
+      begin = text.PhraseBegin(begin - 2);
     Looks looks;
     for (std::size_t k = begin; k < noun; ++k) {
-      const std::size_t length = used_[k] ? 0 : TakeAt(k, looks);
+      const std::size_t length = used[k] ? 0 : TakeAt(k, looks);
       if (length == 0 || k + length > noun) continue;
       Use(k, k + length);
       k += length - 1;
@@ -43,7 +42,7 @@ class LooksReader {
   }
 
   void Behind(const Mention& mention) {
-    const hb::Furniture* seat = mention.seats ? SeatOf(*mention.furniture, handbook_) : nullptr;
+    const hb::Furniture* seat = mention.seats ? SeatOf(*mention.furniture, handbook) : nullptr;
     const hb::Furniture& furniture = seat != nullptr ? *seat : *mention.furniture;
     const Looks looks = BehindAt(mention.end);
     if (looks.end == 0) return;
@@ -53,16 +52,16 @@ class LooksReader {
 
   bool AreFronts(std::size_t i) const {
     const auto is_fitted = [&](const hb::ObjectEntry& entry) {
-      const hb::Furniture* furniture = handbook_.FindFurniture(entry.furniture());
+      const hb::Furniture* furniture = handbook.FindFurniture(entry.furniture());
       return furniture != nullptr && furniture->run() == hb::RUN_PART_WORKTOP;
     };
-    if (!text_.Is(i, "fronts_of_pieces") || std::ranges::none_of(facts_.archetype->bands(), [&](const hb::Band& band) {
+    if (!text.Is(i, "fronts_of_pieces") || std::ranges::none_of(facts.archetype->bands(), [&](const hb::Band& band) {
           return std::ranges::any_of(band.objects(), is_fitted);
         }))
       return false;
     bool coloured = BehindAt(i + 1).colour != nullptr;
-    for (std::size_t k = text_.PhraseBegin(i); k < i; ++k) {
-      if (text_.IsNumber(k) || NumberWord(text_.At(k)) || text_.Is(k, "vague_numbers")) return false;
+    for (std::size_t k = text.PhraseBegin(i); k < i; ++k) {
+      if (text.IsNumber(k) || NumberWord(text.At(k)) || text.Is(k, "vague_numbers")) return false;
       const Looks looks = RunAt(k);
       coloured = coloured || (looks.colour != nullptr && looks.end == i);
     }
@@ -71,16 +70,16 @@ class LooksReader {
 
   // "Matt sage fronts", "fronts in matt sage", "bottle green leather", "dark wood".
   void OfAll() {
-    for (std::size_t i = 0; i < text_.size(); ++i) {
-      if (used_[i]) continue;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (used[i]) continue;
       Looks looks = RunAt(i);
-      const bool fronts = text_.Is(looks.end, "fronts_of_pieces");
+      const bool fronts = text.Is(looks.end, "fronts_of_pieces");
       if (looks.colour != nullptr && fronts) {
         ++looks.end;
         GiveAll(looks, [](const hb::Furniture& one) { return HasFronts(one); });
-      } else if (looks.colour != nullptr && text_.Is(looks.end - 1, "upholstery") && EndsPhrase(looks.end)) {
+      } else if (looks.colour != nullptr && text.Is(looks.end - 1, "upholstery") && EndsPhrase(looks.end)) {
         GiveAll(looks, [](const hb::Furniture& one) { return IsUpholstered(one); });
-      } else if (text_.Is(i, "fronts_of_pieces") && (looks = BehindAt(i + 1)).end > 0) {
+      } else if (text.Is(i, "fronts_of_pieces") && (looks = BehindAt(i + 1)).end > 0) {
         GiveAll(looks, [](const hb::Furniture& one) { return HasFronts(one); });
       } else if (looks = RunAt(i); IsAllOfAWood(looks)) {
         GiveAll(looks, [](const hb::Furniture& one) { return one.material_group() == "wood"; });
@@ -101,37 +100,37 @@ class LooksReader {
   // "Dark wood, nothing modern": of no piece, and so of all.
   bool IsAllOfAWood(const Looks& looks) const {
     const std::size_t before = looks.begin - std::min<std::size_t>(looks.begin, 1);
-    const bool opens = looks.begin == 0 || text_.IsSign(before) || text_.Is(before, "before_all_of_a_wood");
+    const bool opens = looks.begin == 0 || text.IsSign(before) || text.Is(before, "before_all_of_a_wood");
     return opens && looks.colour == nullptr && IsIn("woods", looks.material) && EndsPhrase(looks.end) &&
-           !text_.Says(looks.end, {"of", "for"});
+           !text.Says(looks.end, {"of", "for"});
   }
 
   static bool IsUpholstered(const hb::Furniture& one) {
     return PlacesOn(one) > 0 && (one.material_group() == "upholstery" || one.material_group() == "textile");
   }
 
-  bool EndsPhrase(std::size_t i) const { return i >= text_.size() || text_.IsSign(i) || text_.Is(i, "thing_ends"); }
+  bool EndsPhrase(std::size_t i) const { return i >= text.size() || text.IsSign(i) || text.Is(i, "thing_ends"); }
 
   // How many tokens the colour or material there has; 0 when there is neither.
   std::size_t TakeAt(std::size_t i, Looks& looks) const {
-    const auto [colour, length] = LongestAt(handbook_.vocabulary().colours, text_.tokens(), i, /*plural=*/false);
-    if (length > 0 && !text_.Is(i, "materials")) {
+    const auto [colour, length] = LongestAt(handbook.vocabulary().colours, text.tokens(), i, /*plural=*/false);
+    if (length > 0 && !text.Is(i, "materials")) {
       if (looks.colour == nullptr) looks.colour = colour;
       return length;
     }
-    if (text_.Is(i, "shades") && looks.shade.empty()) looks.shade = text_.At(i);
-    if (!text_.Is(i, "materials")) return looks.shade == text_.At(i) ? 1 : 0;
-    if (looks.material.empty()) looks.material = text_.At(i) == "wooden" ? "wood" : text_.At(i);
+    if (text.Is(i, "shades") && looks.shade.empty()) looks.shade = text.At(i);
+    if (!text.Is(i, "materials")) return looks.shade == text.At(i) ? 1 : 0;
+    if (looks.material.empty()) looks.material = text.At(i) == "wooden" ? "wood" : text.At(i);
     return 1;
   }
 
   // A run of colours and materials.
   Looks RunAt(std::size_t i) const {
     Looks looks{.begin = i, .end = i};
-    while (looks.end < text_.size() && !used_[looks.end]) {
+    while (looks.end < text.size() && !used[looks.end]) {
       const std::size_t length = TakeAt(looks.end, looks);
       Looks next;
-      if (length == 0 && !(text_.At(looks.end) == "and" && looks.end > i && TakeAt(looks.end + 1, next) > 0)) break;
+      if (length == 0 && !(text.At(looks.end) == "and" && looks.end > i && TakeAt(looks.end + 1, next) > 0)) break;
       looks.end += std::max<std::size_t>(1, length);
     }
     return looks;
@@ -141,11 +140,11 @@ class LooksReader {
   Looks BehindAt(std::size_t i) const {
     constexpr std::size_t kMostBetween = 5;
     std::size_t k = i;
-    while (k < i + kMostBetween && !used_[std::min(k, text_.size() - 1)] && text_.Is(k, "look_links")) ++k;
+    while (k < i + kMostBetween && !used[std::min(k, text.size() - 1)] && text.Is(k, "look_links")) ++k;
     Looks looks = RunAt(k);
     const bool said = looks.end > k && EndsPhrase(looks.end);
     // "A sofa, green walls", "a shelf in oak cabinets".
-    if (!said || (k == i && looks.end < text_.size() && !text_.IsSign(looks.end))) return {};
+    if (!said || (k == i && looks.end < text.size() && !text.IsSign(looks.end))) return {};
     looks.begin = i;
     return looks;
   }
@@ -154,35 +153,25 @@ class LooksReader {
     const auto has = [&](const auto& list) {
       return std::ranges::any_of(list, [&](const auto& one) { return one.first == &furniture; });
     };
-    if (looks.colour != nullptr && !has(facts_.object_colours))
-      facts_.object_colours.emplace_back(&furniture, looks.colour);
+    if (looks.colour != nullptr && !has(facts.object_colours))
+      facts.object_colours.emplace_back(&furniture, looks.colour);
     const bool both = !looks.shade.empty() && !looks.material.empty();
     const std::string material = looks.shade + (both ? " " : "") + looks.material;
-    if (!material.empty() && !has(facts_.object_materials)) facts_.object_materials.emplace_back(&furniture, material);
+    if (!material.empty() && !has(facts.object_materials)) facts.object_materials.emplace_back(&furniture, material);
   }
 
   // To what the brief asks for and what its kind of room has.
   void GiveAll(const Looks& looks, const std::function<bool(const hb::Furniture&)>& counts) {
-    for (const Wish& wish : facts_.wishes) {
+    for (const Wish& wish : facts.wishes) {
       if (counts(*wish.furniture)) Give(*wish.furniture, looks);
     }
-    for (const hb::Band& band : facts_.archetype->bands()) {
+    for (const hb::Band& band : facts.archetype->bands()) {
       for (const hb::ObjectEntry& entry : band.objects()) {
-        const hb::Furniture* furniture = handbook_.FindFurniture(entry.furniture());
+        const hb::Furniture* furniture = handbook.FindFurniture(entry.furniture());
         if (furniture != nullptr && counts(*furniture)) Give(*furniture, looks);
       }
     }
   }
-
-  void Use(std::size_t begin, std::size_t end) {
-    std::fill(used_.begin() + static_cast<std::ptrdiff_t>(begin), used_.begin() + static_cast<std::ptrdiff_t>(end),
-              true);
-  }
-
-  const Handbook& handbook_;
-  const BriefText& text_;
-  std::vector<bool>& used_;
-  BriefFacts& facts_;
 };
 
 // "A big table", "a long narrow desk": half the way from what is usual to the largest or least.
@@ -202,34 +191,30 @@ PieceSize SizeInWords(const BriefText& text, const Mention& mention, const std::
 
 }  // namespace
 
-void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
-                     std::vector<bool>& used, BriefFacts& facts) {
-  LooksReader(handbook, text, used, facts).Before(furniture, noun);
+void TakeLooksBefore(const Reading& reading, const hb::Furniture& furniture, std::size_t noun) {
+  LooksReader(reading).Before(furniture, noun);
 }
 
-bool AreFronts(const Handbook& handbook, const BriefText& text, std::size_t i, std::vector<bool>& used,
-               BriefFacts& facts) {
-  return LooksReader(handbook, text, used, facts).AreFronts(i);
-}
+bool AreFronts(const Reading& reading, std::size_t i) { return LooksReader(reading).AreFronts(i); }
 
-void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std::vector<Mention>& mentions,
-                     std::vector<bool>& used, BriefFacts& facts) {
-  LooksReader reader(handbook, text, used, facts);
+void TakeLooksBehind(const Reading& reading, const std::vector<Mention>& mentions) {
+  LooksReader reader(reading);
   for (const Mention& mention : mentions) reader.Behind(mention);
   reader.OfAll();
 }
 
-void TakeSizes(const std::vector<Token>& tokens, const std::vector<Mention>& mentions, std::vector<bool> taken,
-               std::vector<bool>& used, BriefFacts& facts) {
+void TakeSizes(const Reading& reading, const std::vector<Mention>& mentions, std::vector<bool> taken) {
+  const auto& [handbook, text, used, facts] = reading;
+  const std::vector<Token>& tokens = text.tokens();
   const auto fits = [](const std::optional<double>& side, const hb::Extent& extent) {
     return !side || (*side >= 0.5 * LeastOf(extent) && *side <= 1.7 * MostOf(extent));
   };
   const auto take = [&](const Mention& mention, const PieceSize& size) {
-    for (std::size_t i = size.begin; i < size.end; ++i) used[i] = true;
+    reading.Use(size.begin, size.end);
     const hb::Furniture& furniture = *mention.furniture;
     if (!fits(size.width_m, furniture.width_m()) || !fits(size.depth_m, furniture.depth_m()) ||
         !fits(size.height_m, furniture.height_m())) {
-      facts.sizes_not_had.push_back(furniture.name() + ": " + BriefText(tokens).Quote(size.begin, size.end));
+      facts.sizes_not_had.push_back(furniture.name() + ": " + text.Quote(size.begin, size.end));
       return;
     }
     for (Wish& wish : facts.wishes) {
@@ -244,7 +229,7 @@ void TakeSizes(const std::vector<Token>& tokens, const std::vector<Mention>& men
   for (Wish& wish : facts.wishes) {
     const auto mention = std::ranges::find(mentions, wish.furniture, &Mention::furniture);
     const bool free = !wish.size.any() && wish.seats < 2 && IsFloorPiece(*wish.furniture);
-    if (free && mention != mentions.end()) wish.size = SizeInWords(BriefText(tokens), *mention, taken);
+    if (free && mention != mentions.end()) wish.size = SizeInWords(text, *mention, taken);
   }
   // "Two desks at the window, 140 x 70 cm each".
   constexpr std::size_t kMostOfASize = 6;

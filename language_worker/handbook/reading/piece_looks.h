@@ -13,23 +13,19 @@ namespace flair::language {
 
 // Reads what is said before the name of a piece at token `noun`: it is the piece's, not the room's; of several
 // colours and materials the first. Marks what it has used.
-void TakeLooksBefore(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t noun,
-                     std::vector<bool>& used, BriefFacts& facts);
+void TakeLooksBefore(const Reading& reading, const hb::Furniture& furniture, std::size_t noun);
 
 // Whether "cabinets" in "cabinets in navy blue" only tells the colour of fitted furniture, as a kitchen has it, and
 // asks for none.
-bool AreFronts(const Handbook& handbook, const BriefText& text, std::size_t i, std::vector<bool>& used,
-               BriefFacts& facts);
+bool AreFronts(const Reading& reading, std::size_t i);
 
 // The same for what is said behind them, and for what is said of all fronts or all that one sits on. To be called when
 // all pieces are known.
-void TakeLooksBehind(const Handbook& handbook, const BriefText& text, const std::vector<Mention>& mentions,
-                     std::vector<bool>& used, BriefFacts& facts);
+void TakeLooksBehind(const Reading& reading, const std::vector<Mention>& mentions);
 
 // Reads the sizes of pieces; those far from what the class can be are of something else, or a slip. `taken`: tokens of
 // other sizes.
-void TakeSizes(const std::vector<Token>& tokens, const std::vector<Mention>& mentions, std::vector<bool> taken,
-               std::vector<bool>& used, BriefFacts& facts);
+void TakeSizes(const Reading& reading, const std::vector<Mention>& mentions, std::vector<bool> taken);
 
 // What a piece is called by a word that means something else: a "flipchart" that is an easel here.
 void NoteOtherNames(const BriefText& text, const std::vector<Mention>& mentions, BriefFacts& facts);

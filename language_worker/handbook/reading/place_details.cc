@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -70,8 +69,9 @@ void TakeStand(const Handbook& handbook, const PlacePatterns::Match& match, cons
     piece = stand;
 }
 
-const hb::Furniture* StorageAlong(const Handbook& handbook, const BriefText& text, std::size_t i,
-                                  const hb::AskedPlace& asked, const hb::Furniture& piece, BriefFacts& facts) {
+const hb::Furniture* StorageAlong(const Reading& reading, std::size_t i, const hb::AskedPlace& asked,
+                                  const hb::Furniture& piece) {
+  const auto& [handbook, text, used, facts] = reading;
   constexpr double kTallM = 1.5;
   constexpr int kCases = 3;
   if (!text.Is(i, "along_a_wall") || !AskedNames(asked, "{wall}") || !IsOnATop(piece)) return &piece;
@@ -103,7 +103,8 @@ int WallsIn(const BriefText& text, std::size_t begin, std::size_t end) {
   return 1;
 }
 
-int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin, std::size_t end) {
+int OneForEach(const Reading& reading, const Place& place, std::size_t begin, std::size_t end) {
+  const auto& [handbook, text, used, facts] = reading;
   bool each = false, all = false, which = false;
   for (std::size_t i = begin; i < end; ++i) {
     which = which || text.Is(i, "which_corner");
@@ -130,13 +131,13 @@ const hb::Furniture* ComesWith(const BriefText& text, const std::vector<Mention>
   return nullptr;
 }
 
-std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std::size_t end, std::vector<bool>& used) {
+std::optional<double> LengthBeside(const Reading& reading, std::size_t begin, std::size_t end) {
   constexpr std::size_t kMostBefore = 5, kMostBehind = 4;
   for (std::size_t at = begin - std::min(begin, kMostBefore); at < end + kMostBehind; ++at) {
     std::size_t behind = at;
-    const std::optional<double> length_m = at >= begin && at < end ? std::nullopt : text.LengthAt(at, behind);
+    const std::optional<double> length_m = at >= begin && at < end ? std::nullopt : reading.text.LengthAt(at, behind);
     if (!length_m) continue;
-    for (std::size_t k = at; k < behind; ++k) used[k] = true;
+    reading.Use(at, behind);
     return length_m;
   }
   return std::nullopt;
@@ -221,7 +222,8 @@ void TakeCorner(Landmark::Kind kind, BriefFacts& facts, Place& place) {
   }
 }
 
-void NoteLoosely(const BriefText& text, const Place& place, std::size_t begin, std::size_t end, BriefFacts& facts) {
+void NoteLoosely(const Reading& reading, const Place& place, std::size_t begin, std::size_t end) {
+  const auto& [handbook, text, used, facts] = reading;
   const std::string& sentence = place.asked->relation().text();
   const auto note = [&](const std::string& kept) {
     facts.places_loosely_kept.push_back(fmt::format("Not just as asked: \"{}\": it {}", place.Words(), kept));
@@ -276,9 +278,9 @@ std::vector<NamedArea> AreasIn(const BriefText& text, const std::vector<Mention>
   return areas;
 }
 
-void StandTogether(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named,
-                   const std::vector<NamedArea>& areas, const PlacePatterns& patterns, const std::vector<bool>& used,
-                   BriefFacts& facts) {
+void StandTogether(const Reading& reading, const std::vector<Mention>& mentions, const MentionList& named,
+                   const std::vector<NamedArea>& areas, const PlacePatterns& patterns) {
+  const auto& [handbook, text, used, facts] = reading;
   constexpr double kSmallM2 = 1.5;
   const hb::AskedPlace* near = patterns.Find("near", "target", hb::FURNITURE_KIND_FLOOR);
   const hb::AskedPlace* in_corner = patterns.Find("in", "corner", hb::FURNITURE_KIND_FLOOR);

@@ -9,9 +9,9 @@
 
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/reading/landmark.h"
+#include "language_worker/handbook/reading/place_parties.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/place_reader.h"
-#include "language_worker/handbook/reading/target_finder.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -22,7 +22,7 @@ int WallsIn(const BriefText& text, std::size_t begin, std::size_t end);
 
 // "A chest at the foot of each bed": as many as there are beds; in each corner, as many as there are corners; 0 where
 // the words tell no number.
-int OneForEach(const BriefText& text, const BriefFacts& facts, const Place& place, std::size_t begin, std::size_t end);
+int OneForEach(const Reading& reading, const Place& place, std::size_t begin, std::size_t end);
 
 // "A nightstand with a lamp at each side": the piece that the one of mention `m` carries, or that carries it; null for
 // none.
@@ -40,8 +40,8 @@ bool IsOfTheHolder(const PlacePatterns::Match& match, const hb::Furniture& held,
 void TakeStand(const Handbook& handbook, const PlacePatterns::Match& match, const hb::Furniture*& piece);
 
 // "Our books along the wall": what holds such things stands there, and is wished for. The piece itself elsewhere.
-const hb::Furniture* StorageAlong(const Handbook& handbook, const BriefText& text, std::size_t i,
-                                  const hb::AskedPlace& asked, const hb::Furniture& piece, BriefFacts& facts);
+const hb::Furniture* StorageAlong(const Reading& reading, std::size_t i, const hb::AskedPlace& asked,
+                                  const hb::Furniture& piece);
 
 // The front is what they look at.
 std::string SeenByAnAudience(std::string side);
@@ -56,7 +56,7 @@ bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std
                        std::size_t end, Place& place, OpeningWishes& openings);
 
 // "At least 1.5 m apart", "space behind it of 90 cm": the length told right before or behind the words, then used.
-std::optional<double> LengthBeside(const BriefText& text, std::size_t begin, std::size_t end, std::vector<bool>& used);
+std::optional<double> LengthBeside(const Reading& reading, std::size_t begin, std::size_t end);
 
 // "A TV opposite the window": what belongs to a wall stands against that across from it. "Armchairs facing south" look
 // at the window there, else stand against the wall across. `looks`: it is told by where one looks.
@@ -67,26 +67,17 @@ void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, bool loo
 void TakeCorner(Landmark::Kind kind, BriefFacts& facts, Place& place);
 
 // Directions that the sentence does not have: of "to the left of the window" only "near the window" is left.
-void NoteLoosely(const BriefText& text, const Place& place, std::size_t begin, std::size_t end, BriefFacts& facts);
+void NoteLoosely(const Reading& reading, const Place& place, std::size_t begin, std::size_t end);
 
 // "Two beds side by side with a nightstand between" are not flush.
 void DropRowsAround(std::vector<Place>& places);
 
-// A part of the room that a brief names with what stands there.
-struct NamedArea {
-  std::size_t word = 0;             // the token of "corner" or "area"
-  std::size_t first = 0, last = 0;  // the mentions that it lists
-  std::size_t main = 0;             // that which the others stand by
-  bool corner = false;
-};
-
-// Linear in the number of tokens.
+// Parts of the room that the brief names with what stands there. Linear in the number of tokens.
 std::vector<NamedArea> AreasIn(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named);
 
 // Adds places for what has none of its own, once all others are read: by the main piece of its area, or by what it
-// comes with. `used` are the tokens that have been read.
-void StandTogether(const BriefText& text, const std::vector<Mention>& mentions, const MentionList& named,
-                   const std::vector<NamedArea>& areas, const PlacePatterns& patterns, const std::vector<bool>& used,
-                   BriefFacts& facts);
+// comes with.
+void StandTogether(const Reading& reading, const std::vector<Mention>& mentions, const MentionList& named,
+                   const std::vector<NamedArea>& areas, const PlacePatterns& patterns);
 
 }  // namespace flair::language

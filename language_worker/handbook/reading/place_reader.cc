@@ -14,9 +14,8 @@
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/place_details.h"
+#include "language_worker/handbook/reading/place_parties.h"
 #include "language_worker/handbook/reading/place_patterns.h"
-#include "language_worker/handbook/reading/subject_finder.h"
-#include "language_worker/handbook/reading/target_finder.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
@@ -25,35 +24,30 @@ namespace {
 constexpr std::size_t kMostPlacesNotKnown = 8;
 
 // Whose place it is and what it is told by depend on what was read last and on pieces that only tell where others go.
-class PlaceReader {
+class PlaceReader : Reading {
  public:
-  PlaceReader(const Handbook& handbook, const std::vector<Token>& tokens, const PieceNames& names,
-              const std::vector<Mention>& mentions, std::function<int(const hb::Furniture&)> rank,
-              std::vector<bool>& used, BriefFacts& facts)
-      : handbook_(handbook),
-        tokens_(tokens),
-        text_(tokens),
+  PlaceReader(const Reading& reading, const PieceNames& names, const std::vector<Mention>& mentions,
+              std::function<int(const hb::Furniture&)> rank)
+      : Reading(reading),
         mentions_(mentions),
-        used_(used),
-        facts_(facts),
-        landmarks_(tokens, names, std::move(rank)),
-        patterns_(handbook, tokens, landmarks_),
-        named_(tokens, mentions),
-        areas_(AreasIn(text_, mentions, named_)),
+        landmarks_(tokens(), names, std::move(rank)),
+        patterns_(handbook, tokens(), landmarks_),
+        named_(tokens(), mentions),
+        areas_(AreasIn(text, mentions, named_)),
         by_landmark_(mentions.size(), false),
-        subjects_(tokens, mentions, named_, by_landmark_, landmarks_, areas_),
+        subjects_(tokens(), mentions, named_, by_landmark_, landmarks_, areas_),
         targets_(mentions, named_, by_landmark_, facts.places) {}
 
   void Read() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = 0; i < tokens().size(); ++i) {
       // "A window over the sink" is the sink's place.
-      const bool used = used_[i] && text_.At(i) != "window";
-      if (i < read_to_ || used || named_.At(i) || tokens_[i].kind != Token::Kind::kWord) continue;
+      const bool taken = used[i] && text.At(i) != "window";
+      if (i < read_to_ || taken || named_.At(i) || tokens()[i].kind != Token::Kind::kWord) continue;
       if (!TakePlace(i)) NoteUnread(i);
     }
-    StandTogether(text_, mentions_, named_, areas_, patterns_, used_, facts_);
-    DropRowsAround(facts_.places);
-    HangWhatIsFaced(patterns_, facts_, LooksToTheFront());
+    StandTogether(*this, mentions_, named_, areas_, patterns_);
+    DropRowsAround(facts.places);
+    HangWhatIsFaced(patterns_, facts, LooksToTheFront());
   }
 
  private:
@@ -64,7 +58,7 @@ class PlaceReader {
     std::vector<Match> matches = patterns_.MatchesAt(i);
     const std::optional<Subject> before = subjects_.Before(i);
     const bool of_a_wall = OpensSentence(i) || (before && before->furniture->back() == hb::BACK_RULE_WALL);
-    if (const auto match = PlaceByItself(text_, i, patterns_, of_a_wall ? targets_.OppositeOfLast() : ""))
+    if (const auto match = PlaceByItself(text, i, patterns_, of_a_wall ? targets_.OppositeOfLast() : ""))
       matches.insert(matches.begin(), *match);
     for (auto begin = matches.begin(), end = begin; begin != matches.end(); begin = end) {
       end = std::find_if(begin, matches.end(), [&](const Match& one) { return one.length != begin->length; });
@@ -78,9 +72,9 @@ class PlaceReader {
   // "Accompanied by four chairs" is no place, "placed by the window" is; nor are "three round tables".
   bool IsNoPlace(std::size_t i) const {
     if (i == 0) return false;
-    const bool counted = text_.IsNumber(i - 1) || NumberWord(text_.At(i - 1)) || text_.Is(i - 1, "thing_articles");
-    if (text_.At(i) == "round" && (counted || text_.Is(i - 1, "looks"))) return true;
-    return text_.At(i) == "by" && text_.At(i - 1).ends_with("ed") && !text_.Is(i - 1, "place_fillers");
+    const bool counted = text.IsNumber(i - 1) || NumberWord(text.At(i - 1)) || text.Is(i - 1, "thing_articles");
+    if (text.At(i) == "round" && (counted || text.Is(i - 1, "looks"))) return true;
+    return text.At(i) == "by" && text.At(i - 1).ends_with("ed") && !text.Is(i - 1, "place_fillers");
   }
 
   bool Take(const Match& match, std::size_t i, bool otherwise) {
@@ -88,8 +82,7 @@ class PlaceReader {
     bool any = false;
     for (const Subject& subject : subjects) any = Put(subject, match, i, otherwise) || any;
     if (!any) return false;
-    std::fill(used_.begin() + static_cast<std::ptrdiff_t>(i), used_.begin() + static_cast<std::ptrdiff_t>(match.end),
-              true);
+    Use(i, match.end);
     for (std::size_t k = i; k < match.end; ++k) {
       if (const std::optional<std::size_t> m = named_.At(k)) by_landmark_[*m] = true;
     }
@@ -121,7 +114,7 @@ class PlaceReader {
     const bool after = subject.has_value();
     if (!after) subject = subjects_.Before(i, match.landmark.kind == Landmark::Kind::kPronoun);
     if (!subject) return {};
-    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(handbook_, match, subject->furniture);
+    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(handbook, match, subject->furniture);
     const std::optional<Subject> holder = after ? std::nullopt : subjects_.HolderOf(*subject);
     // "A basin with a mirror on the right wall": nobody tells the mirror's wall apart from the basin's.
     const bool of_both = holder && !match.landmark.side.empty() && AskedNames(asked, "{wall}") &&
@@ -153,7 +146,7 @@ class PlaceReader {
     return i;
   }
 
-  bool OpensSentence(std::size_t i) const { return i == 0 || text_.EndsSentence(i - 1); }
+  bool OpensSentence(std::size_t i) const { return i == 0 || text.EndsSentence(i - 1); }
 
   // "On the right wall a desk with a chair, a TV and a cabinet": all that stand on the floor and have no place of their
   // own behind them.
@@ -164,7 +157,7 @@ class PlaceReader {
       // "Wall bars, a mat in front of them and a rack": the mat's place is at that wall, too.
       if (const auto place = OwnPlace(m); place && place->landmark.kind != Landmark::Kind::kPronoun) break;
       if (OwnPlace(m)) continue;
-      TakeStand(handbook_, match, one.furniture);
+      TakeStand(handbook, match, one.furniture);
       if (!subjects_.HolderOf(one) && IsFor(*match.asked, *one.furniture, false)) all.push_back(one);
     }
     return all;
@@ -172,8 +165,8 @@ class PlaceReader {
 
   std::optional<Match> OwnPlace(std::size_t m) const {
     std::size_t end = mentions_[m].end;
-    while (end < tokens_.size() && text_.Is(end, "place_fillers")) ++end;
-    const std::vector<Match> matches = end < tokens_.size() ? patterns_.MatchesAt(end) : std::vector<Match>();
+    while (end < tokens().size() && text.Is(end, "place_fillers")) ++end;
+    const std::vector<Match> matches = end < tokens().size() ? patterns_.MatchesAt(end) : std::vector<Match>();
     return matches.empty() ? std::nullopt : std::optional(matches.front());
   }
 
@@ -184,7 +177,7 @@ class PlaceReader {
     const bool carried = asked.carried() != hb::CARRIED_UNSPECIFIED;
     if (!IsFor(asked, furniture, false) && !(carried && IsFor(asked, furniture, true))) return false;
     if (!carried && !GoesAlong(furniture, kind)) return false;
-    const bool placed = std::ranges::any_of(facts_.places, [&](const Place& place) {
+    const bool placed = std::ranges::any_of(facts.places, [&](const Place& place) {
       return place.furniture == &furniture && place.asked->carried() != hb::CARRIED_UNSPECIFIED;
     });
     return !placed && !(step > 0 && OwnPlace(m));
@@ -207,7 +200,7 @@ class PlaceReader {
   // "An island with two stools on one side".
   bool IsSideOfItsTable(const Match& match, const Subject& subject) const {
     return mentions_[subject.mention].seats && AskedNames(*match.asked, "{wall}") &&
-           text_.Says(match.end - 1, {"side", "sides"});
+           text.Says(match.end - 1, {"side", "sides"});
   }
 
   // Whether the piece got the place.
@@ -221,13 +214,12 @@ class PlaceReader {
     const bool together = mentions_[subject.mention].seats && asked.relation().pairing() == hb::PAIRING_TOGETHER;
     if (together || IsSideOfItsTable(match, subject)) return true;
     Place place;
-    place.furniture =
-        otherwise ? StorageAlong(handbook_, text_, i, asked, *subject.furniture, facts_) : subject.furniture;
+    place.furniture = otherwise ? StorageAlong(*this, i, asked, *subject.furniture) : subject.furniture;
     place.asked = &asked;
     place.which = subject.which;
     const std::size_t m = subject.mention;
     if ((m == 0 || BeginOfSentence(i) >= mentions_[m - 1].end) &&
-        PutBetweenWindows(text_, patterns_, BeginOfSentence(i), i, match.end, place, facts_.openings)) {
+        PutBetweenWindows(text, patterns_, BeginOfSentence(i), i, match.end, place, facts.openings)) {
       Keep(place, subject, i, match.end);
       return true;
     }
@@ -239,24 +231,24 @@ class PlaceReader {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
     TakeWhatHangs(patterns_, place, LooksToTheFront());
-    TakeWallAcross(patterns_, match.landmark.kind, text_.Is(i, "looking"), facts_.openings, place);
-    if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, facts_, place);
+    TakeWallAcross(patterns_, match.landmark.kind, text.Is(i, "looking"), facts.openings, place);
+    if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, facts, place);
     // Where people sit in rows, the front is what they look at; elsewhere, as in a shop, it is where one comes in.
     if (LooksToTheFront()) place.side = SeenByAnAudience(place.side);
-    if (AskedNames(asked, "{wall}")) place.walls = WallsIn(text_, i, match.end);
-    if (asked.length_m() > 0) place.length_m = LengthBeside(text_, i, match.end, used_).value_or(asked.length_m());
+    if (AskedNames(asked, "{wall}")) place.walls = WallsIn(text, i, match.end);
+    if (asked.length_m() > 0) place.length_m = LengthBeside(*this, i, match.end).value_or(asked.length_m());
     if (subject.further) {
-      for (Place& before : facts_.places) {
+      for (Place& before : facts.places) {
         if (before.furniture == place.furniture && before.which < 0) before.which = 0;
       }
     }
     Keep(place, subject, i, match.end);
-    NoteLoosely(text_, place, i, i + match.length, facts_);
+    NoteLoosely(*this, place, i, i + match.length);
     // "A lamp on either side" makes two of one, "a nightstand with a lamp on either side" two of both.
-    const hb::Furniture* with = ComesWith(text_, mentions_, m);
-    for (Wish& wish : facts_.wishes) {
+    const hb::Furniture* with = ComesWith(text, mentions_, m);
+    for (Wish& wish : facts.wishes) {
       const int least =
-          std::max({place.asked->relation().condition().min_count(), OneForEach(text_, facts_, place, i, match.end),
+          std::max({place.asked->relation().condition().min_count(), OneForEach(*this, place, i, match.end),
                     subject.further ? 2 : 1, place.walls > 1 && !wish.counted ? 2 * place.walls : 1});
       if (wish.furniture == place.furniture || wish.furniture == with) wish.count = std::max(wish.count, least);
     }
@@ -264,9 +256,9 @@ class PlaceReader {
   }
 
   void Keep(Place& place, const Subject& subject, std::size_t begin, std::size_t end) {
-    place.said = text_.Quote(begin, end);
-    place.called = text_.Quote(mentions_[subject.mention].begin, mentions_[subject.mention].end);
-    facts_.places.push_back(place);
+    place.said = text.Quote(begin, end);
+    place.called = text.Quote(mentions_[subject.mention].begin, mentions_[subject.mention].end);
+    facts.places.push_back(place);
   }
 
   // "Between the sofa and the window": no sentence asks for it, but near both it is between them, more or less.
@@ -282,12 +274,12 @@ class PlaceReader {
       if (place.target == place.furniture) return false;
       Keep(place, subject, i, match.end);
     }
-    facts_.places_loosely_kept.push_back(
-        fmt::format("Not just as asked: \"{}\": it is near both.", facts_.places.back().Words()));
+    facts.places_loosely_kept.push_back(
+        fmt::format("Not just as asked: \"{}\": it is near both.", facts.places.back().Words()));
     return true;
   }
 
-  bool LooksToTheFront() const { return IsIn("look_to_the_front", facts_.archetype->per_person()); }
+  bool LooksToTheFront() const { return IsIn("look_to_the_front", facts.archetype->per_person()); }
 
   // What stands before "holds": right before it, else the last in the sentence that is no thing on a top itself.
   bool TakeCarrier(std::size_t i, Place& place) const {
@@ -299,7 +291,7 @@ class PlaceReader {
     std::optional<Subject> before = subjects_.Before(i);
     if (subjects_.EndedAt(i) && before && by_landmark_[before->mention]) before = subjects_.last();
     if (before) return take(before->furniture);
-    for (std::size_t at = i; at > 0 && !text_.EndsSentence(at - 1); --at) {
+    for (std::size_t at = i; at > 0 && !text.EndsSentence(at - 1); --at) {
       const std::optional<std::size_t> m = named_.EndingAt(at);
       if (m && !IsOnATop(*mentions_[*m].furniture)) return take(mentions_[*m].furniture);
     }
@@ -310,39 +302,40 @@ class PlaceReader {
   void NoteUnread(std::size_t i) {
     // "A store room behind the kitchen": where it lies in the house.
     for (std::size_t k = i + 1; k < i + 4 && !subjects_.Before(i); ++k) {
-      const bool room = LongestAt(handbook_.vocabulary().rooms, tokens_, k, /*plural=*/false).second > 0;
+      const bool room = LongestAt(handbook.vocabulary().rooms, tokens(), k, /*plural=*/false).second > 0;
       if (!room || landmarks_.FeatureAt(k) != Landmark::Kind::kNone || named_.At(k)) continue;
-      for (std::size_t told = i; told <= k; ++told) facts_.told.push_back(told);
+      Tell(i, k + 1);
       return;
     }
     const bool phrase = std::ranges::any_of(
-        PhrasesOf("place_phrases"), [&](const Phrase& one) { return one.MatchAt(tokens_, i, /*plural=*/false) > 0; });
+        PhrasesOf("place_phrases"), [&](const Phrase& one) { return one.MatchAt(tokens(), i, /*plural=*/false) > 0; });
     const auto named = [&](const Match& match) { return match.length > 1; };
-    if (!phrase && !IsIn("place_words", tokens_[i].text) && std::ranges::none_of(patterns_.MatchesAt(i), named)) return;
-    if (i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kNumber) return;  // "under 20 m2"
+    if (!phrase && !IsIn("place_words", tokens()[i].text) && std::ranges::none_of(patterns_.MatchesAt(i), named))
+      return;
+    if (i + 1 < tokens().size() && tokens()[i + 1].kind == Token::Kind::kNumber) return;  // "under 20 m2"
     // "Under or between the windows", "people can walk between them".
-    if (text_.At(i + 1) == "or" && !patterns_.MatchesAt(i + 2).empty()) return;
-    if (i > 0 && text_.Is(i - 1, "verbs_of_passing")) return;
+    if (text.At(i + 1) == "or" && !patterns_.MatchesAt(i + 2).empty()) return;
+    if (i > 0 && text.Is(i - 1, "verbs_of_passing")) return;
     std::size_t begin = i;
     while (begin > 0 &&
-           (IsIn("place_fillers", text_.At(begin - 1)) || text_.At(begin - 1) == "in" || text_.At(begin - 1) == "the"))
+           (IsIn("place_fillers", text.At(begin - 1)) || text.At(begin - 1) == "in" || text.At(begin - 1) == "the"))
       --begin;
     const std::optional<Subject> subject = subjects_.Before(i);
     if (!subject && !subjects_.After(i, i + 1) && !SpeaksOfAPiece(i)) return;
     std::size_t end = i + 1;
     constexpr std::size_t kMostWords = 8;
-    while (end < tokens_.size() && end < i + kMostWords && tokens_[end].text != "," && tokens_[end].text != "and" &&
-           tokens_[end].text != "with" && !text_.EndsSentence(end)) {
+    while (end < tokens().size() && end < i + kMostWords && tokens()[end].text != "," && tokens()[end].text != "and" &&
+           tokens()[end].text != "with" && !text.EndsSentence(end)) {
       ++end;
     }
     read_to_ = end;
-    for (std::size_t k = i; k < end; ++k) facts_.told.push_back(k);
+    Tell(i, end);
     if (!subject) begin = i - std::min<std::size_t>(i, 4);
-    while (!subject && begin < i && (tokens_[begin].kind == Token::Kind::kSign || text_.At(begin) == "and")) ++begin;
-    std::string said = text_.Quote(subject ? i : begin, end);
+    while (!subject && begin < i && (tokens()[begin].kind == Token::Kind::kSign || text.At(begin) == "and")) ++begin;
+    std::string said = text.Quote(subject ? i : begin, end);
     if (subject) said = subject->furniture->name() + " " + said;
-    if (facts_.places_not_known.size() < kMostPlacesNotKnown && !Includes(facts_.places_not_known, said)) {
-      facts_.places_not_known.push_back(std::move(said));
+    if (facts.places_not_known.size() < kMostPlacesNotKnown && !Includes(facts.places_not_known, said)) {
+      facts.places_not_known.push_back(std::move(said));
     }
   }
 
@@ -351,16 +344,11 @@ class PlaceReader {
   bool SpeaksOfAPiece(std::size_t i) const {
     if (mentions_.empty()) return false;
     const bool corner =
-        landmarks_.FeatureAt(i) == Landmark::Kind::kCorner && i > 0 && IsIn("which_corner", text_.At(i - 1));
-    return corner || IsIn("sure_places", text_.At(i));
+        landmarks_.FeatureAt(i) == Landmark::Kind::kCorner && i > 0 && IsIn("which_corner", text.At(i - 1));
+    return corner || IsIn("sure_places", text.At(i));
   }
 
-  const Handbook& handbook_;
-  const std::vector<Token>& tokens_;
-  const BriefText text_;
   const std::vector<Mention>& mentions_;
-  std::vector<bool>& used_;
-  BriefFacts& facts_;
   const LandmarkReader landmarks_;
   const PlacePatterns patterns_;
   const MentionList named_;
@@ -373,8 +361,8 @@ class PlaceReader {
 
 }  // namespace
 
-void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
-                std::vector<bool>& used, BriefFacts& facts) {
+void ReadPlaces(const Reading& reading, const std::vector<Mention>& mentions) {
+  const auto& [handbook, text, used, facts] = reading;
   const NounBook nouns(handbook, facts);
   const auto rank = [&](const hb::Furniture& furniture) {
     // What is wished for first is most often what is spoken of again.
@@ -394,7 +382,7 @@ void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, cons
       for (const Phrase& word : head.words) names.more.push_back({word, wish.furniture});
     }
   }
-  PlaceReader(handbook, tokens, names, mentions, rank, used, facts).Read();
+  PlaceReader(reading, names, mentions, rank).Read();
 }
 
 }  // namespace flair::language

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "language_worker/handbook/reading/brief_facts.h"
@@ -23,7 +22,6 @@ struct Mention {
 // Reads where the brief wants its pieces: which piece, how, and by what ("a lamp between them"). To be called when all
 // other words that may name a place have been used. Places that it finds words for and cannot read go into
 // `facts.places_not_known`. Marks the tokens that it has used. `mentions` are in the order of the text.
-void ReadPlaces(const Handbook& handbook, const std::vector<Token>& tokens, const std::vector<Mention>& mentions,
-                std::vector<bool>& used, BriefFacts& facts);
+void ReadPlaces(const Reading& reading, const std::vector<Mention>& mentions);
 
 }  // namespace flair::language

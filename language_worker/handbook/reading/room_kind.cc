@@ -2,14 +2,9 @@
 #include "language_worker/handbook/reading/room_kind.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include "language_worker/handbook/reading/vocabulary.h"
-#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "language_worker/handbook/handbook.h"
-#include "language_worker/handbook/reading/vocabulary.h"
 #include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {

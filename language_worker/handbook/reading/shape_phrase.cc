@@ -2,13 +2,10 @@
 #include "language_worker/handbook/reading/shape_phrase.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "language_worker/handbook/reading/vocabulary.h"
-#include "language_worker/handbook/reading/words.h"
 
 namespace flair::language {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "language_worker/handbook/reading/shape_phrase.h"
+
 #include <gtest/gtest.h>
 
 #include "absl/status/statusor.h"
-#include "language_worker/handbook/reading/shape_phrase.h"
 #include "language_worker/handbook/testing/test_handbook.h"
 
 namespace flair::language {

@@ -189,18 +189,19 @@ class SizeReader {
         }
         size_.width_m = sides->width_m;
         size_.depth_m = sides->depth_m;
-        Use(i, sides->end);
+        Mark(i, sides->end, used_);
       } else if (const auto area = english::MeasureAt(text_.tokens(), i, english::v1::Unit::KIND_AREA);
                  area && area->unit > 0 && !owner_.IsOfAThing(i, area->end) &&
                  !text_.Is(area->end + 1, "free_floors")) {
         size_.area_m2 = area->value;
-        Use(i, area->end);
+        Mark(i, area->end, used_);
       }
     }
     const bool sides_known = size_.in_numbers();
     for (std::size_t i = 0; i < text_.size(); ++i) {
       const SizeRequest single = SingleAt(i);
-      if (single.height_m || ((single.width_m || single.depth_m) && !sides_known)) Use(i, MeasureAt(text_, i)->end + 1);
+      if (single.height_m || ((single.width_m || single.depth_m) && !sides_known))
+        Mark(i, MeasureAt(text_, i)->end + 1, used_);
       if (single.height_m && !size_.height_m) size_.height_m = single.height_m;
       if (sides_known) continue;
       if (single.width_m && !size_.width_m) size_.width_m = single.width_m;
@@ -211,10 +212,6 @@ class SizeReader {
   }
 
  private:
-  void Use(std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < std::min(end, used_.size()); ++i) used_[i] = true;
-  }
-
   // "height 2.4 m", "room height: 2.4 m", "a ceiling of 2.4 m", "the ceiling is at 2.4 m". The height of a shelf is
   // none of the room.
   bool IsHeightBefore(std::size_t i) const {

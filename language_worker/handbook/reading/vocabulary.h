@@ -59,9 +59,8 @@ std::pair<const hb::Furniture*, std::size_t> BestAt(const PieceNames& names, con
   return better ? more : best;
 }
 
-inline std::pair<const hb::Furniture*, std::size_t> LongestAt(const PieceNames& names,
-                                                              const std::vector<Token>& tokens, std::size_t i,
-                                                              bool plural) {
+inline std::pair<const hb::Furniture*, std::size_t> LongestAt(const PieceNames& names, const std::vector<Token>& tokens,
+                                                              std::size_t i, bool plural) {
   return BestAt(names, tokens, i, plural, [](const hb::Furniture&) { return 0; });
 }
 

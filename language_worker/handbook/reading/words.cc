@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "english/language.h"
 #include "english/quantities.h"

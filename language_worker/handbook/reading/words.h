@@ -63,6 +63,11 @@ class Phrase {
 const std::vector<std::string>& WordsOf(std::string_view list);
 const std::vector<Phrase>& PhrasesOf(std::string_view list);
 
+// Marks tokens [begin, end), as far as there are such.
+inline void Mark(std::size_t begin, std::size_t end, std::vector<bool>& tokens) {
+  for (std::size_t i = begin; i < std::min(end, tokens.size()); ++i) tokens[i] = true;
+}
+
 // Tokens as readers look at them: beyond the end there are empty words. The tokens must outlive it.
 class BriefText {
  public:

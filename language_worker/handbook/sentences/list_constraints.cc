@@ -5,20 +5,14 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
-#include <string>
 #include <tuple>
-#include <vector>
 
-#include "flair/v1/constraint_list.pb.h"
-#include "flair/v1/room.pb.h"
 #include "language_worker/handbook/program/room_program.h"
 #include "language_worker/handbook/reading/brief_facts.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 #include "language_worker/handbook/rooms/wall_run.h"
 #include "language_worker/handbook/rooms/walls.h"
-#include "language_worker/handbook/sentences/fill.h"
 #include "language_worker/handbook/sentences/place_writer.h"
 #include "language_worker/handbook/sentences/sentence_writer.h"
 #include "worker_runtime/status/status_macros.h"

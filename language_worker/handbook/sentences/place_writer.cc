@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -66,11 +64,6 @@ void NameTheWall(const Slots& further, hb::Relation& relation) {
   const std::size_t at = relation.text().find(kTarget);
   if (at != std::string::npos && further.contains("wall"))
     relation.mutable_text()->replace(at, kTarget.size(), "{wall}");
-}
-
-bool HasOpenings(const v1::Room& room, int wall) {
-  return std::ranges::any_of(room.openings(),
-                             [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
 }
 
 // The corners of a side, "in each of the back corners"; all for no side.
@@ -339,7 +332,7 @@ std::vector<v1::Sentence> PlaceWriter::WriteCorner(const Place& place, const Gro
   const int after = corner, before = (corner + room_.walls_size() - 1) % room_.walls_size();
   // The back leaves windows and doors free where it can. Along a wall that begins in the corner the left side meets
   // the other one, along a wall that ends there the right side.
-  const bool on_after = HasOpenings(room_, before) || !HasOpenings(room_, after);
+  const bool on_after = !IsBlank(room_, before) || IsBlank(room_, after);
   hb::Relation back = place.asked->relation(), side = back;
   back.set_text("The {object}'s back is against {wall}.");
   side.set_text(fmt::format("The {{object}}'s {} side is against {{wall}}.", on_after ? "left" : "right"));

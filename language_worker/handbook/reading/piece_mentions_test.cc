@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words that name pieces where nobody asks for any: whatever they are, no such piece may come into the room.
-#include "language_worker/handbook/reading/no_piece.h"
+#include "language_worker/handbook/reading/piece_mentions.h"
 
 #include <gtest/gtest.h>
 
@@ -26,14 +26,14 @@ void ExpectAsked(std::initializer_list<std::pair<const char*, const char*>> case
   for (const auto& [text, wishes] : cases) EXPECT_EQ(AskedIn(text), wishes) << text;
 }
 
-TEST(NoPiece, HowAThingStandsIsNone) {
+TEST(PieceMentions, HowAThingStandsIsNone) {
   ExpectAsked({{"A physiotherapy room with a stool on wheels.", "1 stool"},
                {"A physiotherapy room with a stool on five locking castors.", "1 work stool"},
                {"A workshop with a workbench on legs and a shelf.", "1 workbench, 1 wall shelf"},
                {"A pottery with three wheels.", "3 pottery wheel"}});
 }
 
-TEST(NoPiece, RoomsBehindDoorsAreNone) {
+TEST(PieceMentions, RoomsBehindDoorsAreNone) {
   ExpectAsked({{"A cafe with a back door to the toilets and a counter.", "1 bar counter"},
                {"A home office with a desk, door from the toilet on the west wall.", "1 desk"},
                {"A bedroom with a bed. The closet door is in the west wall, a chair near the closet.",
@@ -44,7 +44,7 @@ TEST(NoPiece, RoomsBehindDoorsAreNone) {
   EXPECT_EQ(facts.places[0].side, "closet");
 }
 
-TEST(NoPiece, WhatOnlyDescribesOrIsShownIsNone) {
+TEST(PieceMentions, WhatOnlyDescribesOrIsShownIsNone) {
   ExpectAsked({{"A home office with a desk and nothing in camera view.", "1 desk"},
                {"A home office with a desk and sockets at desk height.", "1 desk, 2 socket"},
                {"A barber shop with a bench and a TV for the football.", "1 waiting bench, 1 television"},
@@ -52,7 +52,7 @@ TEST(NoPiece, WhatOnlyDescribesOrIsShownIsNone) {
                {"A home office with lots of maps.", "8 map"}});
 }
 
-TEST(NoPiece, WhatDoesNotFitIsRefused) {
+TEST(PieceMentions, WhatDoesNotFitIsRefused) {
   for (const char* text : {"A bedroom. Tall wardrobes are impossible.", "A bedroom. A wardrobe would not fit.",
                            "A bedroom. Wardrobes won't fit.", "A bedroom where a wardrobe is out of the question.",
                            "A bedroom, a wardrobe is not possible."}) {
@@ -62,7 +62,7 @@ TEST(NoPiece, WhatDoesNotFitIsRefused) {
   }
 }
 
-TEST(NoPiece, TimesAndHangersCountNobody) {
+TEST(PieceMentions, TimesAndHangersCountNobody) {
   EXPECT_FALSE(FactsOf("A guest room with a rail for ten hangers.").people);
   EXPECT_TRUE(FactsOf("A bedroom with a bed. I am up at 4:30 for shifts.").unheard.empty());
 }
