@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "english/language.h"
 #include "english/text.h"
 
 namespace flair::english {

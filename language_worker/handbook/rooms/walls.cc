@@ -11,30 +11,9 @@
 namespace flair::language {
 namespace {
 
-struct SideWord {
-  std::string_view word;
-  int turns;  // quarter turns, counter-clockwise: compass words from the south, others from the door's wall
-};
-
-constexpr std::array<SideWord, 8> kCompassTurns = {{{"south", 0},
-                                                    {"southern", 0},
-                                                    {"east", 1},
-                                                    {"eastern", 1},
-                                                    {"north", 2},
-                                                    {"northern", 2},
-                                                    {"west", 3},
-                                                    {"western", 3}}};
-constexpr std::array<SideWord, 11> kFromTheDoor = {{{"near", 0},
-                                                    {"nearest", 0},
-                                                    {"front", 0},
-                                                    {"right", 1},
-                                                    {"far", 2},
-                                                    {"farthest", 2},
-                                                    {"furthest", 2},
-                                                    {"back", 2},
-                                                    {"rear", 2},
-                                                    {"opposite", 2},
-                                                    {"left", 3}}};
+// Lists of words, by quarter turns counter-clockwise: compass words from the south, others from the door's wall.
+constexpr std::array kCompassTurns = {"southern_walls", "eastern_walls", "northern_walls", "western_walls"};
+constexpr std::array kTurnsFromTheDoor = {"near_walls", "right_walls", "far_walls", "left_walls"};
 
 int Count(const v1::Room& room) { return room.floor().vertices_size(); }
 
@@ -56,11 +35,9 @@ int DoorHeading(const v1::Room& room) {
 }
 
 std::optional<int> HeadingNamed(const v1::Room& room, std::string_view word) {
-  for (const SideWord& one : kCompassTurns) {
-    if (one.word == word) return one.turns;
-  }
-  for (const SideWord& one : kFromTheDoor) {
-    if (one.word == word) return (DoorHeading(room) + one.turns) % 4;
+  for (std::size_t turns = 0; turns < 4; ++turns) {
+    if (IsIn(kCompassTurns[turns], word)) return turns;
+    if (IsIn(kTurnsFromTheDoor[turns], word)) return (DoorHeading(room) + turns) % 4;
   }
   return std::nullopt;
 }
@@ -79,11 +56,6 @@ std::optional<int> Extreme(const v1::Room& room, bool longest, const May& may) {
 
 std::optional<int> LongestFacing(const v1::Room& room, int heading) {
   return Extreme(room, true, [&](int wall) { return HeadingOf(room, wall) == heading; });
-}
-
-bool IsBlank(const v1::Room& room, int wall) {
-  return std::ranges::none_of(room.openings(),
-                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
 }
 
 std::optional<int> OneWord(const v1::Room& room, const std::string& word) {
@@ -173,10 +145,16 @@ std::optional<int> WallNamed(const v1::Room& room, std::string_view name) {
   return std::nullopt;
 }
 
+bool IsBlank(const v1::Room& room, int wall) {
+  return std::ranges::none_of(room.openings(),
+                              [&](const v1::Opening& one) { return one.wall() == room.walls(wall).name(); });
+}
+
 bool GoesByTheDoor(std::string_view words) {
   const std::vector<std::string> all = SideWords(words);
   return std::ranges::any_of(all, [](const std::string& word) {
-    return word == "entrance" || std::ranges::find(kFromTheDoor, word, &SideWord::word) != kFromTheDoor.end();
+    const auto has = [&](const char* list) { return IsIn(list, word); };
+    return word == "entrance" || std::ranges::any_of(kTurnsFromTheDoor, has);
   });
 }
 

@@ -31,6 +31,9 @@ std::optional<int> CornerOf(const v1::Room& room, std::string_view words);
 // Index of the wall of that name; nothing when there is none.
 std::optional<int> WallNamed(const v1::Room& room, std::string_view name);
 
+// Whether a wall has no opening.
+bool IsBlank(const v1::Room& room, int wall);
+
 // Length of a wall, metres.
 double WallLength(const v1::Room& room, int wall);
 
