@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "english/wordnet.h"
+#include "flair/handbook/v1/references.pb.h"
 #include "language_worker/handbook/loading/handbook_files.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
@@ -18,60 +19,6 @@ namespace {
 namespace pb = google::protobuf;
 using Lines = pb::TextFormat::ParseInfoTree;
 
-// What a field of text names, by the field's full name without the package.
-struct Reference {
-  std::string_view field;
-  std::string_view kind;
-};
-constexpr std::array<Reference, 45> kReferences = {{
-    {"Furniture.hosts", "furniture"},
-    {"Furniture.smaller", "furniture"},
-    {"Furniture.zone_hints", "zone"},
-    {"Furniture.material_group", "material group"},
-    {"Furniture.fixed_colour", "colour"},
-    {"Furniture.before", "furniture"},
-    {"Furniture.meanings", "meaning"},
-    {"Archetype.meanings", "meaning"},
-    {"ObjectEntry.furniture", "furniture"},
-    {"ObjectEntry.or_furniture", "furniture"},
-    {"ObjectEntry.hosts", "host"},
-    {"ObjectEntry.zone", "zone"},
-    {"ZoneSpec.primaries", "furniture"},
-    {"Relation.targets", "furniture"},
-    {"Relation.target_categories", "category"},
-    {"Relation.object", "furniture"},
-    {"Condition.rooms", "archetype"},
-    {"Condition.with", "furniture"},
-    {"Condition.without", "furniture"},
-    {"Condition.zones", "zone"},
-    {"Selector.furniture", "furniture"},
-    {"Selector.except_furniture", "furniture"},
-    {"Selector.categories", "category"},
-    {"Essential.furniture", "furniture"},
-    {"Essential.categories", "category"},
-    {"Essential.zone", "zone"},
-    {"Archetype.styles", "style"},
-    {"Archetype.per_person", "furniture"},
-    {"Rows.furniture", "furniture"},
-    {"Band.zones", "zone of the room"},
-    {"OpeningRules.window_serves", "furniture"},
-    {"Substitution.from", "furniture"},
-    {"Substitution.to", "furniture"},
-    {"Changes.removals", "furniture"},
-    {"Changes.becomes_room", "archetype"},
-    {"Theme.styles", "style"},
-    {"Need.overrides", "need"},
-    {"NounOption.furniture", "furniture"},
-    {"NounOption.rooms", "archetype"},
-    {"MaterialChoice.group", "material group of a piece"},
-    // Sentences.
-    {"Relation.text", "sentence"},
-    {"AskedPlace.text_of_desks", "sentence"},
-    {"ObjectEntry.sentence", "sentence"},
-    {"NamedColour.hex", "hex"},
-    {"Furniture.category", "word for drawing"},
-}};
-
 // The entries that messages name, by the field of Handbook that holds them.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kKinds = {{{"furniture", "furniture"},
                                                                                   {"archetypes", "archetype"},
@@ -80,22 +27,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> kKinds = 
                                                                                   {"styles", "style"},
                                                                                   {"colours", "colour"},
                                                                                   {"general_rules", "general rule"}}};
-
-// Lists that an entry cannot do without.
-struct Needed {
-  std::string_view type;
-  std::string_view field;
-};
-constexpr std::array<Needed, 8> kNeeded = {{{"Archetype", "bands"},
-                                            {"Band", "zones"},
-                                            {"Essential", "furniture"},
-                                            {"Need", "keywords"},
-                                            {"Style", "palettes"},
-                                            {"Style", "walls"},
-                                            {"Style", "floors"},
-                                            {"AskedPlace", "words"}}};
-
-std::string_view ShortName(std::string_view full) { return full.substr(std::string_view("flair.handbook.v1.").size()); }
 
 class Checker {
  public:
@@ -182,10 +113,10 @@ class Checker {
     const pb::Reflection& reflection = *message.GetReflection();
     const pb::Descriptor& type = *message.GetDescriptor();
     const int own_line = line_;
-    for (const Needed& needed : kNeeded) {
-      if (ShortName(type.full_name()) != needed.type) continue;
-      const std::string name(needed.field);
-      if (reflection.FieldSize(message, type.FindFieldByName(name)) == 0) Fault(line_, path + name, "is empty");
+    for (int i = 0; i < type.field_count(); ++i) {
+      const pb::FieldDescriptor& field = *type.field(i);
+      if (field.options().GetExtension(hb::needed) && reflection.FieldSize(message, &field) == 0)
+        Fault(line_, path + std::string(field.name()), "is empty");
     }
     CheckValues(message, path);
     std::vector<const pb::FieldDescriptor*> fields;
@@ -215,21 +146,20 @@ class Checker {
 
   void CheckText(const pb::FieldDescriptor& field, const pb::Message& message, const std::string& text,
                  const std::string& where) {
-    const auto reference = std::ranges::find(kReferences, ShortName(field.full_name()), &Reference::field);
-    if (reference == kReferences.end()) return;
-    if (reference->kind == "sentence") return CheckSentence(message, text, where);
-    if (reference->kind == "hex") {
+    std::string kind = field.options().GetExtension(hb::names);
+    if (kind.empty()) return;
+    if (kind == "sentence") return CheckSentence(message, text, where);
+    if (kind == "hex") {
       const bool good =
           text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
       if (!good) Fault(line_, where, fmt::format("\"{}\" is not #RRGGBB", text));
       return;
     }
-    if (reference->kind == "meaning") {
+    if (kind == "meaning") {
       if (english::WordNet::Get().Find(text)) return;
       return Fault(line_, where,
                    fmt::format("WordNet has no sense \"{}\" of a noun; \"seat#3\" is the third of \"seat\"", text));
     }
-    std::string kind(reference->kind);
     // Objects of a room stand in its own zones; those that needs and themes add, in any.
     if (kind == "zone" && !room_zones_.empty() && where.starts_with("bands")) kind = "zone of the room";
     const std::set<std::string>& known = kind == "zone of the room" ? room_zones_ : names_[kind];
