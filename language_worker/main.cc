@@ -7,26 +7,15 @@
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
 
-namespace flair {
-namespace {
-
-absl::Status Assemble(const config::v1::LanguageWorkerConfig& config, runtime::Worker& worker) {
-  const auto with_model = [](const auto& config, const language::Handbook& handbook, runtime::WorkerContext& context) {
-    return language::MakeModelHandlers(config, handbook, context);
-  };
-  auto service = language::MakeLanguageService(config, worker.context(), with_model);
-  if (!service.ok()) return service.status();
-  worker.Serve(v1::LanguageService::service_full_name(), *std::move(service));
-  return absl::OkStatus();
-}
-
-}  // namespace
-}  // namespace flair
-
 int main(int argc, char** argv) {
-  return flair::runtime::Run<flair::config::v1::LanguageWorkerConfig>(
+  using namespace flair;  // Their names in one call.
+  const auto make = [](const config::v1::LanguageWorkerConfig& config, runtime::WorkerContext& context) {
+    return language::MakeLanguageService(config, context, [](const auto& own, const auto& handbook, auto& worker) {
+      return language::MakeModelHandlers(own, handbook, worker);
+    });
+  };
+  return runtime::RunService<config::v1::LanguageWorkerConfig, v1::LanguageService>(
       argc, argv,
-      {"flair-language", "Serves flair.v1.LanguageService: describes rooms in words and lists.",
-       flair::runtime::BuildName()},
-      flair::Assemble, flair::language::CheckLanguageConfig);
+      {"flair-language", "Serves flair.v1.LanguageService: describes rooms in words and lists.", runtime::BuildName()},
+      make, language::CheckLanguageConfig);
 }

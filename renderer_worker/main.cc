@@ -5,29 +5,18 @@
 #include "renderer_worker/service/handlers.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
-#include "worker_runtime/status/status_macros.h"
-
-namespace flair {
-namespace {
-
-absl::Status Assemble(const config::v1::RendererWorkerConfig& config, runtime::Worker& worker) {
-  ASSIGN_OR_RETURN(std::unique_ptr<grpc::Service> service,
-                   renderer::MakeRendererService(config, worker.context(), renderer::OurSceneFiles()));
-  worker.Serve(v1::RendererService::service_full_name(), std::move(service));
-  return absl::OkStatus();
-}
-
-void Check(const config::v1::RendererWorkerConfig& config, runtime::ConfigChecker& checker) {
-  if (config.has_tracing_thread_count()) checker.Range("tracing_thread_count", config.tracing_thread_count(), 1, 256);
-}
-
-}  // namespace
-}  // namespace flair
 
 int main(int argc, char** argv) {
-  return flair::runtime::Run<flair::config::v1::RendererWorkerConfig>(
+  using namespace flair;  // Their names in one call.
+  const auto make = [](const config::v1::RendererWorkerConfig& config, runtime::WorkerContext& context) {
+    return renderer::MakeRendererService(config, context, renderer::OurSceneFiles());
+  };
+  const auto check = [](const config::v1::RendererWorkerConfig& config, runtime::ConfigChecker& checker) {
+    if (config.has_tracing_thread_count()) checker.Range("tracing_thread_count", config.tracing_thread_count(), 1, 256);
+  };
+  return runtime::RunService<config::v1::RendererWorkerConfig, v1::RendererService>(
       argc, argv,
       {"flair-renderer", "Serves flair.v1.RendererService: draws layouts and writes their scenes.",
-       flair::runtime::BuildName()},
-      flair::Assemble, flair::Check);
+       runtime::BuildName()},
+      make, check);
 }

@@ -7,23 +7,14 @@
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
 
-namespace flair {
-namespace {
-
-absl::Status Assemble(const config::v1::TranslatorWorkerConfig& config, runtime::Worker& worker) {
-  auto service = translator::MakeTranslatorService(config, worker.context(), translator::MakeModelTranslator);
-  if (!service.ok()) return service.status();
-  worker.Serve(v1::TranslatorService::service_full_name(), *std::move(service));
-  return absl::OkStatus();
-}
-
-}  // namespace
-}  // namespace flair
-
 int main(int argc, char** argv) {
-  return flair::runtime::Run<flair::config::v1::TranslatorWorkerConfig>(
+  using namespace flair;  // Their names in one call.
+  const auto make = [](const config::v1::TranslatorWorkerConfig& config, runtime::WorkerContext& context) {
+    return translator::MakeTranslatorService(config, context, translator::MakeModelTranslator);
+  };
+  return runtime::RunService<config::v1::TranslatorWorkerConfig, v1::TranslatorService>(
       argc, argv,
       {"flair-translator", "Serves flair.v1.TranslatorService: turns sentences into constraint calls.",
-       flair::runtime::BuildName()},
-      flair::Assemble, flair::translator::CheckTranslatorConfig);
+       runtime::BuildName()},
+      make, translator::CheckTranslatorConfig);
 }

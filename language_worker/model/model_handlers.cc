@@ -21,6 +21,32 @@ int64_t SeedOf(const Request& request) {
   return 0;
 }
 
+absl::StatusOr<v1::Room> Ask(const v1::DescribeRoomRequest& request, const ModelTools& tools,
+                             llm::Conversation& conversation) {
+  return AskRoom(request.brief(), tools, conversation);
+}
+absl::StatusOr<v1::ZonePlan> Ask(const v1::PlanZonesRequest& request, const ModelTools& tools,
+                                 llm::Conversation& conversation) {
+  return AskZones(request.brief(), request.room(), tools, conversation);
+}
+absl::StatusOr<v1::ObjectList> Ask(const v1::ListObjectsRequest& request, const ModelTools& tools,
+                                   llm::Conversation& conversation) {
+  return AskObjects({request.brief(), request.room(), request.zone_plan()}, tools, conversation);
+}
+absl::StatusOr<v1::StyleSheet> Ask(const v1::ChooseStyleRequest& request, const ModelTools& tools,
+                                   llm::Conversation& conversation) {
+  return AskStyle(request.brief(), request.room(), request.object_list(), tools, conversation);
+}
+absl::StatusOr<v1::ConstraintList> Ask(const v1::ListConstraintsRequest& request, const ModelTools& tools,
+                                       llm::Conversation& conversation) {
+  return AskConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(), tools,
+                        conversation);
+}
+absl::StatusOr<v1::ConstraintList> Ask(const v1::CleanConstraintsRequest& request, const ModelTools& tools,
+                                       llm::Conversation& conversation) {
+  return AskCleaning(request.room(), request.object_list(), request.constraint_list(), tools, conversation);
+}
+
 }  // namespace
 
 ModelHandlers::ModelHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client,
@@ -31,79 +57,37 @@ ModelHandlers::ModelHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmC
       furniture_(handbook),
       tools_{prompts_, handbook, furniture_} {}
 
-template <typename Response, typename Request, typename Ask, typename Part>
-absl::StatusOr<Response> ModelHandlers::AskModel(const Request& request, runtime::CallContext& call, const Ask& ask,
-                                                 Part part) const {
+template <typename Response, typename Request>
+absl::StatusOr<Response> ModelHandlers::AskModel(const Request& request, runtime::CallContext& call) const {
   llm::Conversation conversation(*client_, prompts_, request.model_options(), call, SeedOf(request));
-  auto answer = ask(conversation);
+  auto answer = Ask(request, tools_, conversation);
   Response response;
   if (answer.ok()) {
     const bool asked = !conversation.calls().empty();
     response = asked ? AnsweredBy<Response>(conversation.calls().back().model(), prompts_.version())
                      : AnsweredBy<Response>("handbook", handbook().version());
-    *(response.*part)() = *std::move(answer);
+    PartOf(response) = *std::move(answer);
   } else {
     if (!conversation.MayStandIn(answer.status())) return answer.status();
     ASSIGN_OR_RETURN(response, LanguageHandlers::Answer(request, call));
-    AddStandIn(answer.status(), *(response.*part)());
+    AddStandIn(answer.status(), PartOf(response));
   }
   for (const v1::ModelCall& made : conversation.calls()) *response.add_model_calls() = made;
   return response;
 }
 
-absl::StatusOr<v1::DescribeRoomResponse> ModelHandlers::Answer(const v1::DescribeRoomRequest& request,
-                                                               runtime::CallContext& call) const {
-  return AskModel<v1::DescribeRoomResponse>(
-      request, call, [&](llm::Conversation& conversation) { return AskRoom(request.brief(), tools_, conversation); },
-      &v1::DescribeRoomResponse::mutable_room);
-}
-
-absl::StatusOr<v1::PlanZonesResponse> ModelHandlers::Answer(const v1::PlanZonesRequest& request,
-                                                            runtime::CallContext& call) const {
-  return AskModel<v1::PlanZonesResponse>(
-      request, call,
-      [&](llm::Conversation& conversation) { return AskZones(request.brief(), request.room(), tools_, conversation); },
-      &v1::PlanZonesResponse::mutable_zone_plan);
-}
-
-absl::StatusOr<v1::ListObjectsResponse> ModelHandlers::Answer(const v1::ListObjectsRequest& request,
-                                                              runtime::CallContext& call) const {
-  const ObjectsRequest wanted{request.brief(), request.room(), request.zone_plan()};
-  return AskModel<v1::ListObjectsResponse>(
-      request, call, [&](llm::Conversation& conversation) { return AskObjects(wanted, tools_, conversation); },
-      &v1::ListObjectsResponse::mutable_object_list);
-}
-
-absl::StatusOr<v1::ChooseStyleResponse> ModelHandlers::Answer(const v1::ChooseStyleRequest& request,
-                                                              runtime::CallContext& call) const {
-  return AskModel<v1::ChooseStyleResponse>(
-      request, call,
-      [&](llm::Conversation& conversation) {
-        return AskStyle(request.brief(), request.room(), request.object_list(), tools_, conversation);
-      },
-      &v1::ChooseStyleResponse::mutable_style_sheet);
-}
-
-absl::StatusOr<v1::ListConstraintsResponse> ModelHandlers::Answer(const v1::ListConstraintsRequest& request,
-                                                                  runtime::CallContext& call) const {
-  const ObjectsRequest wanted{request.brief(), request.room(), request.zone_plan()};
-  return AskModel<v1::ListConstraintsResponse>(
-      request, call,
-      [&](llm::Conversation& conversation) {
-        return AskConstraints(wanted, request.object_list(), tools_, conversation);
-      },
-      &v1::ListConstraintsResponse::mutable_constraint_list);
-}
-
-absl::StatusOr<v1::CleanConstraintsResponse> ModelHandlers::Answer(const v1::CleanConstraintsRequest& request,
-                                                                   runtime::CallContext& call) const {
-  return AskModel<v1::CleanConstraintsResponse>(
-      request, call,
-      [&](llm::Conversation& conversation) {
-        return AskCleaning(request.room(), request.object_list(), request.constraint_list(), tools_, conversation);
-      },
-      &v1::CleanConstraintsResponse::mutable_constraint_list);
-}
+#define FLAIR_ANSWER(Rpc)                                                                                              \
+  absl::StatusOr<v1::Rpc##Response> ModelHandlers::Answer(const v1::Rpc##Request& request, runtime::CallContext& call) \
+      const {                                                                                                          \
+    return AskModel<v1::Rpc##Response>(request, call);                                                                 \
+  }
+FLAIR_ANSWER(DescribeRoom)
+FLAIR_ANSWER(PlanZones)
+FLAIR_ANSWER(ListObjects)
+FLAIR_ANSWER(ChooseStyle)
+FLAIR_ANSWER(ListConstraints)
+FLAIR_ANSWER(CleanConstraints)
+#undef FLAIR_ANSWER
 
 absl::StatusOr<std::unique_ptr<LanguageHandlers>> MakeModelHandlers(const config::v1::LanguageWorkerConfig& config,
                                                                     const Handbook& handbook,

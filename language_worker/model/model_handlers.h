@@ -35,24 +35,18 @@ class ModelHandlers final : public LanguageHandlers {
   ModelHandlers(const Handbook& handbook, std::unique_ptr<llm::LlmClient> client, llm::PromptLibrary prompts);
 
  private:
-  absl::StatusOr<v1::DescribeRoomResponse> Answer(const v1::DescribeRoomRequest& request,
-                                                  runtime::CallContext& call) const override;
-  absl::StatusOr<v1::PlanZonesResponse> Answer(const v1::PlanZonesRequest& request,
-                                               runtime::CallContext& call) const override;
-  absl::StatusOr<v1::ListObjectsResponse> Answer(const v1::ListObjectsRequest& request,
-                                                 runtime::CallContext& call) const override;
-  absl::StatusOr<v1::ChooseStyleResponse> Answer(const v1::ChooseStyleRequest& request,
-                                                 runtime::CallContext& call) const override;
-  absl::StatusOr<v1::ListConstraintsResponse> Answer(const v1::ListConstraintsRequest& request,
-                                                     runtime::CallContext& call) const override;
-  absl::StatusOr<v1::CleanConstraintsResponse> Answer(const v1::CleanConstraintsRequest& request,
-                                                      runtime::CallContext& call) const override;
+#define FLAIR_ANSWER(Rpc) \
+  absl::StatusOr<v1::Rpc##Response> Answer(const v1::Rpc##Request&, runtime::CallContext& call) const override;
+  FLAIR_ANSWER(DescribeRoom)
+  FLAIR_ANSWER(PlanZones)
+  FLAIR_ANSWER(ListObjects)
+  FLAIR_ANSWER(ChooseStyle)
+  FLAIR_ANSWER(ListConstraints)
+  FLAIR_ANSWER(CleanConstraints)
+#undef FLAIR_ANSWER
 
-  // Asks with `ask(Conversation&)`, which returns the artifact that `part` of the response points to; else the
-  // handbook.
-  template <typename Response, typename Request, typename Ask, typename Part>
-  absl::StatusOr<Response> AskModel(const Request& request, runtime::CallContext& call, const Ask& ask,
-                                    Part part) const;
+  template <typename Response, typename Request>
+  absl::StatusOr<Response> AskModel(const Request& request, runtime::CallContext& call) const;
 
   const std::unique_ptr<llm::LlmClient> client_;
   const llm::PromptLibrary prompts_;

@@ -47,12 +47,55 @@ absl::StatusOr<std::unique_ptr<const Handbook>> ReadHandbook(const config::v1::L
                       {config.handbook_overlay_paths().begin(), config.handbook_overlay_paths().end()});
 }
 
-// What the brief brings, as it is.
-template <typename Response, typename Part, typename Artifact>
-Response FromBrief(Part part, const Artifact& artifact) {
-  Response response = AnsweredBy<Response>("brief");
-  *(response.*part)() = artifact;
-  return response;
+// The handbook's artifacts.
+absl::StatusOr<v1::Room> Make(const v1::DescribeRoomRequest& request, const Handbook& handbook) {
+  return DescribeRoom(request.brief(), handbook);
+}
+absl::StatusOr<v1::ZonePlan> Make(const v1::PlanZonesRequest& request, const Handbook& handbook) {
+  return PlanWantedZones(request.brief(), request.room(), handbook);
+}
+absl::StatusOr<v1::ObjectList> Make(const v1::ListObjectsRequest& request, const Handbook& handbook) {
+  return ListObjects(request.brief(), request.room(), request.zone_plan(), handbook);
+}
+absl::StatusOr<v1::StyleSheet> Make(const v1::ChooseStyleRequest& request, const Handbook& handbook) {
+  return ChooseStyle(request.brief(), request.room(), request.object_list(), handbook);
+}
+absl::StatusOr<v1::ConstraintList> Make(const v1::ListConstraintsRequest& request, const Handbook& handbook) {
+  return UsualConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(), handbook);
+}
+absl::StatusOr<v1::ConstraintList> Make(const v1::CleanConstraintsRequest& request, const Handbook&) {
+  return CleanConstraints(request.constraint_list());
+}
+absl::StatusOr<v1::ConstraintList> Make(const v1::CompleteConstraintsRequest& request, const Handbook& handbook) {
+  return CompleteConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(),
+                             request.constraint_list(), handbook);
+}
+
+// Takes what the brief brings, as it is; false where it brings nothing.
+absl::StatusOr<bool> TakeOwn(const google::protobuf::Message&, const Handbook&, google::protobuf::Message&) {
+  return false;
+}
+absl::StatusOr<bool> TakeOwn(const v1::DescribeRoomRequest& request, const Handbook&, v1::Room& room) {
+  room = request.brief().room();
+  return request.brief().has_room();
+}
+absl::StatusOr<bool> TakeOwn(const v1::PlanZonesRequest& request, const Handbook&, v1::ZonePlan& plan) {
+  plan = request.brief().zone_plan();
+  return request.brief().has_zone_plan();
+}
+absl::StatusOr<bool> TakeOwn(const v1::ListObjectsRequest& request, const Handbook&, v1::ObjectList& list) {
+  if (!request.brief().has_object_list()) return false;
+  list = request.brief().object_list();
+  RETURN_IF_ERROR(Validate(list, request.zone_plan(), "brief.object_list"));
+  return true;
+}
+absl::StatusOr<bool> TakeOwn(const v1::ListConstraintsRequest& request, const Handbook& handbook,
+                             v1::ConstraintList& list) {
+  const v1::Brief& brief = request.brief();
+  if (!brief.has_constraint_list()) return false;
+  RETURN_IF_ERROR(Validate(brief.constraint_list(), request.object_list(), "brief.constraint_list"));
+  ASSIGN_OR_RETURN(list, OwnConstraints({brief, request.room(), request.zone_plan()}, request.object_list(), handbook));
+  return true;
 }
 
 }  // namespace
@@ -74,112 +117,28 @@ absl::StatusOr<std::unique_ptr<grpc::Service>> MakeLanguageService(const config:
   return std::make_unique<Service>(worker, std::move(handbook), std::move(handlers));
 }
 
-absl::StatusOr<v1::DescribeRoomResponse> LanguageHandlers::Handle(const v1::DescribeRoomRequest& request,
-                                                                  runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  const v1::Brief& brief = request.brief();
-  if (brief.has_room()) {
-    return FromBrief<v1::DescribeRoomResponse>(&v1::DescribeRoomResponse::mutable_room, brief.room());
+#define FLAIR_ANSWER(Rpc)                                                                                            \
+  absl::StatusOr<v1::Rpc##Response> LanguageHandlers::Handle(const v1::Rpc##Request& request,                        \
+                                                             runtime::CallContext& call) const {                     \
+    RETURN_IF_ERROR(Validate(request));                                                                              \
+    auto response = AnsweredBy<v1::Rpc##Response>("brief");                                                          \
+    ASSIGN_OR_RETURN(const bool own, TakeOwn(request, handbook_, PartOf(response)));                                 \
+    if (own) return response;                                                                                        \
+    return Answer(request, call);                                                                                    \
+  }                                                                                                                  \
+  absl::StatusOr<v1::Rpc##Response> LanguageHandlers::Answer(const v1::Rpc##Request& request, runtime::CallContext&) \
+      const {                                                                                                        \
+    auto response = AnsweredBy<v1::Rpc##Response>("handbook", handbook_.version());                                  \
+    ASSIGN_OR_RETURN(PartOf(response), Make(request, handbook_));                                                    \
+    return response;                                                                                                 \
   }
-  return Answer(request, call);
-}
-
-absl::StatusOr<v1::PlanZonesResponse> LanguageHandlers::Handle(const v1::PlanZonesRequest& request,
-                                                               runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  const v1::Brief& brief = request.brief();
-  if (brief.has_zone_plan()) {
-    return FromBrief<v1::PlanZonesResponse>(&v1::PlanZonesResponse::mutable_zone_plan, brief.zone_plan());
-  }
-  return Answer(request, call);
-}
-
-absl::StatusOr<v1::ListObjectsResponse> LanguageHandlers::Handle(const v1::ListObjectsRequest& request,
-                                                                 runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  const v1::Brief& brief = request.brief();
-  if (!brief.has_object_list()) return Answer(request, call);
-  RETURN_IF_ERROR(Validate(brief.object_list(), request.zone_plan(), "brief.object_list"));
-  return FromBrief<v1::ListObjectsResponse>(&v1::ListObjectsResponse::mutable_object_list, brief.object_list());
-}
-
-absl::StatusOr<v1::ChooseStyleResponse> LanguageHandlers::Handle(const v1::ChooseStyleRequest& request,
-                                                                 runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  return Answer(request, call);
-}
-
-absl::StatusOr<v1::ListConstraintsResponse> LanguageHandlers::Handle(const v1::ListConstraintsRequest& request,
-                                                                     runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  const v1::Brief& brief = request.brief();
-  if (!brief.has_constraint_list()) return Answer(request, call);
-  RETURN_IF_ERROR(Validate(brief.constraint_list(), request.object_list(), "brief.constraint_list"));
-  ASSIGN_OR_RETURN(const v1::ConstraintList own,
-                   OwnConstraints({brief, request.room(), request.zone_plan()}, request.object_list(), handbook_));
-  return FromBrief<v1::ListConstraintsResponse>(&v1::ListConstraintsResponse::mutable_constraint_list, own);
-}
-
-absl::StatusOr<v1::CleanConstraintsResponse> LanguageHandlers::Handle(const v1::CleanConstraintsRequest& request,
-                                                                      runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  return Answer(request, call);
-}
-
-absl::StatusOr<v1::CompleteConstraintsResponse> LanguageHandlers::Handle(const v1::CompleteConstraintsRequest& request,
-                                                                         runtime::CallContext& call) const {
-  RETURN_IF_ERROR(Validate(request));
-  auto response = AnsweredBy<v1::CompleteConstraintsResponse>("handbook", handbook_.version());
-  *response.mutable_constraint_list() =
-      CompleteConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(),
-                          request.constraint_list(), handbook_);
-  return response;
-}
-
-absl::StatusOr<v1::DescribeRoomResponse> LanguageHandlers::Answer(const v1::DescribeRoomRequest& request,
-                                                                  runtime::CallContext& call) const {
-  auto response = AnsweredBy<v1::DescribeRoomResponse>("handbook", handbook_.version());
-  ASSIGN_OR_RETURN(*response.mutable_room(), DescribeRoom(request.brief(), handbook_));
-  return response;
-}
-
-absl::StatusOr<v1::PlanZonesResponse> LanguageHandlers::Answer(const v1::PlanZonesRequest& request,
-                                                               runtime::CallContext& call) const {
-  auto response = AnsweredBy<v1::PlanZonesResponse>("handbook", handbook_.version());
-  ASSIGN_OR_RETURN(*response.mutable_zone_plan(), PlanWantedZones(request.brief(), request.room(), handbook_));
-  return response;
-}
-
-absl::StatusOr<v1::ListObjectsResponse> LanguageHandlers::Answer(const v1::ListObjectsRequest& request,
-                                                                 runtime::CallContext& call) const {
-  auto response = AnsweredBy<v1::ListObjectsResponse>("handbook", handbook_.version());
-  ASSIGN_OR_RETURN(*response.mutable_object_list(),
-                   ListObjects(request.brief(), request.room(), request.zone_plan(), handbook_));
-  return response;
-}
-
-absl::StatusOr<v1::ChooseStyleResponse> LanguageHandlers::Answer(const v1::ChooseStyleRequest& request,
-                                                                 runtime::CallContext& call) const {
-  auto response = AnsweredBy<v1::ChooseStyleResponse>("handbook", handbook_.version());
-  ASSIGN_OR_RETURN(*response.mutable_style_sheet(),
-                   ChooseStyle(request.brief(), request.room(), request.object_list(), handbook_));
-  return response;
-}
-
-absl::StatusOr<v1::ListConstraintsResponse> LanguageHandlers::Answer(const v1::ListConstraintsRequest& request,
-                                                                     runtime::CallContext& call) const {
-  auto response = AnsweredBy<v1::ListConstraintsResponse>("handbook", handbook_.version());
-  ASSIGN_OR_RETURN(
-      *response.mutable_constraint_list(),
-      UsualConstraints({request.brief(), request.room(), request.zone_plan()}, request.object_list(), handbook_));
-  return response;
-}
-
-absl::StatusOr<v1::CleanConstraintsResponse> LanguageHandlers::Answer(const v1::CleanConstraintsRequest& request,
-                                                                      runtime::CallContext& call) const {
-  auto response = AnsweredBy<v1::CleanConstraintsResponse>("handbook", handbook_.version());
-  *response.mutable_constraint_list() = CleanConstraints(request.constraint_list());
-  return response;
-}
+FLAIR_ANSWER(DescribeRoom)
+FLAIR_ANSWER(PlanZones)
+FLAIR_ANSWER(ListObjects)
+FLAIR_ANSWER(ChooseStyle)
+FLAIR_ANSWER(ListConstraints)
+FLAIR_ANSWER(CleanConstraints)
+FLAIR_ANSWER(CompleteConstraints)
+#undef FLAIR_ANSWER
 
 }  // namespace flair::language

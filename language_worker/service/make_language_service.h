@@ -25,41 +25,44 @@ class LanguageHandlers {
   explicit LanguageHandlers(const Handbook& handbook) : handbook_(handbook) {}
   virtual ~LanguageHandlers() = default;
 
-  absl::StatusOr<v1::DescribeRoomResponse> Handle(const v1::DescribeRoomRequest& request,
-                                                  runtime::CallContext& call) const;
-  absl::StatusOr<v1::PlanZonesResponse> Handle(const v1::PlanZonesRequest& request, runtime::CallContext& call) const;
-  absl::StatusOr<v1::ListObjectsResponse> Handle(const v1::ListObjectsRequest& request,
-                                                 runtime::CallContext& call) const;
-  absl::StatusOr<v1::ChooseStyleResponse> Handle(const v1::ChooseStyleRequest& request,
-                                                 runtime::CallContext& call) const;
-  absl::StatusOr<v1::ListConstraintsResponse> Handle(const v1::ListConstraintsRequest& request,
-                                                     runtime::CallContext& call) const;
-  absl::StatusOr<v1::CleanConstraintsResponse> Handle(const v1::CleanConstraintsRequest& request,
-                                                      runtime::CallContext& call) const;
-  // The same with a model: what pieces are for is the handbook's to know.
-  absl::StatusOr<v1::CompleteConstraintsResponse> Handle(const v1::CompleteConstraintsRequest& request,
-                                                         runtime::CallContext& call) const;
-
- protected:
-  // The answers to valid requests, of which the brief brings nothing. Here: the handbook's.
-  virtual absl::StatusOr<v1::DescribeRoomResponse> Answer(const v1::DescribeRoomRequest& request,
-                                                          runtime::CallContext& call) const;
-  virtual absl::StatusOr<v1::PlanZonesResponse> Answer(const v1::PlanZonesRequest& request,
-                                                       runtime::CallContext& call) const;
-  virtual absl::StatusOr<v1::ListObjectsResponse> Answer(const v1::ListObjectsRequest& request,
-                                                         runtime::CallContext& call) const;
-  virtual absl::StatusOr<v1::ChooseStyleResponse> Answer(const v1::ChooseStyleRequest& request,
-                                                         runtime::CallContext& call) const;
-  virtual absl::StatusOr<v1::ListConstraintsResponse> Answer(const v1::ListConstraintsRequest& request,
-                                                             runtime::CallContext& call) const;
-  virtual absl::StatusOr<v1::CleanConstraintsResponse> Answer(const v1::CleanConstraintsRequest& request,
-                                                              runtime::CallContext& call) const;
+// Answer: to a valid request, of which the brief brings nothing. Here: the handbook's.
+#define FLAIR_ANSWER(Rpc)                                                                              \
+ public:                                                                                               \
+  absl::StatusOr<v1::Rpc##Response> Handle(const v1::Rpc##Request&, runtime::CallContext& call) const; \
+                                                                                                       \
+ protected:                                                                                            \
+  virtual absl::StatusOr<v1::Rpc##Response> Answer(const v1::Rpc##Request&, runtime::CallContext& call) const;
+  FLAIR_ANSWER(DescribeRoom)
+  FLAIR_ANSWER(PlanZones)
+  FLAIR_ANSWER(ListObjects)
+  FLAIR_ANSWER(ChooseStyle)
+  FLAIR_ANSWER(ListConstraints)
+  FLAIR_ANSWER(CleanConstraints)
+  // With a model, too: what pieces are for is the handbook's to know.
+  FLAIR_ANSWER(CompleteConstraints)
+#undef FLAIR_ANSWER
 
   const Handbook& handbook() const { return handbook_; }
 
  private:
   const Handbook& handbook_;
 };
+
+// The artifact that a response brings.
+template <typename Response>
+auto& PartOf(Response& response) {
+  if constexpr (requires { response.room(); }) {
+    return *response.mutable_room();
+  } else if constexpr (requires { response.zone_plan(); }) {
+    return *response.mutable_zone_plan();
+  } else if constexpr (requires { response.object_list(); }) {
+    return *response.mutable_object_list();
+  } else if constexpr (requires { response.style_sheet(); }) {
+    return *response.mutable_style_sheet();
+  } else {
+    return *response.mutable_constraint_list();
+  }
+}
 
 // A response whose producer is this program, by `method` of `version`, such as a model with its prompts.
 template <typename Response>

@@ -92,4 +92,15 @@ int Run(int argc, char** argv, const Program& program, const Assemble& assemble)
   return Run<Config>(argc, argv, program, assemble, [](const Config&, ConfigChecker&) {});
 }
 
+// The main of a program with one service, `Rpcs`, which make(config, worker context) returns, or why not.
+template <typename Config, typename Rpcs, typename Make, typename Check>
+int RunService(int argc, char** argv, const Program& program, const Make& make, const Check& check) {
+  const auto assemble = [&](const Config& config, Worker& worker) {
+    auto service = make(config, worker.context());
+    if (service.ok()) worker.Serve(Rpcs::service_full_name(), *std::move(service));
+    return service.status();
+  };
+  return Run<Config>(argc, argv, program, assemble, check);
+}
+
 }  // namespace flair::runtime
