@@ -117,13 +117,6 @@ std::optional<ComparisonSheet> BestAt(const Comparison& comparison, v1::PaperSiz
 // How far what is drawn steps back where something is marked.
 constexpr double kPale = 0.3;
 
-void DrawPaper(Canvas& canvas, const Sheet& sheet) {
-  canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
-  canvas.Fill(kWhite);
-  canvas.Rectangle(Box{0, 0, sheet.size_mm.width, sheet.size_mm.height}.Grown(-6));
-  canvas.Draw({Hex(0x8A8379), 0.25});
-}
-
 void DrawCaption(Canvas& canvas, const ComparisonPanel& panel, const Box& box) {
   DrawText(canvas, {panel.caption, {.size_mm = 5.4, .colour = kPanelInk, .serif = true}, box.width()},
            {box.x0, box.y0});

@@ -14,14 +14,15 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
-namespace {
 
-void DrawFrame(Canvas& canvas, const Sheet& sheet) {
+void DrawPaper(Canvas& canvas, const Sheet& sheet) {
   canvas.Rectangle({0, 0, sheet.size_mm.width, sheet.size_mm.height});
   canvas.Fill(kWhite);
   canvas.Rectangle(Box{0, 0, sheet.size_mm.width, sheet.size_mm.height}.Grown(-6));
   canvas.Draw({Hex(0x8A8379), 0.25});
 }
+
+namespace {
 
 constexpr double kMmPerInch = 25.4;
 
@@ -203,7 +204,7 @@ void DrawRoom(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
 }
 
 std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  DrawFrame(canvas, sheet);
+  DrawPaper(canvas, sheet);
   canvas.Rectangle(sheet.plan_mm.Grown(4));
   canvas.Clip();
   DrawRoom(canvas, plan, sheet);

@@ -63,6 +63,9 @@ struct PlanSheet {
 // Reads the layout and chooses the sheet. Errors as DrawPlan.
 absl::StatusOr<PlanSheet> MakePlanSheet(const v1::SolvedLayout& layout, const v1::RenderOptions& options);
 
+// White paper with its frame.
+void DrawPaper(Canvas& canvas, const Sheet& sheet);
+
 // Draws the whole sheet, frame and side panel included, onto a canvas in sheet frame S.
 std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 

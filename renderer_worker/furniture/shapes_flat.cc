@@ -228,11 +228,7 @@ void Modeller::Taper(const Material& material, Vec3 bottom, Vec2 bottom_half, Ve
 void Modeller::Slab(const Material& material, std::span<const Vec2> outline, float bottom, float top, float bevel) {
   if (bottom > top) std::swap(bottom, top);
   if (outline.size() < 3 || top - bottom < 1e-5F) return;
-  Vec2 low = outline[0], high = outline[0];
-  for (const Vec2& p : outline) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = Bounds2(outline);
   bevel = std::min({bevel, 0.3F * (top - bottom), 0.1F * std::min(high.x - low.x, high.y - low.y)});
   const std::vector<Vec2> rim =
       bevel > 1e-4F ? Inset(outline, bevel) : std::vector<Vec2>(outline.begin(), outline.end());

@@ -53,6 +53,9 @@ struct GlbMetadata {
 // rooms look right in them. Divide by it for candela and lux as they are. Also said in `asset.extras.light_scale`.
 inline constexpr double kLightScale = 0.01;
 
+// INVALID_ARGUMENT for an object that is nowhere.
+absl::Status CheckFinite(const v1::Placement& placement);
+
 // Writes the room as binary glTF 2.0 (Khronos), complete in itself: metres, y up, north is -z, every object a node with
 // its id as name, its front along the node's +z and our words about it in `extras`; equal meshes are shared. Lamps and
 // daylight are KHR_lights_punctual, patterns textures that tile. See docs/scene.md. The same scene and metadata give

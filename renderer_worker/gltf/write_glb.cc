@@ -13,6 +13,14 @@
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::renderer {
+
+absl::Status CheckFinite(const v1::Placement& placement) {
+  const double x = placement.x_m(), y = placement.y_m(), z = placement.z_m(), theta = placement.theta_rad();
+  if (std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && std::isfinite(theta)) return absl::OkStatus();
+  return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", placement.object_id(), x, y, z,
+                         theta);
+}
+
 namespace gltf {
 namespace {
 
@@ -181,12 +189,7 @@ class SceneWriter {
   }
   absl::Status AddObject(const SceneObject& shown, Group& group) {
     const v1::Placement& p = shown.placement;
-    for (const double value : {p.x_m(), p.y_m(), p.z_m(), p.theta_rad()}) {
-      if (!std::isfinite(value)) {
-        return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", p.object_id(), p.x_m(),
-                               p.y_m(), p.z_m(), p.theta_rad());
-      }
-    }
+    RETURN_IF_ERROR(CheckFinite(p));
     tinygltf::Node node;
     node.name = Unused(shown.object->id(), "object");
     node.translation = {Rounded(p.x_m()), Rounded(p.z_m()), Rounded(-p.y_m())};

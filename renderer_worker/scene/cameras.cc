@@ -112,11 +112,7 @@ SceneCamera BirdseyeFrom(const RoomShape& shape, float azimuth) {
     eye.z = std::max(eye.z, shape.height_m + 0.01F);
     cut = CutAwayFor(shape, eye);
   }
-  Vec2 low = shape.floor[0], high = low;
-  for (const Vec2& p : shape.floor) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = Bounds2(shape.floor);
   const float distance = std::max(1.0F, Dot(Vec3{(low.x + high.x) / 2, (low.y + high.y) / 2, 0} - eye, view.forward));
   return {"birdseye", eye, eye + view.forward * distance, kBirdseyeFov_rad};
 }

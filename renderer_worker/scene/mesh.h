@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,17 @@ struct Vec2 {
   float x = 0;
   float y = 0;
   friend bool operator==(const Vec2&, const Vec2&) = default;
+};
+
+// The least box round points, at least one.
+struct Bounds2 {
+  explicit Bounds2(std::span<const Vec2> points) : low(points.front()), high(low) {
+    for (const Vec2& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  Vec2 low, high;
 };
 
 // A point, direction or linear RGB colour.

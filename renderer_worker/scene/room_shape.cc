@@ -89,11 +89,7 @@ absl::Status ReadOpenings(const v1::Room& room, RoomShape& shape) {
 // Points all over the floor, a little off the walls.
 std::vector<Vec3> FloorSamples(const RoomShape& shape) {
   constexpr int kPerSide = 24;
-  Vec2 low = shape.floor[0], high = shape.floor[0];
-  for (const Vec2& p : shape.floor) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = Bounds2(shape.floor);
   std::vector<Vec3> samples;
   for (int i = 0; i < kPerSide; ++i) {
     for (int k = 0; k < kPerSide; ++k) {

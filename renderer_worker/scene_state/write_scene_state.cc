@@ -108,12 +108,7 @@ absl::StatusOr<Json> ObjectsOf(const Scene& scene) {
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& shown = scene.objects[i];
     const v1::Placement& p = shown.placement;
-    for (const double value : {p.x_m(), p.y_m(), p.z_m(), p.theta_rad()}) {
-      if (!std::isfinite(value)) {
-        return InvalidArgument("placement of '{}' must be finite, is x {} y {} z {} theta {}", p.object_id(), p.x_m(),
-                               p.y_m(), p.z_m(), p.theta_rad());
-      }
-    }
+    RETURN_IF_ERROR(CheckFinite(p));
     const auto host = index_of.find(shown.object->host_id());
     Json object = {{"id", shown.object->id()},
                    {"index", i},

@@ -130,11 +130,7 @@ void BalanceLights(const World& world, const std::vector<SurfacePoint>& points, 
     if (lamps) ball.intensity = ball.intensity * (kLamplight / of_lamps);
   }
   lights.sun_irradiance = {};
-  Vec2 low = shape.floor[0], high = low;
-  for (const Vec2& p : shape.floor) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  const auto [low, high] = Bounds2(shape.floor);
   const float width = 0.8F * (high.x - low.x), depth = 0.8F * (high.y - low.y);
   RectLight fill;
   fill.corner = {low.x + width / 8, high.y - depth / 8, shape.height_m - 0.01F};
