@@ -16,12 +16,6 @@ namespace {
 constexpr double kStep_m = 0.1;
 constexpr int kSteps = 3;
 
-// How deep a point is inside an object; 0 outside.
-double DepthIn(const Footprint& footprint, const Frame<double>& frame, const Vec2<double>& p) {
-  const Vec2<double> local = frame.ToObject(p);
-  return std::max(0.0, std::min(footprint.width_m / 2 - std::abs(local.x), footprint.depth_m / 2 - std::abs(local.y)));
-}
-
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 using Point = Kernel::Point_2;
@@ -67,9 +61,11 @@ struct Solid {
   Frame<double> frame;
   Footprint footprint;
 
-  bool Covers(const Vec2<double>& p) const {
+  // How deep a point is inside; 0 outside.
+  double DepthOf(const Vec2<double>& p) const {
     const Vec2<double> local = frame.ToObject(p);
-    return std::abs(local.x) < footprint.width_m / 2 && std::abs(local.y) < footprint.depth_m / 2;
+    return std::max(0.0,
+                    std::min(footprint.width_m / 2 - std::abs(local.x), footprint.depth_m / 2 - std::abs(local.y)));
   }
 };
 
@@ -105,7 +101,7 @@ void AddRidge(const Vec2<double>& from, const Vec2<double>& to, const Vec2<doubl
     const double radius = Distance(p, a);
     const double opposite = Ramp(width * width / (4 * radius * radius), kCorner, kOpposite);
     if (opposite == 0 || !Contains(floor, p)) continue;
-    if (std::ranges::any_of(solids, [&p](const Solid& solid) { return solid.Covers(p); })) continue;
+    if (std::ranges::any_of(solids, [&p](const Solid& solid) { return solid.DepthOf(p) > 0; })) continue;
     pieces.push_back({p, (1 / width) * (b - a), slit * opposite * length / steps, radius});
   }
 }
@@ -134,11 +130,7 @@ std::vector<Delaunay::Edge> EdgesInOrder(const Delaunay& delaunay) {
 }  // namespace
 
 double PathwayCost_m3(const LayoutView& view) {
-  std::vector<std::pair<Footprint, Frame<double>>> solids;
-  for (size_t i = 0; i < view.scene.objects.size(); ++i) {
-    if (!view.Has(i) || !IsSolid(view.scene.objects[i])) continue;
-    solids.emplace_back(view.scene.objects[i].footprint, FrameOf(view.layout[i]));
-  }
+  const std::vector<Solid> solids = SolidsOf(view);
   double cost = 0;
   for (const WayPiece& piece : FindWays(view)) {
     if (piece.half_width_m >= kSteps * kStep_m) continue;
@@ -146,8 +138,8 @@ double PathwayCost_m3(const LayoutView& view) {
     for (int k = -kSteps; k <= kSteps; ++k) {
       const Vec2<double> p = piece.middle + (k * kStep_m) * piece.across;
       const double weight = 1 + kSteps - std::abs(k);
-      for (const auto& [footprint, frame] : solids) {
-        const double depth = DepthIn(footprint, frame, p);
+      for (const Solid& solid : solids) {
+        const double depth = solid.DepthOf(p);
         section += weight * depth * depth;
       }
     }

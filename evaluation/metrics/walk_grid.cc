@@ -128,21 +128,26 @@ void WalkGrid::MarkDoor(const Polygon& landing) {
   }
 }
 
-void WalkGrid::ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const {
-  Frame<double> frame = FrameOf(obstacle.pose);
-  frame.center = frame.center - min_;
-  const double reach = std::hypot(obstacle.footprint.width_m, obstacle.footprint.depth_m) / 2 + radius_m;
+template <typename SliceAt, typename Take>
+void WalkGrid::ForCells(const Frame<double>& frame, double reach, const SliceAt& slice_at, const Take& take) const {
   const int low = std::max(0, static_cast<int>(std::floor((frame.center.y - reach) / cell_y_m_)));
   const int high = std::min(height_ - 1, static_cast<int>(std::ceil((frame.center.y + reach) / cell_y_m_)));
   for (int y = low; y <= high; ++y) {
-    const Interval slice = RoundSlice(frame, obstacle.footprint, radius_m, (y + 0.5) * cell_y_m_);
+    const Interval slice = slice_at((y + 0.5) * cell_y_m_);
     if (slice.empty()) continue;
     const int first = std::max(0, static_cast<int>(std::ceil(slice.low / cell_x_m_ - 0.5)));
     const int last = std::min(width_ - 1, static_cast<int>(std::floor(slice.high / cell_x_m_ - 0.5)));
-    if (first > last) continue;
-    uint64_t* row = mask.data() + static_cast<size_t>(y) * words_;
-    ForWords(first, last, [row](int w, uint64_t bits) { row[w] &= ~bits; });
+    if (first <= last) ForWords(first, last, [&](int w, uint64_t bits) { take(y, w, bits); });
   }
+}
+
+void WalkGrid::ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const {
+  Frame<double> frame = FrameOf(obstacle.pose);
+  frame.center = frame.center - min_;
+  ForCells(
+      frame, std::hypot(obstacle.footprint.width_m, obstacle.footprint.depth_m) / 2 + radius_m,
+      [&](double at_m) { return RoundSlice(frame, obstacle.footprint, radius_m, at_m); },
+      [&](int y, int w, uint64_t bits) { RowOf(mask, y)[w] &= ~bits; });
 }
 
 bool WalkGrid::TouchesFront(const Obstacle& obstacle) {
@@ -150,21 +155,11 @@ bool WalkGrid::TouchesFront(const Obstacle& obstacle) {
   frame.center = frame.center - min_;
   frame.center += (obstacle.footprint.depth_m / 2 + kFrontStrip_m / 2) * frame.front;
   const double a = std::max(obstacle.footprint.width_m / 2, kNarrowestFront_m), b = kFrontStrip_m / 2;
-  const double reach = std::hypot(a, b);
-  const int low = std::max(0, static_cast<int>(std::floor((frame.center.y - reach) / cell_y_m_)));
-  const int high = std::min(height_ - 1, static_cast<int>(std::ceil((frame.center.y + reach) / cell_y_m_)));
-  for (int y = low; y <= high; ++y) {
-    const Interval slice = Slice(frame, a, b, (y + 0.5) * cell_y_m_);
-    if (slice.empty()) continue;
-    const int first = std::max(0, static_cast<int>(std::ceil(slice.low / cell_x_m_ - 0.5)));
-    const int last = std::min(width_ - 1, static_cast<int>(std::floor(slice.high / cell_x_m_ - 0.5)));
-    if (first > last) continue;
-    bool touches = false;
-    const uint64_t* row = RowOf(reached_, y);
-    ForWords(first, last, [&](int w, uint64_t bits) { touches = touches || (row[w] & bits) != 0; });
-    if (touches) return true;
-  }
-  return false;
+  bool touches = false;
+  ForCells(
+      frame, std::hypot(a, b), [&](double at_m) { return Slice(frame, a, b, at_m); },
+      [&](int y, int w, uint64_t bits) { touches = touches || (RowOf(reached_, y)[w] & bits) != 0; });
+  return touches;
 }
 
 void WalkGrid::FindRuns() {

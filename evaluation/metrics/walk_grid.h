@@ -89,6 +89,9 @@ class WalkGrid {
   void Rasterize(const Room& room);
   void MarkDoor(const Polygon& landing);
   uint64_t* RowOf(Mask& mask, int y) const { return mask.data() + static_cast<size_t>(y) * words_; }
+  // The cells of a shape that reaches so far from its middle, row by row.
+  template <typename SliceAt, typename Take>
+  void ForCells(const Frame<double>& frame, double reach, const SliceAt& slice_at, const Take& take) const;
   void ClearShape(Mask& mask, const Obstacle& obstacle, double radius_m) const;
   bool TouchesFront(const Obstacle& obstacle);
   void FindRuns();
