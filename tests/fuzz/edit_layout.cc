@@ -19,42 +19,15 @@
 #include "tests/fuzz/random_problem.h"
 #include "tests/fuzz/targets.h"
 
+namespace flair {
+std::string_view StudyText();  // study.textproto, embedded
+}
+
 namespace flair::fuzz {
 namespace {
 
 constexpr std::string_view kText = "text\n";
 constexpr int kMostEdits = 6;
-constexpr const char* kStudy = R"(
-  room {
-    room_type: "study" height_m: 2.6
-    floor { vertices {} vertices { x_m: 4 } vertices { x_m: 4 y_m: 3 } vertices { y_m: 3 } }
-    walls { name: "wall_1" } walls { name: "wall_2" } walls { name: "wall_3" } walls { name: "wall_4" }
-    openings { id: "opening_1" kind: OPENING_KIND_DOOR wall: "wall_1" offset_m: 0.2 width_m: 0.8 head_height_m: 2
-               leaf { hinge: HINGE_SIDE_START swing: DOOR_SWING_INWARD swing_angle_rad: 1.57 } }
-    openings { id: "opening_2" kind: OPENING_KIND_WINDOW wall: "wall_3" offset_m: 1 width_m: 1 sill_height_m: 0.9
-               head_height_m: 2 }
-  }
-  zone_plan { zones { id: "zone_0" name: "zone_0" } zones { id: "zone_1" name: "zone_1" } }
-  object_list {
-    objects { id: "object_1" name: "desk" role: OBJECT_ROLE_PRIMARY kind: OBJECT_KIND_FLOOR zone_id: "zone_0"
-              width_m: 1.2 depth_m: 0.6 height_m: 0.75 }
-    objects { id: "object_2" name: "bed" role: OBJECT_ROLE_PRIMARY kind: OBJECT_KIND_FLOOR zone_id: "zone_1"
-              width_m: 0.9 depth_m: 2 height_m: 0.5 }
-    objects { id: "object_3" name: "chair" role: OBJECT_ROLE_SECONDARY kind: OBJECT_KIND_FLOOR zone_id: "zone_0"
-              width_m: 0.5 depth_m: 0.5 height_m: 0.9 }
-    objects { id: "object_4" name: "lamp" role: OBJECT_ROLE_TERTIARY kind: OBJECT_KIND_SURFACE zone_id: "zone_0"
-              host_id: "object_1" width_m: 0.2 depth_m: 0.2 height_m: 0.4 }
-    objects { id: "object_5" name: "picture" role: OBJECT_ROLE_TERTIARY kind: OBJECT_KIND_WALL zone_id: "zone_1"
-              width_m: 0.6 depth_m: 0.05 height_m: 0.4 elevation_m: 1.5 }
-    objects { id: "object_6" name: "rug" role: OBJECT_ROLE_TERTIARY kind: OBJECT_KIND_FLOOR walk_over: true
-              zone_id: "zone_1" width_m: 1.2 depth_m: 0.8 height_m: 0.01 }
-  }
-  edges { id: "edge_1" type: "against_wall" weight: 1 arguments { name: "object" value { text: "object_1" } } }
-  edges { id: "edge_2" type: "in_front_of" weight: 1 arguments { name: "object" value { text: "object_3" } }
-          arguments { name: "target" value { text: "object_1" } } }
-  edges { id: "edge_3" type: "on_top_center" weight: 1 arguments { name: "object" value { text: "object_4" } }
-          arguments { name: "host" value { text: "object_1" } } }
-  pinned_placements { object_id: "object_2" x_m: 3.4 y_m: 1.8 })";
 
 // Little enough for a fuzzer.
 v1::SolveOptions Tight() {
@@ -67,7 +40,7 @@ v1::SolveOptions Tight() {
 
 v1::SolvedLayout SolveStudy() {
   v1::LayoutGraph graph;
-  Require(google::protobuf::TextFormat::ParseFromString(kStudy, &graph), "the study parses");
+  Require(google::protobuf::TextFormat::ParseFromString(std::string(StudyText()), &graph), "the study parses");
   const optimizer::NloptSolver solver;
   absl::StatusOr<optimizer::SolveResult> result = optimizer::SolveLayout(graph, Tight(), solver);
   Require(result.ok(), "the study is solved");

@@ -12,6 +12,10 @@
 #include "tests/fuzz/targets.h"
 #include "translator_worker/model/model_translator.h"
 
+namespace flair {
+std::string_view SmallCatalogText();  // small_catalog.textproto, embedded
+}
+
 namespace flair::fuzz {
 namespace {
 
@@ -69,20 +73,6 @@ void Constraints(const std::string& step, const Answers& answers) {
   CheckEnd(Session(step, answers, Known::kObjects)->ListConstraints(), &v1::ListConstraintsResponse::constraint_list);
 }
 
-constexpr char kSmallCatalog[] = R"pb(
-  library: "fuzz 1"
-  types {
-    name: "against_wall"
-    family: "wall"
-    parameters { name: "object" kind: PARAMETER_KIND_OBJECT required: true }
-    parameters { name: "others" kind: PARAMETER_KIND_OBJECTS }
-    parameters { name: "side" kind: PARAMETER_KIND_SIDE }
-    parameters { name: "sides" kind: PARAMETER_KIND_SIDES }
-    parameters { name: "wall" kind: PARAMETER_KIND_WALL }
-    parameters { name: "gap_m" kind: PARAMETER_KIND_NUMBER unit: "m" }
-    parameters { name: "strict" kind: PARAMETER_KIND_BOOLEAN }
-  })pb";
-
 void Translation(const Answers& answers) {
   static const v1::TranslateRequest request = [] {
     v1::TranslateRequest made;
@@ -90,7 +80,7 @@ void Translation(const Answers& answers) {
     *made.mutable_zone_plan() = testing::BedroomZones();
     for (const char* id : {"bed", "bed_2"}) *made.mutable_object_list()->add_objects() = testing::BedroomBed(id);
     *made.mutable_constraint_list()->add_sentences() = testing::BedroomSentence();
-    Require(google::protobuf::TextFormat::ParseFromString(kSmallCatalog, made.mutable_catalog()),
+    Require(google::protobuf::TextFormat::ParseFromString(std::string(SmallCatalogText()), made.mutable_catalog()),
             "the catalogue parses");
     return made;
   }();
