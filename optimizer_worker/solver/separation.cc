@@ -2,7 +2,6 @@
 #include "optimizer_worker/solver/separation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "optimizer_worker/constraints/whole_room.h"

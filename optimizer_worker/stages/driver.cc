@@ -7,7 +7,6 @@
 
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/patterns.h"
-#include "optimizer_worker/stages/stage.h"
 #include "worker_runtime/executor/executor.h"
 #include "worker_runtime/status/status_macros.h"
 

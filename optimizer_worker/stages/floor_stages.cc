@@ -7,7 +7,6 @@
 
 #include "optimizer_worker/stages/patterns.h"
 #include "optimizer_worker/stages/place_groups.h"
-#include "optimizer_worker/stages/solve_input.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {

@@ -12,7 +12,6 @@
 #include "flair/v1/provenance.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "optimizer_worker/solver/separation.h"
-#include "optimizer_worker/solver/solver.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/solve_input.h"
 #include "optimizer_worker/stages/stage.h"

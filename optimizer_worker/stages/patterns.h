@@ -2,7 +2,6 @@
 // Patterns of groups that are alike: rows, banks that stand back to back, grids, rows along walls.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "optimizer_worker/stages/groups.h"

@@ -9,7 +9,6 @@
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/solver/candidates.h"
 #include "optimizer_worker/solver/hard_cost.h"
-#include "optimizer_worker/solver/search.h"
 #include "optimizer_worker/stages/floor_stages.h"
 #include "room/geometry/pose.h"
 

@@ -6,9 +6,7 @@
 #include "fmt/format.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/infeasible.h"
-#include "optimizer_worker/stages/solve_input.h"
 #include "optimizer_worker/stages/solved_layout.h"
-#include "optimizer_worker/stages/stage.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::optimizer {

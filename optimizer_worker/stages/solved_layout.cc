@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "evaluation/metrics/layout_metrics.h"
 #include "evaluation/metrics/measures.h"
@@ -12,7 +11,6 @@
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/shortfall.h"
 #include "optimizer_worker/stages/infeasible.h"
-#include "optimizer_worker/stages/solve_input.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "optimizer_worker/zones/voronoi_zones.h"
 #include "room/geometry/pose.h"

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "absl/status/statusor.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/constraints/whole_room.h"
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/patterns.h"
-#include "optimizer_worker/stages/solved_layout.h"
 #include "optimizer_worker/stages/tertiary.h"
 #include "room/geometry/pose.h"
 #include "worker_runtime/executor/executor.h"
