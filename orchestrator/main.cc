@@ -6,17 +6,16 @@
 #include "orchestrator/service/make_orchestrator_service.h"
 #include "worker_runtime/bootstrap/build_id.h"
 #include "worker_runtime/bootstrap/run.h"
+#include "worker_runtime/status/status_macros.h"
 
 namespace flair::orchestrator {
 namespace {
 
 absl::Status Assemble(const config::v1::OrchestratorConfig& config, runtime::Worker& worker) {
-  absl::StatusOr<StageChannels> channels = ConnectStages(config);
-  if (!channels.ok()) return channels.status();
-  auto service = MakeOrchestratorService(config, worker.context(), *channels);
-  if (!service.ok()) return service.status();
-  worker.OnStop([&stopping = **service] { stopping.Stop(); });
-  worker.Serve(v1::OrchestratorService::service_full_name(), *std::move(service));
+  ASSIGN_OR_RETURN(const StageChannels channels, ConnectStages(config));
+  ASSIGN_OR_RETURN(auto service, MakeOrchestratorService(config, worker.context(), channels));
+  worker.OnStop([&stopping = *service] { stopping.Stop(); });
+  worker.Serve(v1::OrchestratorService::service_full_name(), std::move(service));
   return absl::OkStatus();
 }
 

@@ -124,19 +124,17 @@ absl::StatusOr<std::vector<Record>> MeasureResolves(const BenchProblem& problem,
 absl::StatusOr<Record> MeasureRestarts(const BenchProblem& problem, v1::SolveOptions options, int count) {
   options.set_thread_count(1);
   const optimizer::NloptSolver solver;
-  const absl::StatusOr<optimizer::SolveInput> input =
-      optimizer::MakeSolveInput(problem.graph, options, solver, nullptr);
-  if (!input.ok()) return input.status();
-  const optimizer::StageSpec stage = optimizer::MakeStage(input->scene, optimizer::StageKind::kPrimary);
+  ASSIGN_OR_RETURN(const optimizer::SolveInput input,
+                   optimizer::MakeSolveInput(problem.graph, options, solver, nullptr));
+  const optimizer::StageSpec stage = optimizer::MakeStage(input.scene, optimizer::StageKind::kPrimary);
   if (stage.objects.empty()) return absl::NotFoundError("the room has no primary objects");
   Record measure{{"name", problem.name}, {"scores", Record::array()}, {"cpu_s", Record::array()}};
   for (int k = 0; k < count; ++k) {
     const double started = ThreadCpu_s();
-    const absl::StatusOr<std::vector<optimizer::RestartResult>> results =
-        optimizer::RunRestarts(*input, stage, optimizer::PartialLayout(input->scene), k, 1);
-    if (!results.ok()) return results.status();
+    ASSIGN_OR_RETURN(const std::vector<optimizer::RestartResult> results,
+                     optimizer::RunRestarts(input, stage, optimizer::PartialLayout(input.scene), k, 1));
     measure["cpu_s"].push_back(ThreadCpu_s() - started);
-    measure["scores"].push_back(results->front().score);
+    measure["scores"].push_back(results.front().score);
   }
   return measure;
 }

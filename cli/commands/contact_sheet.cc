@@ -175,13 +175,13 @@ std::vector<TileSource> SourcesOf(const std::vector<fs::path>& folders, bool var
 absl::Status MakeContactSheet(const ContactSheetArguments& arguments) {
   ASSIGN_OR_RETURN(const v1::PreviewView view, ViewOfName(arguments.view.empty() ? "plan" : arguments.view));
   RETURN_IF_ERROR(MakeOptions(arguments, 1).status());
-  const absl::StatusOr<std::vector<fs::path>> designs =
-      FindFoldersWith(arguments.folder, arguments.picture.empty() ? "layout.pb" : arguments.picture, kMostTiles);
-  if (!designs.ok()) return designs.status();
+  ASSIGN_OR_RETURN(
+      const std::vector<fs::path> designs,
+      FindFoldersWith(arguments.folder, arguments.picture.empty() ? "layout.pb" : arguments.picture, kMostTiles));
   RETURN_IF_ERROR(CheckOutputFile(arguments.out));
   ASSIGN_OR_RETURN(std::unique_ptr<RendererClient> renderer, RendererClient::Open(arguments.renderer));
   const Sheet sheet(arguments, *renderer, view);
-  const std::vector<TileSource> sources = SourcesOf(*designs, arguments.variants);
+  const std::vector<TileSource> sources = SourcesOf(designs, arguments.variants);
   ASSIGN_OR_RETURN(const v1::ContactSheetOptions options, MakeOptions(arguments, sources.size()));
   ASSIGN_OR_RETURN(const v1::ComposeContactSheetResponse response, [&] {
     SlowNote note("drawing");

@@ -86,10 +86,18 @@ LineFinder FindInJson(const std::string& text) {
   return [&text](const std::vector<PathStep>& path) { return LineAt(text, FindJsonField(text, path)); };
 }
 
-absl::Status Join(const std::vector<std::string>& lines, size_t more) {
+absl::Status List(const std::string& name, const std::vector<validation::Problem>& problems,
+                  const LineFinder& line_of) {
+  if (problems.empty()) return absl::OkStatus();
+  const size_t listed = std::min(problems.size(), kListedProblems);
   std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
-  if (more > 0) text += fmt::format("\nand {} more", more);
+  for (size_t i = 0; i < listed; ++i) {
+    const absl::StatusOr<std::vector<PathStep>> path = ParseFieldPath(problems[i].path);
+    const int line = path.ok() && line_of != nullptr ? line_of(*path) : 0;
+    text += fmt::format("{}{}{}: {}: {}", text.empty() ? "" : "\n", name, line > 0 ? fmt::format(":{}", line) : "",
+                        problems[i].path, problems[i].text);
+  }
+  if (problems.size() > listed) text += fmt::format("\nand {} more", problems.size() - listed);
   return absl::InvalidArgumentError(text);
 }
 
@@ -209,26 +217,11 @@ absl::Status ParseMessageText(TextForm form, const std::string& name, const std:
 absl::Status LocateProblems(TextForm form, const std::string& name, const std::string& text, const pb::Message& message,
                             const std::vector<validation::Problem>& problems) {
   if (problems.empty()) return absl::OkStatus();
-  const LineFinder line_of = form == TextForm::kJson ? FindInJson(text) : FindInProtobufText(text, message);
-  const size_t listed = std::min(problems.size(), kListedProblems);
-  std::vector<std::string> lines;
-  for (size_t i = 0; i < listed; ++i) {
-    const absl::StatusOr<std::vector<PathStep>> path = ParseFieldPath(problems[i].path);
-    const int line = path.ok() ? line_of(*path) : 0;
-    lines.push_back(fmt::format("{}{}: {}: {}", name, line > 0 ? fmt::format(":{}", line) : "", problems[i].path,
-                                problems[i].text));
-  }
-  return Join(lines, problems.size() - listed);
+  return List(name, problems, form == TextForm::kJson ? FindInJson(text) : FindInProtobufText(text, message));
 }
 
 absl::Status ListProblems(const std::string& name, const std::vector<validation::Problem>& problems) {
-  if (problems.empty()) return absl::OkStatus();
-  const size_t listed = std::min(problems.size(), kListedProblems);
-  std::vector<std::string> lines;
-  for (size_t i = 0; i < listed; ++i) {
-    lines.push_back(fmt::format("{}: {}: {}", name, problems[i].path, problems[i].text));
-  }
-  return Join(lines, problems.size() - listed);
+  return List(name, problems, nullptr);
 }
 
 std::string RepeatedKey(std::string_view json) {

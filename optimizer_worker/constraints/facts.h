@@ -28,6 +28,8 @@ struct ConstraintCode {
   BoundCost (*bind)(const Arguments& arguments, const BindContext& context);
   // By how much a call that costs something misses what it asks, in words. Null: told by the cost alone.
   std::optional<Shortfall> (*shortfall)(const PlacedCall& call) = nullptr;
+  // Where its object belongs, when the root of the cost is how far it is from there: "the middle of the room".
+  const char* place = nullptr;
 };
 
 // A layout where the call holds or does not, for the battery: a scene as room/text_format writes it, and the call

@@ -40,6 +40,9 @@ std::optional<Shortfall> Explain(const v1::ConstraintEdge& edge, const Furnished
   if (missed == 0) return std::nullopt;
   if (facts->code.shortfall != nullptr) {
     if (std::optional<Shortfall> shortfall = facts->code.shortfall(call)) return shortfall;
+  } else if (facts->code.place != nullptr) {
+    if (std::optional<Shortfall> shortfall = Worst({OffBy(call.NameOf("object"), facts->code.place, missed)}))
+      return shortfall;
   }
   if (facts->type.built_in()) return std::nullopt;
   // Several small misses may add up to what none of them is; and a new type may measure none.

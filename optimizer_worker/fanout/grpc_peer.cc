@@ -56,10 +56,9 @@ class GrpcPeer final : public PeerOptimizer {
 absl::StatusOr<std::unique_ptr<PeerOptimizer>> MakeGrpcPeer(const std::string& address, const std::string& producer,
                                                             const runtime::Clock& clock,
                                                             const runtime::ChannelOptions& options) {
-  absl::StatusOr<std::shared_ptr<grpc::Channel>> channel =
-      runtime::MakeChannel(address, v1::OptimizerService::service_full_name(), options);
-  if (!channel.ok()) return channel.status();
-  return std::make_unique<GrpcPeer>(address, producer, *channel, clock);
+  ASSIGN_OR_RETURN(const std::shared_ptr<grpc::Channel> channel,
+                   runtime::MakeChannel(address, v1::OptimizerService::service_full_name(), options));
+  return std::make_unique<GrpcPeer>(address, producer, channel, clock);
 }
 
 }  // namespace flair::optimizer

@@ -92,9 +92,8 @@ absl::StatusOr<WarmResult> Search(const SolveInput& input, const WarmStart& star
   if (!warm.ok() || input.OutOfTime()) return warm;
   const double left_m = FindViolations(input, warm->state, start.baseline).depth_m;
   if (left_m <= kFits_m) return warm;
-  absl::StatusOr<WarmResult> anew = SolveAnew(input);
-  if (!anew.ok()) return anew.status();
-  return FindViolations(input, anew->state, start.baseline).depth_m < left_m ? anew : warm;
+  ASSIGN_OR_RETURN(const WarmResult anew, SolveAnew(input));
+  return FindViolations(input, anew.state, start.baseline).depth_m < left_m ? anew : warm;
 }
 
 std::vector<std::string> MovedIds(const SolveInput& input, const PartialLayout& before, const PartialLayout& after) {
@@ -244,11 +243,10 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   one.clear_variant_count();
   ASSIGN_OR_RETURN(const SolveInput input, MakeSolveInput(problem.graph, one, solver, cancelled));
   ASSIGN_OR_RETURN(const PartialLayout before, StateOf(input, layout.placements()));
-  const absl::StatusOr<PartialLayout> now =
-      StateOf(input, PlacementList(problem.placements.begin(), problem.placements.end()));
-  if (!now.ok()) return now.status();
+  ASSIGN_OR_RETURN(const PartialLayout now,
+                   StateOf(input, PlacementList(problem.placements.begin(), problem.placements.end())));
 
-  WarmStart start{*now, before, {}, {}, {}};
+  WarmStart start{now, before, {}, {}, {}};
   for (const Pin& pin : input.pins) start.state.Place(pin.object, pin.pose);
   for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
     if (problem.touched.contains(input.scene.objects[i].id)) start.touched.push_back(i);

@@ -128,11 +128,10 @@ absl::Status Driver::Extend(const SolveInput& input, Branch& branch, StageKind k
   const StageSpec stage = FreeStage(input, kind, zone);
   if (stage.objects.empty()) return absl::OkStatus();
   const absl::Time started = absl::Now();
-  absl::StatusOr<std::vector<RestartResult>> results =
-      runner_.Run(input, stage, branch.state, branch.first_restart, RestartsOf(input_.settings, stage));
-  if (!results.ok()) return results.status();
+  ASSIGN_OR_RETURN(std::vector<RestartResult> results,
+                   runner_.Run(input, stage, branch.state, branch.first_restart, RestartsOf(input_.settings, stage)));
   const double floor_score = branch.score;
-  Record(branch, stage, *results, BestOf(*results), started);
+  Record(branch, stage, results, BestOf(results), started);
   if (kind == StageKind::kTertiary) branch.score = floor_score;
   return absl::OkStatus();
 }
@@ -235,10 +234,9 @@ absl::Status Driver::PolishOn(Branch& branch) const {
       outcome.set_stopped_early(true);
       break;
     }
-    absl::StatusOr<std::vector<RestartResult>> results =
-        runner_.Run(input_, stage, branch.state, branch.first_restart + next, 1);
-    if (!results.ok()) return results.status();
-    RestartResult& result = results->front();
+    ASSIGN_OR_RETURN(std::vector<RestartResult> results,
+                     runner_.Run(input_, stage, branch.state, branch.first_restart + next, 1));
+    RestartResult& result = results.front();
     const double gain = branch.score - result.score;
     in_vain = gain > kWorthAnother ? 0 : in_vain + 1;
     outcome.set_evaluation_count(outcome.evaluation_count() + result.evaluations);

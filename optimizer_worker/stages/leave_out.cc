@@ -115,9 +115,8 @@ absl::StatusOr<std::vector<Branch>> SolveRest(const SolveInput& input, const Res
   part.settings = input.settings;
   part.out_of_time = input.out_of_time;
   if (part.settings.groups) part.groups = FindGroups(part);
-  absl::StatusOr<std::vector<Branch>> branches = Driver(part, runner).Run();
-  if (!branches.ok()) return branches.status();
-  for (Branch& branch : *branches) branch.state = Widen(part, branch.state, input);
+  ASSIGN_OR_RETURN(std::vector<Branch> branches, Driver(part, runner).Run());
+  for (Branch& branch : branches) branch.state = Widen(part, branch.state, input);
   return branches;
 }
 

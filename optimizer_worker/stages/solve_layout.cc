@@ -16,20 +16,17 @@ absl::StatusOr<SolveResult> SolveLayout(const v1::LayoutGraph& graph, const v1::
                                         const RestartRunner& runner) {
   ASSIGN_OR_RETURN(SolveInput input, MakeSolveInput(graph, options, solver, cancelled));
   if (input.settings.groups) input.groups = FindGroups(input);
-  absl::StatusOr<std::vector<Branch>> branches = Driver(input, runner).Run();
-  if (!branches.ok()) return branches.status();
-  absl::StatusOr<std::vector<Branch>> fitting = SolveWithoutMisfits(input, runner, *branches);
-  if (!fitting.ok()) return fitting.status();
+  ASSIGN_OR_RETURN(std::vector<Branch> branches, Driver(input, runner).Run());
+  ASSIGN_OR_RETURN(std::vector<Branch> fitting, SolveWithoutMisfits(input, runner, branches));
   if (input.Cancelled()) return absl::CancelledError("cancelled when all was placed");
   // Placing the misfits last may find room for all of them; when it does not, the policy decides.
   if (input.settings.leave_out_misfits) {
     branches = std::move(fitting);
-  } else if (fitting->front().left_out.empty()) {
-    branches->front() = std::move(fitting->front());
+  } else if (fitting.front().left_out.empty()) {
+    branches.front() = std::move(fitting.front());
   }
-  branches = SolveWithoutBadSpares(input, runner, *std::move(branches));
-  if (!branches.ok()) return branches.status();
-  return SolveResult{MakeSolvedLayout(input, *branches), branches->front().durations};
+  ASSIGN_OR_RETURN(branches, SolveWithoutBadSpares(input, runner, std::move(branches)));
+  return SolveResult{MakeSolvedLayout(input, branches), branches.front().durations};
 }
 
 absl::StatusOr<v1::EvaluateResponse> EvaluateLayout(const v1::EvaluateRequest& request, const Solver& solver) {
@@ -86,11 +83,10 @@ absl::StatusOr<std::vector<v1::RestartOutcome>> SolveStageRestarts(const v1::Sol
                       input.scene.objects[object].id));
     }
   }
-  absl::StatusOr<std::vector<RestartResult>> results =
-      RunRestarts(input, stage, before, request.first_restart(), request.restart_count());
-  if (!results.ok()) return results.status();
+  ASSIGN_OR_RETURN(const std::vector<RestartResult> results,
+                   RunRestarts(input, stage, before, request.first_restart(), request.restart_count()));
   std::vector<v1::RestartOutcome> outcomes;
-  for (const RestartResult& result : *results) {
+  for (const RestartResult& result : results) {
     v1::RestartOutcome& outcome = outcomes.emplace_back();
     outcome.set_restart(result.restart);
     outcome.set_cost(result.score);

@@ -55,16 +55,18 @@ Polygon Sector(const Room& room, const Opening& door, double first_rad, double l
   return sector;
 }
 
+// The place of the first with that name; -1 when there is none.
+template <typename Item>
+int IndexIn(const std::vector<Item>& list, std::string Item::*name, std::string_view wanted) {
+  const auto found = std::ranges::find(list, wanted, name);
+  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
 }  // namespace
 
 double Wall::BackHeading() const { return WrapHeading(HeadingOf(inward_normal)); }
 
-int Room::WallIndex(std::string_view name) const {
-  for (size_t i = 0; i < walls.size(); ++i) {
-    if (walls[i].name == name) return static_cast<int>(i);
-  }
-  return -1;
-}
+int Room::WallIndex(std::string_view name) const { return IndexIn(walls, &Wall::name, name); }
 
 Segment Room::SegmentOf(const Opening& opening) const {
   const Wall& wall = walls[static_cast<size_t>(opening.wall)];
@@ -143,19 +145,9 @@ Polygon PassageArea(const Room& room, const Opening& door, double depth_m, doubl
   return {{a, b, b + inward, a + inward}};
 }
 
-int Scene::IndexOf(std::string_view object_id) const {
-  for (size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i].id == object_id) return static_cast<int>(i);
-  }
-  return -1;
-}
+int Scene::IndexOf(std::string_view object_id) const { return IndexIn(objects, &Object::id, object_id); }
 
-int Scene::ZoneIndexOf(std::string_view zone_id) const {
-  for (size_t i = 0; i < zones.size(); ++i) {
-    if (zones[i].id == zone_id) return static_cast<int>(i);
-  }
-  return -1;
-}
+int Scene::ZoneIndexOf(std::string_view zone_id) const { return IndexIn(zones, &Zone::id, zone_id); }
 
 bool Scene::Carries(int carrier, int object) const {
   // As below: a circle of hosts ends here.

@@ -196,10 +196,6 @@ struct WindowPlace {
   double width_m;
 };
 
-std::optional<Shortfall> UnderWindowShortfall(const PlacedCall& call) {
-  return Worst({OffBy(call.NameOf("object"), "its place under the nearest window", call.CostRoot())});
-}
-
 BoundCost BindUnderWindow(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   std::vector<WindowPlace> windows;
@@ -229,7 +225,7 @@ constexpr ConstraintCode kFeatureCode[] = {
     {"clear_of_feature", BindClearOfFeature, ClearOfFeatureShortfall},
     {"close_to_feature", BindCloseToFeature, CloseToFeatureShortfall},
     {"faces_feature", BindFacesFeature, FacesFeatureShortfall},
-    {"under_window", BindUnderWindow, UnderWindowShortfall},
+    {"under_window", BindUnderWindow, nullptr, "its place under the nearest window"},
 };
 
 }  // namespace

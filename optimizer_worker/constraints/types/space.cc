@@ -223,10 +223,6 @@ BoundCost BindAccessible(const Arguments& a, const BindContext& context) {
 //   hx, hy  distance of the centre outside the middle third of the room's bounding box, east-west and north-south
 // Zero exactly when the centre is in the middle third along one axis (or both). The released ind_central multiplies hx
 // and hy, so that it is flat along either third, and adds a heading term that whole-room alignment has already.
-std::optional<Shortfall> CentralShortfall(const PlacedCall& call) {
-  return Worst({OffBy(call.NameOf("object"), "the middle of the room", call.CostRoot())});
-}
-
 BoundCost BindCentral(const Arguments& a, const BindContext& context) {
   const BoundingBox box = BoundsOf(context.scene.room.floor);
   const bool both = a.Flag("both");
@@ -294,7 +290,7 @@ BoundCost BindZoneAffinity(const Arguments& a, const BindContext& context) {
 
 constexpr ConstraintCode kSpaceCode[] = {
     {"accessible", BindAccessible, AccessibleShortfall},
-    {"central", BindCentral, CentralShortfall},
+    {"central", BindCentral, nullptr, "the middle of the room"},
     {"facing_into_room", BindFacingIntoRoom, FacingIntoRoomShortfall},
     {"in_zone", BindInZone, OffZone},
     {"zone", BindZoneAffinity},

@@ -29,10 +29,6 @@ BoundCost BindCeilingAbove(const Arguments& a, const BindContext&) {
 
 // Hangs an object from the middle of the ceiling: cost = |c - c_room|^2 [m2], as the released center_ceiling. The
 // room's centre is its centre of mass. Zero exactly there.
-std::optional<Shortfall> CeilingCenterShortfall(const PlacedCall& call) {
-  return Worst({OffBy(call.NameOf("object"), "the middle of the ceiling", call.CostRoot())});
-}
-
 BoundCost BindCeilingCenter(const Arguments& a, const BindContext& context) {
   return MakeCost({a.Object("object")},
                   [room_center = Centroid(context.scene.room.floor)]<typename T>(const Frames<T, 1>& frames) {
@@ -162,7 +158,7 @@ BoundCost BindUnderCenter(const Arguments& a, const BindContext&) {
 
 constexpr ConstraintCode kStackedCode[] = {
     {"ceiling_above", BindCeilingAbove, CeilingAboveShortfall},
-    {"ceiling_center", BindCeilingCenter, CeilingCenterShortfall},
+    {"ceiling_center", BindCeilingCenter, nullptr, "the middle of the ceiling"},
     {"on", BindOn, OnShortfall},
     {"on_top_center", BindOnTopCenter, OnTopCenterShortfall},
     {"on_top_corner", BindOnTopCorner, OnTopCornerShortfall},

@@ -102,11 +102,6 @@ std::vector<std::pair<Wall, Wall>> CornerWalls(const Room& room) {
   return corners;
 }
 
-std::optional<Shortfall> InCornerShortfall(const PlacedCall& call) {
-  const int object = call.object();
-  return Worst({OffBy(call.Name(object), "the nearest corner that it fits", call.CostRoot())});
-}
-
 BoundCost BindInCorner(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   std::vector<RoomCorner> corners;
@@ -301,7 +296,7 @@ BoundCost BindParallelToWall(const Arguments& a, const BindContext& context) {
 constexpr ConstraintCode kWallCode[] = {
     {"against_wall", BindAgainstWall, AgainstWallShortfall},
     {"centered_on_wall", BindCenteredOnWall, CenteredOnWallShortfall},
-    {"in_corner", BindInCorner, InCornerShortfall},
+    {"in_corner", BindInCorner, nullptr, "the nearest corner that it fits"},
     {"near_wall", BindNearWall, NearWallShortfall},
     {"not_against_wall", BindNotAgainstWall, NotAgainstWallShortfall},
     {"not_in_corner", BindNotInCorner, NotInCornerShortfall},
