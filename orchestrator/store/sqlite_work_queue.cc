@@ -312,13 +312,11 @@ void SqliteWorkQueue::Forget(const std::string& job_id) {
 }
 
 void SqliteWorkQueue::CancelHeld(const std::string& job_id) {
-  std::shared_ptr<runtime::Cancellation> cancellation;
-  {
-    std::lock_guard lock(mutex_);
-    const auto found = held_.find(job_id);
-    if (found == held_.end()) return;
-    cancellation = found->second;
-  }
+  std::unique_lock lock(mutex_);
+  const auto found = held_.find(job_id);
+  if (found == held_.end()) return;
+  const std::shared_ptr<runtime::Cancellation> cancellation = found->second;
+  lock.unlock();
   cancellation->Cancel();
 }
 
