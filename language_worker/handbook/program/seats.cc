@@ -129,6 +129,13 @@ void Seats::CountPeople() {
   const std::string zone = item->zone;
   const hb::Furniture& furniture = *item->furniture;
   SeatAt(furniture, item->count, 0, zone);
+  // Eight recliners before a screen leave no one to sit on a sofa.
+  if (furniture.category() != "armchair") return;
+  EraseUnasked([&](const ProgramItem& other) {
+    const bool before_it = other.furniture->category() == "coffee_table" || other.furniture->category() == "side_table";
+    return other.furniture != &furniture &&
+           (before_it || (PlacesOn(*other.furniture) > 0 && !IsSeat(*other.furniture)));
+  });
 }
 
 // Twenty-four pupils at "six island benches" sit four at each of those, and not at benches of ours.

@@ -64,10 +64,11 @@ FloorRange FloorForWishes(const BriefFacts& facts, const Handbook& handbook, dou
     const hb::Furniture& furniture = *item.furniture;
     const double each_m2 = furniture.width_m().typical() * furniture.depth_m().typical();
     all_m2 += item.count * each_m2;
-    if (!item.requested || item.optional) continue;
     // Between rows one walks, and before them somebody stands.
     const bool in_rows = std::ranges::any_of(
         program.archetype->rows(), [&](const hb::Rows& rows) { return rows.furniture() == furniture.name(); });
+    const bool for_people = facts.people && in_rows && furniture.name() == program.archetype->per_person();
+    if ((!item.requested && !for_people) || item.optional) continue;
     asked_m2 += item.count * each_m2 * (in_rows ? kRowsTake : 1);
   }
   FloorRange range;
