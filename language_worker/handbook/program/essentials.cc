@@ -32,7 +32,11 @@ bool Serves(const hb::Essential& essential, const ProgramItem& item, const RoomP
   const auto is_easy = [](const hb::Furniture& piece) {
     return IsFloorPiece(piece) && PlacesOn(piece) > 0 && piece.category() != "bed" && !IsSeat(piece);
   };
-  return item.requested && usual != nullptr && is_easy(*usual) && is_easy(*item.furniture);
+  // An audience in rows has no tables, and no other chairs.
+  const bool audience = item.in_rows && IsSeat(*item.furniture);
+  if (!item.requested || usual == nullptr) return false;
+  return (is_easy(*usual) && is_easy(*item.furniture)) ||
+         (audience && (usual->category().ends_with("table") || IsSeat(*usual)));
 }
 
 // The first of its classes, or what a theme has in its place; null when the brief wants none of them.

@@ -51,6 +51,10 @@ class Grouper {
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SitAcross(i);
     for (const hb::Rows& rows : program_.archetype->rows()) SplitRows(rows);
     for (const Place& place : facts_.places) FaceOneWay(place);
+    for (std::size_t i = 0; i < program_.floor_items.size(); ++i) {
+      const ProgramItem& item = program_.floor_items[i];
+      if (item.in_rows && item.requested && item.in_each > 1) MakeRows(*item.furniture);
+    }
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SplitTables(i);
   }
 
@@ -103,16 +107,23 @@ class Grouper {
 
   // "Ten double desks facing the whiteboard" stand in rows, whatever the kind of room has.
   void FaceOneWay(const Place& place) {
+    const bool faces = place.asked->relation().text() == "The {object} faces the {target}." && place.target != nullptr;
+    if (faces && place.which < 0 && PlacesOn(*place.target) == 0) MakeRows(*place.furniture);
+  }
+
+  // Rows of what has none in this kind of room.
+  void MakeRows(const hb::Furniture& furniture) {
     constexpr int kFewest = 4;
     constexpr double kAislesM = 1;
-    const bool faces = place.asked->relation().text() == "The {object} faces the {target}." && place.target != nullptr;
-    const bool known = std::ranges::any_of(
-        program_.archetype->rows(), [&](const hb::Rows& rows) { return rows.furniture() == place.furniture->name(); });
-    if (!faces || known || place.which >= 0 || PlacesOn(*place.target) > 0) return;
+    const bool known = std::ranges::any_of(program_.archetype->rows(),
+                                           [&](const hb::Rows& rows) { return rows.furniture() == furniture.name(); });
+    const auto item = std::ranges::find(program_.floor_items, &furniture, &ProgramItem::furniture);
+    if (known || item == program_.floor_items.end() || item->own_rows) return;
     hb::Rows rows;
-    rows.set_furniture(place.furniture->name());
+    rows.set_furniture(furniture.name());
     rows.set_aisles_m(kAislesM);
     rows.set_min_count(kFewest);
+    item->own_rows = true;
     SplitRows(rows);
   }
 
@@ -158,7 +169,11 @@ class Grouper {
     // Pairs are what rows of desks are made of.
     if (item->in_each == 2) item->in_each = 0;
     if (item->in_each > 1 && !item->in_rows) return;
-    const double side_m = std::sqrt(area_m2_), width_m = WidthOf(*item);
+    // Those in rows of their own have no arms to touch.
+    constexpr double kChairsApartM = 0.1, kMatsApartM = 0.3;
+    const bool spaced = item->own_rows && SeatsOf(*item) == nullptr;
+    const double apart_m = !spaced ? 0 : PlacesOn(*item->furniture) > 0 ? kChairsApartM : kMatsApartM;
+    const double side_m = std::sqrt(area_m2_), width_m = WidthOf(*item) + apart_m;
     const double row_m = item->furniture->depth_m().typical() + (SeatsOf(*item) ? kBehindDeskM : kBehindSeatM);
     int across = item->in_each;
     // "Two rows of five pews" that are too long to stand across the room are five pews on either side of an aisle.
@@ -184,6 +199,8 @@ class Grouper {
     }
     const int ways = item->abreast > 0 ? (across - 1) / item->abreast : 0;
     item->way_m = std::max(kWayM, ways > 0 ? rows.aisles_m() / ways : 0);
+    if (spaced) item->abreast = 0, item->way_m = apart_m;
+    item->behind_each_other = true;
     std::vector<hb::ZoneSpec> zones;
     for (int i = 0; i < (item->count + across - 1) / across; ++i) {
       zones.emplace_back().set_name(RowName(i));

@@ -26,6 +26,8 @@ struct ProgramItem {
   PieceSize size = {};                     // as asked for
   int in_each = 0;                         // that many are a group of their own; 0 when nobody says so
   bool in_rows = false;                    // those stand side by side, not back to back
+  bool behind_each_other = false;          // stands in rows
+  bool own_rows = false;                   // in rows that the brief wants and its kind of room does not know
   int abreast = 0;                         // of a row, so many stand without a way between them; 0 for all
   double way_m = 0;                        // that way
   int essential = 0;                       // so many of them the room cannot do without

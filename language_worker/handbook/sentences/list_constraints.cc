@@ -124,6 +124,8 @@ class ConstraintLister {
     Collect(program_.archetype->relations(), name, special);
     for (const FurtherKind& also : program_.also) Collect(also.archetype->relations(), name, special);
     WriteLevel(special, group, topics);
+    // An audience is at no desk.
+    if (writer_.StandsInOwnRows(group)) topics.insert({"place", "facing", "near", "back", "wall"});
     Relations own;
     if (furniture != nullptr) {
       for (const hb::Relation& relation : furniture->relations()) own.push_back(&relation);
@@ -141,6 +143,9 @@ class ConstraintLister {
     const hb::Furniture* furniture = handbook_.FindFurniture(name);
     for (const hb::GeneralRule& rule : handbook_.contents().general_rules()) {
       if ((rule.relation().pairing() == hb::PAIRING_NEIGHBOUR) != of_neighbours) continue;
+      if (rule.selector().in_rows() && !writer_.StandsInOwnRows(group)) continue;
+      // Those with ways between them have a neighbour each.
+      if (rule.selector().in_rows() && rule.relation().topic() == "row" && writer_.HasWays(group)) continue;
       if (Selects(rule.selector(), *group.front(), furniture, KinOf(name), TakesCentre(objects_, *group.front()))) {
         WriteLevel({&rule.relation()}, group, topics);
       }

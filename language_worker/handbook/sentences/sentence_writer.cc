@@ -43,6 +43,9 @@ std::string WithVerb(std::string text, const std::string& object, bool plural) {
   return text;
 }
 
+// Those of a row stand from left to right.
+const v1::Object* MiddleOf(const Group& row) { return row[(row.size() - 1) / 2]; }
+
 }  // namespace
 
 SentenceWriter::SentenceWriter(const v1::Room& room, const v1::ZonePlan& zones, const v1::ObjectList& objects,
@@ -145,8 +148,9 @@ std::vector<v1::Sentence> SentenceWriter::Write(const hb::Relation& relation, co
   if (relation.pairing() == hb::PAIRING_ROW_BEFORE || relation.pairing() == hb::PAIRING_FRONT_ROW) {
     Group targets = RowBefore(*group.front());
     const bool front = relation.pairing() == hb::PAIRING_FRONT_ROW;
-    if (targets.empty() != front || (front && !FindTargets(relation, *group.front(), targets))) return sentences;
-    sentences.push_back(WriteOne(relation, {group.front()}, targets, 0));
+    const v1::Object* middle = MiddleOf(group);
+    if (targets.empty() != front || (front && !FindTargets(relation, *middle, targets))) return sentences;
+    sentences.push_back(WriteOne(relation, {middle}, front ? targets : Group{MiddleOf(targets)}, 0));
     // Beyond an aisle the last has one before it, too.
     if (!front && HasWays(group) && targets.size() == group.size())
       sentences.push_back(WriteOne(relation, {group.back()}, {targets.back()}, 1));
@@ -199,6 +203,16 @@ bool SentenceWriter::HasWays(const Group& group) const {
   return line != nullptr && line->abreast > 0 && group.size() > static_cast<std::size_t>(line->abreast);
 }
 
+bool SentenceWriter::StandsInRows(const Group& group) const {
+  const ProgramItem* line = LineOf(*group.front());
+  return line != nullptr && line->behind_each_other;
+}
+
+bool SentenceWriter::StandsInOwnRows(const Group& group) const {
+  const ProgramItem* line = LineOf(*group.front());
+  return line != nullptr && line->own_rows;
+}
+
 bool SentenceWriter::IsSeated(const Group& group) const {
   const ProgramItem* line = LineOf(*group.front());
   return line != nullptr && line->seat_of != nullptr;
@@ -220,7 +234,8 @@ std::vector<v1::Sentence> SentenceWriter::WriteNeighbours(const hb::Relation& re
   const bool sideless = relation.text().find("{side}") == std::string::npos;
   const bool beyond = sideless && abreast < group.size();
   std::vector<v1::Sentence> sentences;
-  if (island && sideless) return sentences;
+  const bool of_ways = relation.text().find("{objects}") != std::string::npos;
+  if ((island && sideless) || (of_ways && !beyond)) return sentences;
   for (std::size_t i = 1; i < group.size(); ++i) {
     if ((i % abreast == 0) != beyond) continue;
     if (beyond) {

@@ -50,6 +50,10 @@ class SentenceWriter {
 
   // Whether they stand in a row with ways in it.
   bool HasWays(const Group& group) const;
+
+  // Whether they stand in rows, or do so only because the brief wants them to.
+  bool StandsInRows(const Group& group) const;
+  bool StandsInOwnRows(const Group& group) const;
   // Whether they are pulled up to another piece.
   bool IsSeated(const Group& group) const;
   // Whether they stand together by themselves: in an island, back to back and side by side, or in one of several rows.
