@@ -22,6 +22,7 @@ class WishMaker {
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
     KeepAskedSeats();
     KeepSeatsSaidWith();
+    KeepAudience();
     RemoveRefusals();
     seats_.SeatPeople();
     KeepCounts();
@@ -132,6 +133,20 @@ class WishMaker {
       const bool usual = IsSeat(*item.furniture) && item.furniture->name() == program_.archetype->per_person();
       return is_easy(*item.furniture) || (usual && asked >= kMany && !IsSeatOfAnother(item));
     });
+  }
+
+  // Chairs in rows are for an audience, which has no tables of ours, nor other chairs.
+  void KeepAudience() {
+    constexpr int kFewest = 8;
+    for (const Wish& wish : facts_.wishes) {
+      if (!wish.in_rows || !IsSeat(*wish.furniture) || wish.count < kFewest) continue;
+      seats_.EraseUnasked([&](const ProgramItem& item) {
+        return item.furniture->category().ends_with("table") || IsSeat(*item.furniture);
+      });
+      for (ProgramItem& item : program_.floor_items) {
+        if (item.furniture == wish.furniture) item.seat_of = nullptr;
+      }
+    }
   }
 
   // "A desk with a stool" has no office chair.
