@@ -45,7 +45,7 @@ class FurnitureReader : Reading {
         // So many are no armchairs.
         const bool upright = several && IsSeat(furniture);
         return (handbook.IsOwn(furniture) ? 4096 : 0) + 2 * nouns_.RankAt(tokens(), i, furniture) + (beside ? 64 : 0) +
-               (small ? 32 : 0) + (table ? 128 : 0) + (host ? 7 : 0) + (upright ? 1 : 0);
+               (small ? 32 : 0) + (table ? 128 : 0) + (host ? 7 : 0) + (upright ? 9 : 0);
       };
       auto [named, name_length] = BestAt(names_, tokens(), i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);

@@ -265,7 +265,7 @@ TEST(FurnitureReader, PlacesAreThoseOfThePieceBeforeThem) {
 TEST(FurnitureReader, WhatAPieceIsForNamesItAndIsNoPiece) {
   ExpectWishes({{"A bicycle workshop with a rack for eight bikes.", "1 bike rack"},
                 {"A hall with a cupboard for linen and a rack for shoes.", "1 linen cabinet, 1 shoe rack"},
-                {"A guest room with a bed for the dog.", "1 double bed"},
+                {"A guest room with a bed for the dog.", "1 pet bed"},
                 {"A teenager's room with a keyboard stand for his piano.", "1 keyboard stand"},
                 {"A restaurant with aisles for waiters with trays.", ""},
                 {"A bicycle workshop with a counter where customers drop off bikes.", "1 cash desk"}});

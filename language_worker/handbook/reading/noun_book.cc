@@ -108,8 +108,13 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
   }
   // "A leather chair for reading" is a reading chair, "a sofa in L shape" an L-shaped one.
   if (noun + length < tokens.size() && IsOneOf(tokens[noun + length].text, {"for", "in"})) {
+    const BriefText text(tokens);
+    std::size_t what = noun + length + 1;
+    while (tokens[noun + length].text == "for" &&
+           (text.Is(what, "articles") || text.Is(what, "adjectives") || text.Is(what, "looks")))
+      ++what;
     for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
-      if (modifier.words.MatchAt(tokens, noun + length + 1, /*plural=*/false) > 0) return modifier.furniture;
+      if (modifier.words.MatchAt(tokens, what, /*plural=*/false) > 0) return modifier.furniture;
     }
   }
   return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr

@@ -35,8 +35,8 @@ bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i
 // "Wide enough for prams", "so that prams can pass".
 bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   const std::size_t begin = text.PhraseBegin(i);
-  const bool wide = begin > 2 && text.At(begin - 1) == "for" && text.At(begin - 2) == "enough";
-  if (wide && text.Is(begin - 3, "wide_ways")) return true;
+  const bool wide = begin > 2 && text.At(begin - 1) == "for" && text.Says(begin - 2, {"enough", "apart"});
+  if (wide && (text.Is(begin - 3, "wide_ways") || text.At(begin - 2) == "apart")) return true;
   return text.Is(i + length, "modal_verbs") && text.Is(i + length + 1, "verbs_of_passing");
 }
 
@@ -247,7 +247,9 @@ bool MakesACompound(const BriefText& text, std::size_t begin, std::size_t end) {
     return text.IsWord(i) && !text.Is(i, "thing_ends") && !NumberWord(text.At(i));
   };
   // "In camera view", "at desk height": one of them would have an article.
-  const bool bare = begin > 0 && text.Is(begin - 1, "before_bare_nouns") && !text.At(end - 1).ends_with('s') &&
+  const bool joined =
+      text.Is(end, "behind_bare_nouns") || text.Is(begin - std::min<std::size_t>(begin, 1), "before_bare_nouns");
+  const bool bare = text.PhraseBegin(begin) == begin && joined && !text.At(end - 1).ends_with('s') &&
                     !english::WordNet::Get().SensesOf(text.At(end)).empty() && !IsFormIn("thing_nouns", text.At(end));
   return goes_on(end) && (bare || (text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
 }

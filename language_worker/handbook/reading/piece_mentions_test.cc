@@ -49,7 +49,17 @@ TEST(PieceMentions, WhatOnlyDescribesOrIsShownIsNone) {
                {"A home office with a desk and sockets at desk height.", "1 desk, 2 socket"},
                {"A barber shop with a bench and a TV for the football.", "1 waiting bench, 1 television"},
                {"A playroom where they leave things standing.", ""},
+               {"A bookshop with two bookcases, chest height, far enough apart for a pushchair.", "2 bookshelf"},
+               {"A living room with an armchair. Nothing breakable on the floor.", "1 armchair"},
                {"A home office with lots of maps.", "8 map"}});
+}
+
+TEST(PieceMentions, ChairsAndBedsAreOfThoseWhoUseThem) {
+  ExpectAsked({{"A prayer room with ten chairs.", "10 visitor chair"},
+               {"A living room with two chairs.", "2 armchair"},
+               {"A living room with a crystal ball and six chairs.", "1 crystal ball, 6 dining chair"},
+               {"A living room with a bed for an old labrador.", "1 pet bed"},
+               {"A kitchen with a sink and two burners.", "1 kitchen sink, 1 cooker"}});
 }
 
 TEST(PieceMentions, WhatDoesNotFitIsRefused) {

@@ -161,7 +161,9 @@ std::optional<SidePair> PairAt(const BriefText& text, std::size_t i) {
   }
   if (text.At(next) == "-") ++next;
   const std::optional<english::Measure> second = MeasureAt(text, next);
-  if (!second) return std::nullopt;
+  // "Desks 1.4 m wide, two chairs".
+  const bool another = text.Says(first->end, {"long", "wide"}) && second && second->unit == 0 && first->unit > 0;
+  if (!second || (another && text.IsWord(second->end) && !text.Is(second->end, "dimensions"))) return std::nullopt;
   const double guessed = GuessUnit(std::max(first->value, second->value));
   const double unit = second->unit > 0 ? second->unit : first->unit > 0 ? first->unit : guessed;
   const auto metres = [&](const english::Measure& one) { return one.unit > 0 ? one.value : one.value * unit; };
