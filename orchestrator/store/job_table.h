@@ -61,12 +61,16 @@ class JobTable {
     record.set_cancel_requested(select.Int(1) != 0);
     if (select.Int(2) != 0) *record.mutable_not_before_time() = ToTimestamp(select.Int(2));
     record.set_lost_run_count(static_cast<int>(select.Int(3)));
-    Statement stages =
-        database_.Prepare("SELECT stage_index FROM job_artifacts WHERE job_id = ? ORDER BY stage_index", id);
+    // Again, each with its stage: of a damaged store, two reads may differ.
+    record.mutable_job()->clear_artifacts();
+    Statement stages = database_.Prepare(
+        "SELECT artifact_id, kind, size_bytes, stage_index FROM job_artifacts WHERE job_id = ? ORDER BY stage_index",
+        id);
     while (true) {
       ASSIGN_OR_RETURN(const bool row, stages.Step());
       if (!row) break;
-      record.add_artifact_stages(static_cast<int>(stages.Int(0)));
+      ASSIGN_OR_RETURN(*record.mutable_job()->add_artifacts(), ReadRef(stages));
+      record.add_artifact_stages(static_cast<int>(stages.Int(3)));
     }
     ASSIGN_OR_RETURN(const std::vector<v1::JobEvent> events, EventsAfter(id, 0, std::numeric_limits<int>::max()));
     record.mutable_events()->Assign(events.begin(), events.end());
