@@ -311,6 +311,7 @@ class BriefReader : Reading {
     const Phrase phrase(words);
     for (std::size_t i = 0; i < tokens().size(); ++i) {
       const std::size_t length = phrase.MatchAt(tokens(), i);
+      if (length > 0 && IsRefused(text, i)) continue;
       for (std::size_t k = i; k < i + length; ++k) {
         if (!used[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
       }

@@ -38,7 +38,9 @@ class FurnitureReader : Reading {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
         // "Sewing machines on tables".
         const bool host = partner != nullptr && Includes(partner->hosts(), furniture.name());
-        const bool table = seats && SeatOf(furniture, handbook) != nullptr;
+        // "Chairs for twelve" are no tables.
+        const bool chair = furniture.category() == "recliner" || PlacesOn(furniture) > 0;
+        const bool table = seats && !chair && SeatOf(furniture, handbook) != nullptr;
         // Between two seats stands something small.
         constexpr double kSmallM = 0.6;
         const bool small = beside && text.Says(i + 1, {"between", "in"}) && furniture.width_m().typical() <= kSmallM;
