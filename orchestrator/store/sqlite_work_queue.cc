@@ -157,6 +157,7 @@ absl::StatusOr<store::v1::JobRecord> SqliteWorkQueue::ChangeJob(
 
 absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& filter) {
   store::v1::JobRecord taken;
+  const auto cancellation = std::make_shared<runtime::Cancellation>();
   {
     ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_->database()));
     ASSIGN_OR_RETURN(const std::string id, ChooseJob(filter));
@@ -173,13 +174,16 @@ absl::StatusOr<std::unique_ptr<Lease>> SqliteWorkQueue::Take(const TakeFilter& f
     RETURN_IF_ERROR(OrDamaged(*store_, begun.status()));
     taken = *std::move(begun);
     RETURN_IF_ERROR(store_->deletions().BeginRun(id));
-    RETURN_IF_ERROR(transaction.Commit());
-  }
-  auto cancellation = std::make_shared<runtime::Cancellation>();
-  {
-    std::lock_guard lock(mutex_);
-    held_[taken.job().id()] = cancellation;
-    if (!taken.job().batch_id().empty()) last_batch_ = taken.job().batch_id();
+    // Held before anybody sees it run: a run that nobody holds is released.
+    {
+      std::lock_guard lock(mutex_);
+      held_[id] = cancellation;
+      if (!taken.job().batch_id().empty()) last_batch_ = taken.job().batch_id();
+    }
+    if (absl::Status committed = transaction.Commit(); !committed.ok()) {
+      Forget(id);
+      return committed;
+    }
   }
   auto lease = std::make_unique<SqliteLease>(*this, std::move(taken), cancellation);
   if (lease->cancel_requested()) cancellation->Cancel();
@@ -250,17 +254,24 @@ absl::StatusOr<bool> SqliteWorkQueue::BatchHasEnded(const std::string& batch_id)
 absl::Status SqliteWorkQueue::CheckWhenStill() {
   Stillness still = Stillness::kStill;
   if (still_ != still) return absl::OkStatus();
-  ASSIGN_OR_RETURN(const bool delayed, store_->jobs().AnyDelayed(clock_.Now()));
-  ASSIGN_OR_RETURN(const auto owners, store_->jobs().Owners());
-  const auto runs = [this](const std::string& id) {
-    std::lock_guard lock(mutex_);
-    return id == store_->owner() ? !held_.empty() : !OwnerLock::IsDead(store_->owners_path(), id);
+  const auto any_runs = [this]() -> absl::StatusOr<bool> {
+    ASSIGN_OR_RETURN(const auto owners, store_->jobs().Owners());
+    return std::any_of(owners.begin(), owners.end(), [this](const std::string& id) {
+      std::lock_guard lock(mutex_);
+      return id == store_->owner() ? !held_.empty() : !OwnerLock::IsDead(store_->owners_path(), id);
+    });
   };
-  if (delayed || std::any_of(owners.begin(), owners.end(), runs)) return absl::OkStatus();
+  ASSIGN_OR_RETURN(const bool delayed, store_->jobs().AnyDelayed(clock_.Now()));
+  ASSIGN_OR_RETURN(const bool running, any_runs());
+  if (delayed || running) return absl::OkStatus();
   RETURN_IF_ERROR(store_->database().CheckWhole());
   still_.compare_exchange_strong(still, Stillness::kChecked);
-  // Jobs of this process that none of its runs has any more.
+  // Jobs of this process that none of its runs has any more, unless one was taken meanwhile.
+  ASSIGN_OR_RETURN(auto transaction, Transaction::Begin(store_->database()));
+  ASSIGN_OR_RETURN(const bool taken, any_runs());
+  if (taken) return absl::OkStatus();
   ASSIGN_OR_RETURN(const int64_t released, store_->jobs().Release(store_->owner()));
+  RETURN_IF_ERROR(transaction.Commit());
   if (released > 0) NotifyWork();
   return absl::OkStatus();
 }

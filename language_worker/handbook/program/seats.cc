@@ -110,8 +110,11 @@ void Seats::CountPeople() {
     seat->count = std::min(kMostOfAKind, *facts_.people);
     return EraseUnasked([&](const ProgramItem& item) { return IsSeat(*item.furniture); });
   }
-  const std::string& name = program_.archetype->per_person();
+  std::string name = program_.archetype->per_person();
   if (name.empty()) return SeatPeopleAnywhere();
+  for (const auto& [went, came] : program_.substitutes) {
+    if (went == name) name = came;
+  }
   if (SeatPeopleAtKin(name)) return;
   auto item =
       std::ranges::find_if(program_.floor_items, [&](const ProgramItem& one) { return one.furniture->name() == name; });
