@@ -336,6 +336,37 @@ TEST(Groups, ManyEasyChairsLeaveRoomForLegsAboutALowTable) {
   EXPECT_EQ(PlanFor("A dining room with six chairs around the table.").Sentences("m away."), 0);
 }
 
+TEST(Groups, RowsOfABriefAreStraightInEveryKindOfRoom) {
+  const Plan plan = PlanFor("Meditation room with 16 cushions in rows facing a low altar, 9 x 6 m.");
+  EXPECT_EQ(plan.Sentences("The floor cushions stand in a row 0.3 m apart."), 4);
+  EXPECT_EQ(plan.Sentences("is 1.2 m in front of the"), 3) << "row behind row";
+  EXPECT_EQ(plan.Sentences("The altar is 2.4 m in front of the"), 1) << "of the middle of the first row";
+  EXPECT_EQ(plan.Sentences("faces the altar"), 0) << "outer ones would turn out of their row";
+}
+
+TEST(Groups, AnAudienceHasNoTables) {
+  const Plan plan = PlanFor("Community hall 10 x 8 m with forty chairs in rows facing a stage.");
+  EXPECT_EQ(plan.Count("dining chair"), 40);
+  EXPECT_EQ(plan.Count("round dining table"), 0);
+}
+
+TEST(Groups, EasyChairsGoWithTheTableTheFireOrEachOther) {
+  EXPECT_EQ(PlanFor("Living room 6 x 4.5 m with a sofa, two armchairs and a coffee table.")
+                .Sentences("The armchairs surround the coffee table 0.4 m away."),
+            1);
+  const Plan fire = PlanFor("Library with fireplace and two wing chairs.");
+  EXPECT_EQ(fire.Sentences("wing chair faces the fireplace."), 2) << "what is said of armchairs holds for them";
+  EXPECT_EQ(PlanFor("Study with a desk, two club chairs, a side table and bookshelves.")
+                .Sentences("The side table is between the club chairs."),
+            1);
+}
+
+TEST(Groups, WhoeverSitsOnWhatIsAskedForHasNoSofaBesides) {
+  EXPECT_EQ(PlanFor("Snug with two settles across an oak table by the fire and three low stools.").Count("loveseat"),
+            0);
+  EXPECT_EQ(PlanFor("Home cinema for eight people.").Count("sofa"), 0);
+}
+
 TEST(Groups, HallsHaveMoreOfWhatComesInNumbers) {
   EXPECT_GE(PlanFor("A village library of 8 m x 10 m.").Count("bookshelf"), 14);
   EXPECT_LE(PlanFor("A library of 4 m x 6 m.").Count("bookshelf"), 8);

@@ -119,13 +119,13 @@ class ConstraintLister {
       topics.insert({"light", "socket", "way", "before", "front"});
       if (furniture == nullptr || furniture->back() != hb::BACK_RULE_WALL) topics.insert("back");
     }
+    // Rows look straight ahead, and an audience is at no desk.
+    if (writer_.StandsInOwnRows(group)) topics.insert({"place", "facing", "near", "back", "wall"});
     Relations special;
     for (const hb::Changes* changes : program_.changes) Collect(changes->relations(), name, special);
     Collect(program_.archetype->relations(), name, special);
     for (const FurtherKind& also : program_.also) Collect(also.archetype->relations(), name, special);
     WriteLevel(special, group, topics);
-    // An audience is at no desk.
-    if (writer_.StandsInOwnRows(group)) topics.insert({"place", "facing", "near", "back", "wall"});
     Relations own;
     if (furniture != nullptr) {
       for (const hb::Relation& relation : furniture->relations()) own.push_back(&relation);
