@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "studio/gateway/admission.h"
+
+#include <fmt/format.h>
+#include <openssl/crypto.h>
+
+#include <array>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
+#include "absl/strings/str_split.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::studio {
+namespace {
+
+namespace http = boost::beast::http;
+
+constexpr std::array<std::string_view, 3> kHosts = {"127.0.0.1", "localhost", "[::1]"};
+constexpr std::string_view kTokenQuery = "token=";
+
+absl::string_view AsAbsl(std::string_view text) { return {text.data(), text.size()}; }
+
+std::string_view QueryOf(const RequestHead& head) {
+  const std::string_view target(head.target().data(), head.target().size());
+  const size_t mark = target.find('?');
+  return mark == std::string_view::npos ? std::string_view() : target.substr(mark + 1);
+}
+
+Reply Refused(const RequestHead& head, absl::StatusCode code, std::string_view words) {
+  const int status = code == absl::StatusCode::kUnauthenticated ? 401 : 403;
+  Reply reply = head.method() == http::verb::post ? ErrorReply(status, absl::Status(code, AsAbsl(words)))
+                                                  : TextReply(status, fmt::format("{}\n", words));
+  reply.close = true;
+  return reply;
+}
+
+// A link on a page of another site leads here without the cookie, which is for our own pages only. So the browser comes
+// again from this page; nothing that another site does with it comes of that.
+Reply NoCookieReply(const RequestHead& head) {
+  constexpr std::string_view kWords = "Open the address that flair studio printed: it holds the token of this studio.";
+  if (head.method() == http::verb::post) return Refused(head, absl::StatusCode::kUnauthenticated, kWords);
+  const bool again = PathOf(head) == "/" && HeaderOf(head, "Sec-Fetch-Site") == "cross-site";
+  Reply reply = TextReply(
+      401, fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">{}<title>Flair studio</title>"
+                       "</head><body><p>{}</p></body></html>\n",
+                       again ? "<meta http-equiv=\"refresh\" content=\"0; url=/\">" : "", kWords));
+  reply.headers[0].second = "text/html; charset=utf-8";
+  return reply;
+}
+
+bool IsOurHost(std::string_view host, std::string_view port) {
+  for (const std::string_view name : kHosts) {
+    if (absl::EqualsIgnoreCase(AsAbsl(host), fmt::format("{}:{}", name, port))) return true;
+  }
+  return false;
+}
+
+// Whether a browser says that a page of another origin is behind the request. Links to "/" may come from anywhere.
+bool IsForeign(const RequestHead& head) {
+  const std::string_view site = HeaderOf(head, "Sec-Fetch-Site");
+  if (head.count("Origin") > 0) {
+    const std::string own = fmt::format("http://{}", HeaderOf(head, "Host"));
+    return !absl::EqualsIgnoreCase(AsAbsl(HeaderOf(head, "Origin")), own);
+  }
+  if (head.method() == http::verb::post) return site != "same-origin";
+  if (head.count("Sec-Fetch-Site") == 0 || site == "same-origin" || site == "none") return false;
+  return PathOf(head) != "/" || HeaderOf(head, "Sec-Fetch-Dest") != "document";
+}
+
+}  // namespace
+
+std::string_view HeaderOf(const RequestHead& head, std::string_view name) {
+  const auto [first, end] = head.equal_range(boost::string_view(name.data(), name.size()));
+  if (first == end || std::next(first) != end) return "";
+  return {first->value().data(), first->value().size()};
+}
+
+std::string_view PathOf(const RequestHead& head) {
+  const std::string_view target(head.target().data(), head.target().size());
+  return target.substr(0, target.find('?'));
+}
+
+Admission::Admission(std::string token, int port)
+    : token_(std::move(token)), port_(std::to_string(port)), cookie_("flair_studio_" + port_) {}
+
+bool Admission::IsToken(std::string_view value) const {
+  return value.size() == token_.size() && CRYPTO_memcmp(value.data(), token_.data(), token_.size()) == 0;
+}
+
+bool Admission::HasCookie(const RequestHead& head) const {
+  for (const absl::string_view pair : absl::StrSplit(AsAbsl(HeaderOf(head, "Cookie")), ';')) {
+    const std::vector<absl::string_view> parts = absl::StrSplit(pair, absl::MaxSplits('=', 1));
+    if (parts.size() != 2 || absl::StripAsciiWhitespace(parts[0]) != cookie_) continue;
+    const absl::string_view value = absl::StripAsciiWhitespace(parts[1]);
+    if (IsToken({value.data(), value.size()})) return true;
+  }
+  return false;
+}
+
+std::optional<Reply> Admission::Answer(const RequestHead& head) const {
+  if (!IsOurHost(HeaderOf(head, "Host"), port_)) {
+    return Refused(head, absl::StatusCode::kPermissionDenied,
+                   fmt::format("The studio answers as 127.0.0.1:{} and localhost:{} only.", port_, port_));
+  }
+  if (IsForeign(head)) {
+    return Refused(head, absl::StatusCode::kPermissionDenied, "The studio answers its own pages only.");
+  }
+  const std::string_view query = QueryOf(head);
+  if (head.method() == http::verb::get && PathOf(head) == "/" && query.starts_with(kTokenQuery) &&
+      IsToken(query.substr(kTokenQuery.size()))) {
+    Reply reply = TextReply(303, "");
+    reply.headers.emplace_back("Location", "/");
+    reply.headers.emplace_back("Set-Cookie", fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict", cookie_, token_));
+    return reply;
+  }
+  if (!HasCookie(head)) return NoCookieReply(head);
+  return std::nullopt;
+}
+
+}  // namespace flair::studio
