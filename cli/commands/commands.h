@@ -35,6 +35,7 @@ int RunProgram(int argc, char** argv, const Program& about, const std::string& b
 void AddCommands(const Commands& program, const std::vector<CommandGroup>& groups);
 
 void AddDesign(const Commands& program);
+void AddStudio(const Commands& program);
 void AddBatch(const Commands& program);
 void AddJobs(const Commands& program);
 void AddReplay(const Commands& program);
@@ -74,7 +75,7 @@ void UseOurModels();  // embedded/embedded_services.h
 inline Program FlairCommands() {
   return {.name = "flair",
           .description = "From a sentence to a furnished, explained, editable room.",
-          .groups = {{"Design", {AddDesign, AddBatch, AddJobs, AddReplay}},
+          .groups = {{"Design", {AddDesign, AddStudio, AddBatch, AddJobs, AddReplay}},
                      {"Look at what was made", {AddInspect, AddExplain, AddDiff, AddGraph, AddRender, AddContactSheet}},
                      {"Place the furniture again", {AddSolve, AddResolve, AddCompare}},
                      {"Exchange with other programs", {AddExport}},

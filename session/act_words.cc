@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/act_words.h"
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "fmt/format.h"
+
+namespace flair::session {
+namespace {
+
+constexpr size_t kMostLetters = 80;
+
+std::string NameOf(const v1::SolvedLayout& layout, const std::string& id) {
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    if (object.id() == id) return object.name();
+  }
+  return id;
+}
+
+// "the desk", "3 pieces".
+std::string Pieces(const v1::SolvedLayout& layout, const std::vector<std::string>& ids) {
+  return ids.size() == 1 ? "the " + NameOf(layout, ids.front()) : fmt::format("{} pieces", ids.size());
+}
+
+std::string Shortened(std::string text) {
+  if (text.size() <= kMostLetters) return text;
+  size_t end = kMostLetters;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "…";
+}
+
+std::string SentenceText(const v1::SolvedLayout& layout, const std::string& id) {
+  for (const v1::Sentence& sentence : layout.graph().constraint_list().sentences()) {
+    if (sentence.id() == id) return sentence.text();
+  }
+  return id;
+}
+
+// The verb and the object of one edit.
+std::pair<std::string, std::string> VerbOf(const v1::LayoutEdit& edit) {
+  switch (edit.edit_case()) {
+    case v1::LayoutEdit::kMoveObject:
+      return {"move", edit.move_object().object_id()};
+    case v1::LayoutEdit::kPinObjectId:
+      return {"lock", edit.pin_object_id()};
+    case v1::LayoutEdit::kUnpinObjectId:
+      return {"unlock", edit.unpin_object_id()};
+    case v1::LayoutEdit::kResizeObject:
+      return {"resize", edit.resize_object().object_id()};
+    case v1::LayoutEdit::kAddObject:
+      return {"add", edit.add_object().object().id()};
+    case v1::LayoutEdit::kRemoveObjectId:
+      return {"remove", edit.remove_object_id()};
+    case v1::LayoutEdit::kAddEdge:
+      return {"add a constraint", ""};
+    case v1::LayoutEdit::kRemoveEdgeId:
+      return {"drop a constraint", ""};
+    case v1::LayoutEdit::kSetEdgeWeight:
+      return {"weigh a constraint", ""};
+    case v1::LayoutEdit::EDIT_NOT_SET:
+      break;
+  }
+  return {"change", ""};
+}
+
+}  // namespace
+
+std::string MoveLabel(const v1::SolvedLayout& layout, const v1::MoveObjects& move) {
+  std::vector<std::string> ids;
+  bool turned_only = true;
+  for (const v1::Placement& to : move.placements()) {
+    ids.push_back(to.object_id());
+    for (const v1::Placement& from : layout.placements()) {
+      if (from.object_id() != to.object_id()) continue;
+      turned_only = turned_only && std::hypot(from.x_m() - to.x_m(), from.y_m() - to.y_m()) < 1e-9;
+    }
+  }
+  return fmt::format("{} {}", turned_only ? "turn" : "move", Pieces(layout, ids));
+}
+
+std::string EditLabel(const v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::LayoutEdit>& edits) {
+  std::set<std::string> verbs, seen;
+  std::vector<std::string> ids;
+  std::string added;
+  for (const v1::LayoutEdit& edit : edits) {
+    const auto [verb, id] = VerbOf(edit);
+    if (edit.has_add_object()) added = edit.add_object().object().name();
+    // What is added is put somewhere: that is one act.
+    if (verb == "move" && seen.contains(id)) continue;
+    verbs.insert(verb);
+    if (!id.empty() && seen.insert(id).second) ids.push_back(id);
+  }
+  if (verbs.size() != 1) return fmt::format("{} changes", edits.size());
+  if (ids.empty()) return *verbs.begin();
+  if (*verbs.begin() == "add" && ids.size() == 1) return "add a " + added;
+  return fmt::format("{} {}", *verbs.begin(), Pieces(layout, ids));
+}
+
+std::string WeighLabel(const v1::SolvedLayout& layout, const v1::WeighSentence& weigh) {
+  return Shortened(
+      fmt::format("{} \"{}\"", weigh.weight() == 0 ? "drop" : "weigh", SentenceText(layout, weigh.sentence_id())));
+}
+
+}  // namespace flair::session

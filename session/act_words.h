@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What acts are called, in the history and on buttons: "move the desk".
+#pragma once
+
+#include <string>
+
+#include "flair/v1/solved_layout.pb.h"
+#include "flair/v1/studio_service.pb.h"
+
+namespace flair::session {
+
+// `layout` is the one before the act, which names the objects.
+std::string MoveLabel(const v1::SolvedLayout& layout, const v1::MoveObjects& move);
+std::string EditLabel(const v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::LayoutEdit>& edits);
+std::string WeighLabel(const v1::SolvedLayout& layout, const v1::WeighSentence& weigh);
+
+}  // namespace flair::session

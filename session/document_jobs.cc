@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Documents whose room is designed or furnished by a job.
+#include <memory>
+#include <utility>
+
+#include "fmt/format.h"
+#include "room/validation/validate.h"
+#include "session/documents.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::session {
+
+using runtime::CallContext;
+using store::v1::LayoutState;
+
+absl::Status Documents::StartJob(Record& record, const v1::JobSpec& spec, const std::string& request_id,
+                                 CallContext& call) {
+  RETURN_IF_ERROR(Validate(spec, "design"));
+  v1::CreateJobRequest request;
+  request.set_request_id(request_id);
+  *request.mutable_spec() = spec;
+  ASSIGN_OR_RETURN(const v1::Job job, stages_.CreateJob(request, call));
+  record.set_job_request_id(request_id);
+  v1::Document& document = *record.mutable_document();
+  document.set_job_id(job.id());
+  document.set_job_state(v1::JOB_STATE_QUEUED);
+  document.clear_job_error();
+  return absl::OkStatus();
+}
+
+absl::StatusOr<v1::ActResponse> Documents::Furnish(Record record, const v1::ActRequest& request, CallContext& call) {
+  ASSIGN_OR_RETURN(const Layout before, Shown(record));
+  const v1::JobState state = record.document().job_state();
+  if (state == v1::JOB_STATE_QUEUED || state == v1::JOB_STATE_RUNNING) {
+    return absl::FailedPreconditionError("furnish: the document's job has not ended; wait for it or cancel it");
+  }
+  v1::JobSpec spec;
+  *spec.mutable_brief() = request.furnish();
+  *spec.mutable_brief()->mutable_room() = before->solved_layout().graph().room();
+  *record.mutable_document()->mutable_brief() = request.furnish();
+  RETURN_IF_ERROR(
+      StartJob(record, spec, fmt::format("{}-{}", record.document().id(), record.document().revision()), call));
+  RETURN_IF_ERROR(Commit(record, {}));
+  Follow(record.document().id(), record.document().job_id(), kFurnish);
+  return Answer(record, before);
+}
+
+absl::StatusOr<v1::Artifact> Documents::LayoutOfJob(const v1::Job& job, CallContext& call) {
+  for (const v1::ArtifactRef& ref : job.artifacts()) {
+    if (ref.kind() == v1::ARTIFACT_KIND_SOLVED_LAYOUT) return stages_.GetArtifact(ref.id(), call);
+  }
+  return FailedPrecondition("job_id: the job {} has no layout", job.id());
+}
+
+void Documents::GoOn(const Record& record) {
+  CallContext call;
+  const v1::Document& document = record.document();
+  const absl::StatusOr<v1::Job> job = stages_.GetJob(document.job_id(), call);
+  if (job.ok() && (job->state() == v1::JOB_STATE_QUEUED || job->state() == v1::JOB_STATE_RUNNING)) {
+    v1::CreateJobRequest request;
+    request.set_request_id(record.job_request_id());
+    *request.mutable_spec() = job->spec();
+    stages_.CreateJob(request, call).IgnoreError();
+  }
+  Follow(document.id(), document.job_id(), record.states().empty() ? kDesign : kFurnish);
+}
+
+void Documents::Follow(const std::string& document_id, const std::string& job_id, const std::string& label) {
+  const std::lock_guard lock(mutex_);
+  if (closing_) return;
+  followers_.emplace_back([this, document_id, job_id, label] { FollowToEnd(document_id, job_id, label); });
+}
+
+void Documents::FollowToEnd(const std::string& document_id, const std::string& job_id, const std::string& label) {
+  const auto call = std::make_shared<CallContext>();
+  {
+    const std::lock_guard lock(mutex_);
+    if (closing_) return;
+    followed_.push_back(call);
+  }
+  absl::Status status = stages_.WatchJob(
+      job_id, 0,
+      [&](const v1::JobEvent& event) {
+        v1::WatchDocumentsResponse told;
+        *told.mutable_job_event() = event;
+        events_.Tell(told);
+      },
+      *call);
+  v1::Job job;
+  if (status.ok()) {
+    absl::StatusOr<v1::Job> ended = stages_.GetJob(job_id, *call);
+    status = ended.status();
+    if (ended.ok()) job = *std::move(ended);
+  }
+  if (!status.ok() && !call->cancelled()) {
+    job.set_id(job_id);
+    job.set_state(v1::JOB_STATE_FAILED);
+    job.set_error(std::string(status.message()));
+  }
+  if (!call->cancelled()) {
+    // Somebody may change the document at the same moment.
+    constexpr int kMostTries = 20;
+    for (int i = 0; i < kMostTries && absl::IsAborted(Adopt(document_id, job, label)); ++i) continue;
+  }
+  const std::lock_guard lock(mutex_);
+  followed_.remove(call);
+}
+
+absl::Status Documents::Adopt(const std::string& document_id, const v1::Job& job, const std::string& label) {
+  ASSIGN_OR_RETURN(Record record, store_->Get(document_id));
+  v1::Document& document = *record.mutable_document();
+  if (document.job_id() != job.id()) return absl::OkStatus();
+  document.set_job_state(job.state());
+  document.set_job_error(job.error());
+  if (job.state() != v1::JOB_STATE_SUCCEEDED) return Commit(record, {});
+  CallContext call;
+  ASSIGN_OR_RETURN(v1::Artifact artifact, LayoutOfJob(job, call));
+  LayoutState state;
+  state.set_label(label);
+  state.set_settled_layout_id("shown");
+  int variants = 0;
+  for (const v1::RunnerUp& other : artifact.solved_layout().runner_ups()) variants += !other.edge_outcomes().empty();
+  document.set_variant_count(variants);
+  record.set_variants_layout_id(variants > 0 ? artifact.id() : "");
+  return PushState(record, std::move(artifact), std::move(state));
+}
+
+}  // namespace flair::session

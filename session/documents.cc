@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/documents.h"
+
+#include <google/protobuf/util/time_util.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+
+#include "absl/strings/ascii.h"
+#include "absl/time/clock.h"
+#include "cli/output/report_text.h"
+#include "fmt/format.h"
+#include "room/validation/validate.h"
+#include "session/act_words.h"
+#include "worker_runtime/files/files.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::session {
+namespace {
+
+using orchestrator::SealedArtifact;
+using runtime::CallContext;
+using store::v1::DocumentRecord;
+using store::v1::LayoutState;
+
+constexpr int kMostStates = 500;
+constexpr size_t kLayoutsInMemory = 16;
+constexpr size_t kMostTitleLetters = 200;
+
+google::protobuf::Timestamp NowProto() {
+  return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(absl::Now()));
+}
+
+std::string NewDocumentId() {
+  std::random_device random;
+  return fmt::format("{:x}-{:08x}", absl::ToUnixMicros(absl::Now()), random());
+}
+
+std::string CutTo(std::string text, size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
+// What callers see of a record.
+v1::Document DocumentOf(const DocumentRecord& record) {
+  v1::Document document = record.document();
+  if (record.states().empty()) return document;
+  const int at = record.position();
+  document.set_layout_id(record.states(at).layout_id());
+  if (at > 0) document.set_undo_label(record.states(at).label());
+  if (at + 1 < record.states_size()) document.set_redo_label(record.states(at + 1).label());
+  return document;
+}
+
+bool IsRunning(v1::JobState state) { return state == v1::JOB_STATE_QUEUED || state == v1::JOB_STATE_RUNNING; }
+
+int CompleteRunnerUps(const v1::SolvedLayout& layout) {
+  return static_cast<int>(std::ranges::count_if(layout.runner_ups(), cli::IsComplete));
+}
+
+v1::Artifact ArtifactOf(v1::SolvedLayout layout, const v1::Producer& producer, const std::string& made_from) {
+  v1::Artifact artifact;
+  if (!made_from.empty()) artifact.add_made_from_ids(made_from);
+  *artifact.mutable_producer() = producer;
+  artifact.mutable_solved_layout()->Swap(&layout);
+  return artifact;
+}
+
+v1::Producer Opened() {
+  v1::Producer producer;
+  producer.set_program("flair");
+  producer.set_method("opened by hand");
+  producer.set_version("1");
+  return producer;
+}
+
+}  // namespace
+
+Documents::Documents(std::unique_ptr<DocumentStore> store, const Channels& channels, DocumentParts parts)
+    : store_(std::move(store)), stages_(channels), parts_(std::move(parts)) {}
+
+absl::StatusOr<std::unique_ptr<Documents>> Documents::Open(const std::string& folder, const Channels& channels,
+                                                           DocumentParts parts) {
+  ASSIGN_OR_RETURN(std::unique_ptr<DocumentStore> store, DocumentStore::Open(folder));
+  std::unique_ptr<Documents> documents(new Documents(std::move(store), channels, std::move(parts)));
+  ASSIGN_OR_RETURN(const std::vector<Record> records, documents->store_->List(1000));
+  for (const Record& record : records) {
+    const v1::Document& document = record.document();
+    if (document.job_id().empty() || !IsRunning(document.job_state())) continue;
+    documents->GoOn(record);
+  }
+  return documents;
+}
+
+Documents::~Documents() {
+  std::vector<std::thread> followers;
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+    for (const auto& call : followed_) call->cancellation().Cancel();
+    followers.swap(followers_);
+  }
+  for (std::thread& follower : followers) follower.join();
+}
+
+absl::StatusOr<v1::ListDocumentsResponse> Documents::List(const v1::ListDocumentsRequest& request) {
+  if (request.page_size() < 0 || request.page_size() > 1000) {
+    return InvalidArgument("page_size: {}; must be in [0, 1000]", request.page_size());
+  }
+  ASSIGN_OR_RETURN(const std::vector<Record> records,
+                   store_->List(request.page_size() == 0 ? 50 : request.page_size()));
+  v1::ListDocumentsResponse response;
+  for (const Record& record : records) *response.add_documents() = DocumentOf(record);
+  return response;
+}
+
+absl::StatusOr<Documents::Layout> Documents::LayoutOf(const Record& record, const std::string& id) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto kept = std::ranges::find(layouts_, id, &std::pair<std::string, Layout>::first);
+    if (kept != layouts_.end()) {
+      layouts_.splice(layouts_.begin(), layouts_, kept);
+      return layouts_.front().second;
+    }
+  }
+  ASSIGN_OR_RETURN(v1::Artifact artifact, store_->GetLayout(record.document().id(), id));
+  const auto layout = std::make_shared<const v1::Artifact>(std::move(artifact));
+  const std::lock_guard lock(mutex_);
+  layouts_.emplace_front(id, layout);
+  if (layouts_.size() > kLayoutsInMemory) layouts_.pop_back();
+  return layout;
+}
+
+absl::StatusOr<Documents::Layout> Documents::Shown(const Record& record) {
+  if (record.states().empty()) {
+    return absl::FailedPreconditionError("the document has no layout yet: its job has not ended");
+  }
+  return LayoutOf(record, record.states(record.position()).layout_id());
+}
+
+absl::StatusOr<Documents::Record> Documents::GetAt(const std::string& id, int64_t revision) {
+  ASSIGN_OR_RETURN(Record record, store_->Get(id));
+  if (record.document().revision() != revision) {
+    return absl::AbortedError(fmt::format("revision: the document is at {}, not at {}: somebody else has changed it",
+                                          record.document().revision(), revision));
+  }
+  return record;
+}
+
+absl::Status Documents::Commit(Record& record, std::span<const SealedArtifact> added) {
+  v1::Document& document = *record.mutable_document();
+  document.set_revision(document.revision() + 1);
+  *document.mutable_update_time() = NowProto();
+  RETURN_IF_ERROR(store_->Save(record, added));
+  v1::WatchDocumentsResponse event;
+  *event.mutable_document() = DocumentOf(record);
+  events_.Tell(event);
+  return absl::OkStatus();
+}
+
+absl::Status Documents::PushState(Record& record, v1::Artifact artifact, LayoutState state) {
+  const SealedArtifact sealed = orchestrator::SealArtifact(artifact);
+  state.set_layout_id(sealed.ref.id());
+  if (state.settled_layout_id() == "shown") state.set_settled_layout_id(sealed.ref.id());
+  auto& states = *record.mutable_states();
+  if (!states.empty()) states.DeleteSubrange(record.position() + 1, states.size() - record.position() - 1);
+  *states.Add() = std::move(state);
+  if (states.size() > kMostStates) states.DeleteSubrange(0, states.size() - kMostStates);
+  record.set_position(states.size() - 1);
+  return Commit(record, {&sealed, 1});
+}
+
+absl::StatusOr<v1::ActResponse> Documents::Answer(const Record& record, const Layout& before) {
+  v1::ActResponse response;
+  *response.mutable_document() = DocumentOf(record);
+  if (record.states().empty()) return response;
+  ASSIGN_OR_RETURN(const Layout layout, Shown(record));
+  *response.mutable_layout() = layout->solved_layout();
+  response.mutable_layout()->clear_runner_ups();
+  const bool same_graph = before != nullptr && runtime::CanonicalBytes(before->solved_layout().graph()) ==
+                                                   runtime::CanonicalBytes(layout->solved_layout().graph());
+  if (same_graph) response.mutable_layout()->clear_graph();
+  return response;
+}
+
+absl::StatusOr<v1::GetDocumentResponse> Documents::Get(const v1::GetDocumentRequest& request) {
+  ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
+  ASSIGN_OR_RETURN(v1::ActResponse answer, Answer(record, nullptr));
+  v1::GetDocumentResponse response;
+  response.mutable_document()->Swap(answer.mutable_document());
+  if (answer.has_layout()) response.mutable_layout()->Swap(answer.mutable_layout());
+  return response;
+}
+
+absl::StatusOr<v1::DeleteDocumentResponse> Documents::Delete(const v1::DeleteDocumentRequest& request) {
+  RETURN_IF_ERROR(store_->Delete(request.document_id()));
+  v1::WatchDocumentsResponse event;
+  event.set_deleted_document_id(request.document_id());
+  events_.Tell(event);
+  return v1::DeleteDocumentResponse();
+}
+
+absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDocumentRequest& request,
+                                                             CallContext& call) {
+  if (request.request_id().empty() || request.request_id().size() > 128) {
+    return InvalidArgument("request_id: {} characters; must have 1 to 128", request.request_id().size());
+  }
+  const std::string digest = runtime::Sha256Hex(runtime::CanonicalBytes(request));
+  ASSIGN_OR_RETURN(const std::optional<Record> known, store_->FindByRequest(request.request_id()));
+  v1::CreateDocumentResponse response;
+  if (known.has_value()) {
+    if (known->request_digest() != digest) {
+      return absl::AlreadyExistsError("request_id: another document was made with it");
+    }
+    *response.mutable_document() = DocumentOf(*known);
+    return response;
+  }
+  Record record;
+  record.set_request_id(request.request_id());
+  record.set_request_digest(digest);
+  v1::Document& document = *record.mutable_document();
+  document.set_id(NewDocumentId());
+  *document.mutable_create_time() = NowProto();
+  v1::Artifact artifact;
+  switch (request.source_case()) {
+    case v1::CreateDocumentRequest::kDesign:
+      *document.mutable_brief() = request.design().brief();
+      document.set_title(CutTo(request.design().brief().text(), kMostTitleLetters));
+      RETURN_IF_ERROR(StartJob(record, request.design(), request.request_id(), call));
+      RETURN_IF_ERROR(Commit(record, {}));
+      Follow(document.id(), document.job_id(), kDesign);
+      *response.mutable_document() = DocumentOf(record);
+      return response;
+    case v1::CreateDocumentRequest::kJobId: {
+      ASSIGN_OR_RETURN(const v1::Job job, stages_.GetJob(request.job_id(), call));
+      ASSIGN_OR_RETURN(artifact, LayoutOfJob(job, call));
+      *document.mutable_brief() = job.spec().brief();
+      document.set_title(CutTo(job.spec().brief().text(), kMostTitleLetters));
+      break;
+    }
+    case v1::CreateDocumentRequest::kFile: {
+      ASSIGN_OR_RETURN(artifact, parts_.read_file(request.file()));
+      break;
+    }
+    case v1::CreateDocumentRequest::kRoom:
+      *artifact.mutable_room() = request.room();
+      break;
+    default:
+      return absl::InvalidArgumentError("source: is not set; say what the document begins with");
+  }
+  LayoutState state;
+  state.set_label("open");
+  if (artifact.has_room()) {
+    RETURN_IF_ERROR(Validate(artifact.room()));
+    v1::SolvedLayout layout;
+    *layout.mutable_graph()->mutable_room() = artifact.room();
+    v1::Zone& zone = *layout.mutable_graph()->mutable_zone_plan()->add_zones();
+    zone.set_id("room");
+    zone.set_name("room");
+    ASSIGN_OR_RETURN(layout, acts_.Evaluated(std::move(layout), call));
+    artifact = ArtifactOf(std::move(layout), Opened(), artifact.id());
+  } else if (artifact.has_solved_layout()) {
+    state.set_settled_layout_id("shown");
+  } else {
+    return absl::InvalidArgumentError("file: holds no layout and no room");
+  }
+  if (document.title().empty())
+    document.set_title(CutTo(artifact.solved_layout().graph().room().title(), kMostTitleLetters));
+  if (document.title().empty()) document.set_title("Own room");
+  document.set_variant_count(CompleteRunnerUps(artifact.solved_layout()));
+  if (document.variant_count() > 0) record.set_variants_layout_id(orchestrator::ComputeArtifactId(artifact));
+  RETURN_IF_ERROR(PushState(record, std::move(artifact), std::move(state)));
+  *response.mutable_document() = DocumentOf(record);
+  return response;
+}
+
+absl::StatusOr<v1::ActResponse> Documents::Act(const v1::ActRequest& request, CallContext& call) {
+  ASSIGN_OR_RETURN(Record record, GetAt(request.document_id(), request.revision()));
+  switch (request.act_case()) {
+    case v1::ActRequest::kUndo:
+      return ActOnHistory(std::move(record), -1);
+    case v1::ActRequest::kRedo:
+      return ActOnHistory(std::move(record), 1);
+    case v1::ActRequest::kTakeVariant:
+      return TakeVariant(std::move(record), request.take_variant().index(), call);
+    case v1::ActRequest::kFurnish:
+      return Furnish(std::move(record), request, call);
+    case v1::ActRequest::kTitle: {
+      const std::string title(absl::StripAsciiWhitespace(request.title()));
+      if (title.empty() || title.size() > kMostTitleLetters) {
+        return InvalidArgument("title: {} characters; must have 1 to {}", title.size(), kMostTitleLetters);
+      }
+      record.mutable_document()->set_title(title);
+      RETURN_IF_ERROR(Commit(record, {}));
+      v1::ActResponse response;
+      *response.mutable_document() = DocumentOf(record);
+      return response;
+    }
+    default:
+      return ActOnLayout(std::move(record), request, call);
+  }
+}
+
+absl::StatusOr<v1::ActResponse> Documents::ActOnHistory(Record record, int step) {
+  const int to = record.position() + step;
+  if (to < 0 || to >= record.states_size()) {
+    return FailedPrecondition("there is nothing to {}", step < 0 ? "undo" : "do again");
+  }
+  ASSIGN_OR_RETURN(const Layout before, Shown(record));
+  record.set_position(to);
+  RETURN_IF_ERROR(Commit(record, {}));
+  return Answer(record, before);
+}
+
+absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::ActRequest& request,
+                                                       CallContext& call) {
+  ASSIGN_OR_RETURN(const Layout before, Shown(record));
+  const LayoutState& now = record.states(record.position());
+  Layout settled;
+  if (!now.settled_layout_id().empty()) {
+    ASSIGN_OR_RETURN(settled, LayoutOf(record, now.settled_layout_id()));
+  }
+  const Standing standing{before->solved_layout(), settled == nullptr ? nullptr : &settled->solved_layout(),
+                          now.pending_edits()};
+  ASSIGN_OR_RETURN(Acted acted, acts_.Act(standing, request, call));
+  LayoutState state;
+  state.set_label(acted.label);
+  if (acted.settled) {
+    state.set_settled_layout_id("shown");
+  } else if (!acted.anew) {
+    state.set_settled_layout_id(now.settled_layout_id());
+    *state.mutable_pending_edits() = acted.pending;
+  }
+  RETURN_IF_ERROR(
+      PushState(record, ArtifactOf(std::move(acted.layout), acted.producer, now.layout_id()), std::move(state)));
+  ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
+  for (const std::string& id : acted.moved_ids) response.add_moved_object_ids(id);
+  for (v1::Diagnostic& diagnostic : acted.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
+  return response;
+}
+
+absl::StatusOr<v1::ActResponse> Documents::TakeVariant(Record record, int index, CallContext& call) {
+  if (index < 0 || index >= record.document().variant_count()) {
+    return InvalidArgument("take_variant.index: {}; there are {}", index, record.document().variant_count());
+  }
+  ASSIGN_OR_RETURN(const Layout before, Shown(record));
+  ASSIGN_OR_RETURN(const Layout all, LayoutOf(record, record.variants_layout_id()));
+  int at = -1;
+  for (int i = 0, seen = 0; i < all->solved_layout().runner_ups_size() && at < 0; ++i) {
+    if (cli::IsComplete(all->solved_layout().runner_ups(i)) && seen++ == index) at = i;
+  }
+  ASSIGN_OR_RETURN(v1::SolvedLayout variant, acts_.Evaluated(cli::VariantOf(all->solved_layout(), at), call));
+  LayoutState state;
+  state.set_label(fmt::format("take variant {}", index + 2));
+  state.set_settled_layout_id("shown");
+  RETURN_IF_ERROR(PushState(record, ArtifactOf(std::move(variant), all->producer(), all->id()), std::move(state)));
+  return Answer(record, before);
+}
+
+}  // namespace flair::session

@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/layout_acts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "absl/strings/ascii.h"
+#include "fmt/format.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
+#include "room/validation/validate.h"
+#include "session/act_words.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::session {
+namespace {
+
+using runtime::CallContext;
+using Placements = std::map<std::string, v1::Placement*>;
+
+v1::Producer ByHand() {
+  v1::Producer producer;
+  producer.set_program("flair");
+  producer.set_method("placed by hand");
+  producer.set_version("1");
+  return producer;
+}
+
+Placements PlacementsOf(v1::SolvedLayout& layout) {
+  Placements by_id;
+  for (v1::Placement& placement : *layout.mutable_placements()) by_id[placement.object_id()] = &placement;
+  return by_id;
+}
+
+// In the graph's order: those that are new in `after` or stand elsewhere than in `before`.
+std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after) {
+  std::map<std::string, std::string> places;
+  for (const v1::Placement& placement : before.placements()) {
+    places[placement.object_id()] = placement.SerializeAsString();
+  }
+  std::set<std::string> moved;
+  for (const v1::Placement& placement : after.placements()) {
+    const auto known = places.find(placement.object_id());
+    if (known == places.end() || known->second != placement.SerializeAsString()) moved.insert(placement.object_id());
+  }
+  std::vector<std::string> ids;
+  for (const v1::Object& object : after.graph().object_list().objects()) {
+    if (moved.contains(object.id())) ids.push_back(object.id());
+  }
+  return ids;
+}
+
+absl::Status CheckPlacement(const v1::Placement& placement, std::string_view path) {
+  constexpr double kFar_m = 1000;
+  for (const auto& [name, value] :
+       {std::pair("x_m", placement.x_m()), std::pair("y_m", placement.y_m()), std::pair("z_m", placement.z_m())}) {
+    if (!(std::abs(value) <= kFar_m)) {
+      return InvalidArgument("{}.{}: {}; must be within {} m of the room's origin", path, name, value, kFar_m);
+    }
+  }
+  if (!(std::abs(placement.theta_rad()) <= 1e6)) {
+    return InvalidArgument("{}.theta_rad: {} is not an angle in radians", path, placement.theta_rad());
+  }
+  return absl::OkStatus();
+}
+
+// Puts objects where `placements` says, with what stands on them and is not named itself.
+absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
+                   std::string_view path) {
+  if (placements.empty()) return InvalidArgument("{}: is empty; say which objects stand where", path);
+  if (placements.size() > 1000) return InvalidArgument("{}: {} objects; at most 1000 at once", path, placements.size());
+  Placements now = PlacementsOf(layout);
+  std::set<std::string> known, named;
+  for (const v1::Object& object : layout.graph().object_list().objects()) known.insert(object.id());
+  for (int i = 0; i < placements.size(); ++i) {
+    const v1::Placement& to = placements[i];
+    if (!known.contains(to.object_id())) {
+      return InvalidArgument("{}[{}].object_id: \"{}\" is not an object of the room", path, i,
+                             to.object_id().substr(0, 80));
+    }
+    if (!named.insert(to.object_id()).second) {
+      return InvalidArgument("{}[{}].object_id: \"{}\" is named twice", path, i, to.object_id());
+    }
+    RETURN_IF_ERROR(CheckPlacement(to, fmt::format("{}[{}]", path, i)));
+  }
+  // Riders of riders follow too: hosts are listed before what stands on them only by chance.
+  std::map<std::string, v1::Placement> moved;
+  for (const v1::Placement& to : placements) moved[to.object_id()] = to;
+  for (bool more = true; more;) {
+    more = false;
+    for (const v1::Object& object : layout.graph().object_list().objects()) {
+      const auto host = moved.find(object.host_id());
+      if (host == moved.end() || moved.contains(object.id()) || !now.contains(object.id())) continue;
+      const auto from = now.find(host->first);
+      if (from == now.end()) continue;
+      v1::Placement rider = *now[object.id()];
+      const double turn = host->second.theta_rad() - from->second->theta_rad();
+      const double dx = rider.x_m() - from->second->x_m(), dy = rider.y_m() - from->second->y_m();
+      rider.set_x_m(host->second.x_m() + dx * std::cos(turn) - dy * std::sin(turn));
+      rider.set_y_m(host->second.y_m() + dx * std::sin(turn) + dy * std::cos(turn));
+      rider.set_theta_rad(rider.theta_rad() + turn);
+      moved[object.id()] = rider;
+      more = true;
+    }
+  }
+  for (const auto& [id, placement] : moved) {
+    const auto at = now.find(id);
+    *(at == now.end() ? layout.add_placements() : at->second) = placement;
+  }
+  return absl::OkStatus();
+}
+
+// Whether an edit pins or unpins an object by the user's wish, rather than by moving it.
+void NotePins(const EditList& edits, std::set<std::string>& pinned) {
+  for (const v1::LayoutEdit& edit : edits) {
+    if (!edit.pin_object_id().empty()) pinned.insert(edit.pin_object_id());
+    if (!edit.unpin_object_id().empty()) pinned.erase(edit.unpin_object_id());
+  }
+}
+
+// A solve holds what was moved; afterwards only what somebody has locked stays locked.
+void KeepOnlyWantedPins(const v1::LayoutGraph& before, const EditList& edits, v1::LayoutGraph& graph) {
+  std::set<std::string> wanted;
+  for (const v1::Placement& pin : before.pinned_placements()) wanted.insert(pin.object_id());
+  NotePins(edits, wanted);
+  const google::protobuf::RepeatedPtrField<v1::Placement> pins = graph.pinned_placements();
+  graph.clear_pinned_placements();
+  for (const v1::Placement& pin : pins) {
+    if (wanted.contains(pin.object_id())) *graph.add_pinned_placements() = pin;
+  }
+}
+
+// Whether an edge speaks of an object.
+bool Names(const v1::ConstraintEdge& edge, const std::set<std::string>& ids) {
+  for (const v1::Argument& argument : edge.arguments()) {
+    if (ids.contains(argument.value().text())) return true;
+    for (const std::string& text : argument.value().texts().items()) {
+      if (ids.contains(text)) return true;
+    }
+  }
+  return false;
+}
+
+v1::Point2 MiddleOf(const v1::Polygon& floor) {
+  v1::Point2 middle;
+  if (floor.vertices().empty()) return middle;
+  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
+  for (const v1::Point2& vertex : floor.vertices()) {
+    x0 = std::min(x0, vertex.x_m()), x1 = std::max(x1, vertex.x_m());
+    y0 = std::min(y0, vertex.y_m()), y1 = std::max(y1, vertex.y_m());
+  }
+  middle.set_x_m((x0 + x1) / 2);
+  middle.set_y_m((y0 + y1) / 2);
+  return middle;
+}
+
+// "floor lamp" becomes "floor_lamp", or "floor_lamp_2" where there is one.
+std::string FreeObjectId(const std::string& name, std::set<std::string>& taken) {
+  std::string base;
+  for (const char c : name) {
+    const char low = absl::ascii_tolower(static_cast<unsigned char>(c));
+    if (absl::ascii_isalnum(static_cast<unsigned char>(low))) {
+      base += low;
+    } else if (!base.empty() && base.back() != '_') {
+      base += '_';
+    }
+  }
+  while (base.ends_with('_')) base.pop_back();
+  if (base.empty() || !absl::ascii_isalpha(static_cast<unsigned char>(base[0]))) base = "piece_" + base;
+  std::string id = base;
+  for (int n = 2; !taken.insert(id).second; ++n) id = fmt::format("{}_{}", base, n);
+  return id;
+}
+
+// The zone whose middle is nearest to where an object will stand; the first without a place or regions.
+std::string NearestZone(const v1::SolvedLayout& layout, const v1::Placement* at) {
+  const auto& zones = layout.graph().zone_plan().zones();
+  std::string nearest = zones.empty() ? "" : zones[0].id();
+  double least = INFINITY;
+  for (const v1::ZoneRegion& region : layout.zone_regions()) {
+    if (at == nullptr) break;
+    const double away = std::hypot(region.center().x_m() - at->x_m(), region.center().y_m() - at->y_m());
+    if (away < least) least = away, nearest = region.zone_id();
+  }
+  return nearest;
+}
+
+// Added objects with an id, a role and a zone where the caller has left them out. An edit with an empty object_id that
+// follows is about the object added last.
+EditList Completed(const v1::SolvedLayout& layout, const EditList& edits) {
+  std::set<std::string> taken;
+  for (const v1::Object& object : layout.graph().object_list().objects()) taken.insert(object.id());
+  EditList completed = edits;
+  for (int i = 0; i < completed.size(); ++i) {
+    if (!completed[i].has_add_object()) continue;
+    v1::Object& object = *completed[i].mutable_add_object()->mutable_object();
+    if (object.id().empty()) object.set_id(FreeObjectId(object.name(), taken));
+    v1::Placement* at = nullptr;
+    if (i + 1 < completed.size() && completed[i + 1].has_move_object()) {
+      v1::Placement& next = *completed[i + 1].mutable_move_object();
+      if (next.object_id().empty()) next.set_object_id(object.id());
+      if (next.object_id() == object.id()) at = &next;
+    }
+    if (object.kind() == v1::OBJECT_KIND_UNSPECIFIED) object.set_kind(v1::OBJECT_KIND_FLOOR);
+    if (object.role() == v1::OBJECT_ROLE_UNSPECIFIED) {
+      const bool floor = object.kind() == v1::OBJECT_KIND_FLOOR && !object.walk_over();
+      object.set_role(floor ? v1::OBJECT_ROLE_SECONDARY : v1::OBJECT_ROLE_TERTIARY);
+    }
+    if (object.zone_id().empty()) object.set_zone_id(NearestZone(layout, at));
+    object.set_requested(true);
+  }
+  return completed;
+}
+
+// Whether nothing is left.
+bool RemovesAll(const v1::SolvedLayout& layout, const EditList& edits) {
+  std::set<std::string> left;
+  for (const v1::Object& object : layout.graph().object_list().objects()) left.insert(object.id());
+  for (const v1::LayoutEdit& edit : edits) {
+    if (edit.remove_object_id().empty()) return false;
+    left.erase(edit.remove_object_id());
+  }
+  return left.empty();
+}
+
+// An id that no sentence or edge has yet.
+template <typename Items>
+std::string FreeId(const Items& items, const std::string& letter) {
+  std::set<std::string> taken;
+  for (const auto& item : items) taken.insert(item.id());
+  for (int n = items.size() + 1;; ++n) {
+    if (std::string id = letter + std::to_string(n); !taken.contains(id)) return id;
+  }
+}
+
+}  // namespace
+
+absl::StatusOr<v1::SolvedLayout> LayoutActs::Evaluated(v1::SolvedLayout layout, CallContext& call) const {
+  v1::EvaluateResponse response;
+  // An empty room is no problem for an optimizer.
+  if (!layout.graph().object_list().objects().empty()) {
+    v1::EvaluateRequest request;
+    request.set_request_id("flair-session");
+    *request.mutable_layout_graph() = layout.graph();
+    *request.mutable_placements() = layout.placements();
+    ASSIGN_OR_RETURN(response, stages_.Evaluate(request, call));
+  }
+  layout.mutable_edge_outcomes()->Swap(response.mutable_edge_outcomes());
+  layout.mutable_term_outcomes()->Swap(response.mutable_term_outcomes());
+  layout.mutable_metrics()->Swap(response.mutable_metrics());
+  layout.clear_stage_outcomes();
+  layout.clear_runner_ups();
+  layout.clear_diagnostics();
+  double total = 0;
+  for (const v1::EdgeOutcome& edge : layout.edge_outcomes()) total += edge.weighted_cost();
+  for (const v1::TermOutcome& term : layout.term_outcomes()) total += term.cost() * term.factor();
+  layout.set_total_cost(total);
+  return layout;
+}
+
+absl::StatusOr<Acted> LayoutActs::Solved(const Standing& standing, const EditList& edits, CallContext& call) const {
+  Acted acted;
+  if (standing.settled == nullptr) {
+    v1::SolveRequest request;
+    request.set_request_id("flair-session");
+    *request.mutable_layout_graph() = standing.shown.graph();
+    if (!edits.empty()) {
+      ASSIGN_OR_RETURN(optimizer::EditedProblem problem, optimizer::ApplyEdits(standing.shown, edits));
+      request.mutable_layout_graph()->Swap(&problem.graph);
+    }
+    ASSIGN_OR_RETURN(v1::SolveResponse response, stages_.Solve(request, call));
+    acted.layout.Swap(response.mutable_solved_layout());
+    acted.producer = response.producer();
+  } else {
+    v1::ResolveRequest request;
+    request.set_request_id("flair-session");
+    *request.mutable_solved_layout() = *standing.settled;
+    request.mutable_solved_layout()->clear_runner_ups();
+    *request.mutable_edits() = standing.pending;
+    request.mutable_edits()->MergeFrom(edits);
+    ASSIGN_OR_RETURN(v1::ResolveResponse response, stages_.Resolve(request, call));
+    acted.layout.Swap(response.mutable_solved_layout());
+    acted.producer = response.producer();
+    KeepOnlyWantedPins(standing.settled->graph(), request.edits(), *acted.layout.mutable_graph());
+  }
+  acted.layout.clear_runner_ups();
+  acted.moved_ids = MovedIds(standing.shown, acted.layout);
+  acted.diagnostics.assign(acted.layout.diagnostics().begin(), acted.layout.diagnostics().end());
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Unsolved(const Standing& standing, const EditList& edits, CallContext& call) const {
+  ASSIGN_OR_RETURN(optimizer::EditedProblem problem, optimizer::ApplyEdits(standing.shown, edits));
+  Acted acted;
+  acted.layout = standing.shown;
+  KeepOnlyWantedPins(standing.shown.graph(), edits, problem.graph);
+  acted.layout.mutable_graph()->Swap(&problem.graph);
+  acted.layout.mutable_placements()->Assign(problem.placements.begin(), problem.placements.end());
+  const Placements placed = PlacementsOf(acted.layout);
+  const v1::Point2 middle = MiddleOf(acted.layout.graph().room().floor());
+  acted.pending = standing.pending;
+  acted.pending.MergeFrom(edits);
+  for (const v1::Object& object : acted.layout.graph().object_list().objects()) {
+    if (placed.contains(object.id()) || !problem.touched.contains(object.id())) continue;
+    v1::Placement& at = *acted.layout.add_placements();
+    at.set_object_id(object.id());
+    at.set_x_m(middle.x_m());
+    at.set_y_m(middle.y_m());
+    at.set_z_m(object.elevation_m());
+  }
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  acted.producer = ByHand();
+  acted.moved_ids = MovedIds(standing.shown, acted.layout);
+  acted.diagnostics = std::move(problem.diagnostics);
+  acted.settled = false;
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Move(const Standing& standing, const v1::MoveObjects& move, CallContext& call) const {
+  Acted acted;
+  acted.layout = standing.shown;
+  RETURN_IF_ERROR(Place(acted.layout, move.placements(), "move.placements"));
+  for (v1::Placement& pin : *acted.layout.mutable_graph()->mutable_pinned_placements()) {
+    for (const v1::Placement& to : move.placements()) {
+      if (to.object_id() == pin.object_id()) pin = to;
+    }
+  }
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  // The last place of each object is what counts.
+  for (const v1::LayoutEdit& edit : standing.pending) {
+    const bool again = edit.has_move_object() && std::ranges::any_of(move.placements(), [&](const v1::Placement& to) {
+                         return to.object_id() == edit.move_object().object_id();
+                       });
+    if (!again) *acted.pending.Add() = edit;
+  }
+  for (const v1::Placement& to : move.placements()) *acted.pending.Add()->mutable_move_object() = to;
+  acted.producer = ByHand();
+  acted.moved_ids = MovedIds(standing.shown, acted.layout);
+  acted.settled = false;
+  acted.label = MoveLabel(standing.shown, move);
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Clear(const Standing& standing, CallContext& call) const {
+  Acted acted;
+  *acted.layout.mutable_graph()->mutable_room() = standing.shown.graph().room();
+  *acted.layout.mutable_graph()->mutable_zone_plan() = standing.shown.graph().zone_plan();
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  acted.producer = ByHand();
+  acted.settled = false;
+  acted.anew = true;
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Edit(const Standing& standing, const v1::EditLayout& edit, CallContext& call) const {
+  if (edit.edits().empty()) return absl::InvalidArgumentError("edit.edits: is empty; say what to change");
+  if (edit.edits_size() > 1000) return InvalidArgument("edit.edits: {}; at most 1000 at once", edit.edits_size());
+  const EditList edits = Completed(standing.shown, edit.edits());
+  ASSIGN_OR_RETURN(Acted acted, RemovesAll(standing.shown, edits) ? Clear(standing, call)
+                                : edit.without_solving()          ? Unsolved(standing, edits, call)
+                                                                  : Solved(standing, edits, call));
+  acted.label = EditLabel(standing.shown, edits);
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& call) const {
+  if (standing.settled != nullptr && standing.pending.empty()) {
+    return absl::FailedPreconditionError("settle: nothing has been moved since the layout was last solved");
+  }
+  ASSIGN_OR_RETURN(Acted acted, Solved(standing, {}, call));
+  acted.label = "settle";
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySentence& say, CallContext& call) const {
+  const std::string text(absl::StripAsciiWhitespace(say.text()));
+  if (text.empty() || text.size() > 400) {
+    return InvalidArgument("say.text: {} characters; one sentence of 1 to 400", text.size());
+  }
+  const v1::LayoutGraph& graph = standing.shown.graph();
+  v1::TranslateRequest request;
+  request.set_request_id("flair-session");
+  *request.mutable_room() = graph.room();
+  *request.mutable_zone_plan() = graph.zone_plan();
+  *request.mutable_object_list() = graph.object_list();
+  *request.mutable_style_sheet() = graph.style_sheet();
+  ASSIGN_OR_RETURN(*request.mutable_catalog(), stages_.Catalog(call));
+  v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
+  sentence.set_id(FreeId(graph.constraint_list().sentences(), "said_"));
+  sentence.set_text(text);
+  sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
+  sentence.set_weight(1);
+  sentence.set_reason(fmt::format("you said \"{}\"", text));
+  sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
+  RETURN_IF_ERROR(Validate(request));
+  ASSIGN_OR_RETURN(const v1::TranslateResponse translated, stages_.Translate(request, call));
+  const v1::LayoutGraph& understood = translated.layout_graph();
+  if (understood.edges().empty()) {
+    return InvalidArgument("say.text: \"{}\" is not understood{}", text,
+                           understood.diagnostics().empty() ? "" : ": " + understood.diagnostics(0).message());
+  }
+  v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
+  EditList edits;
+  for (v1::SolvedLayout* layout : {&shown, &settled}) {
+    *layout->mutable_graph()->mutable_constraint_list()->add_sentences() = sentence;
+  }
+  std::string id = FreeId(graph.edges(), "e");
+  for (const v1::ConstraintEdge& edge : understood.edges()) {
+    v1::ConstraintEdge& added = *edits.Add()->mutable_add_edge();
+    added = edge;
+    added.set_id(id);
+    id = "e" + std::to_string(std::stoi(id.substr(1)) + 1);
+  }
+  ASSIGN_OR_RETURN(Acted acted,
+                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending}, edits, call));
+  acted.label = fmt::format("say \"{}\"", text);
+  acted.diagnostics.insert(acted.diagnostics.end(), understood.diagnostics().begin(), understood.diagnostics().end());
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Weigh(const Standing& standing, const v1::WeighSentence& weigh,
+                                        CallContext& call) const {
+  if (!(weigh.weight() >= 0 && weigh.weight() <= 100)) {
+    return InvalidArgument("weigh.weight: {}; must be in [0, 100], 0 drops the sentence", weigh.weight());
+  }
+  EditList edits;
+  for (const v1::ConstraintEdge& edge : standing.shown.graph().edges()) {
+    if (edge.sentence_id() != weigh.sentence_id()) continue;
+    if (weigh.weight() == 0) {
+      edits.Add()->set_remove_edge_id(edge.id());
+    } else {
+      v1::SetEdgeWeight& set = *edits.Add()->mutable_set_edge_weight();
+      set.set_edge_id(edge.id());
+      set.set_weight(weigh.weight());
+    }
+  }
+  if (edits.empty()) {
+    return InvalidArgument("weigh.sentence_id: no constraint comes from a sentence \"{}\"",
+                           weigh.sentence_id().substr(0, 80));
+  }
+  ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
+  acted.label = WeighLabel(standing.shown, weigh);
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::ReplaceObject& replace,
+                                          CallContext& call) const {
+  v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
+  std::string before;
+  for (v1::SolvedLayout* layout : {&shown, &settled}) {
+    for (v1::Object& object : *layout->mutable_graph()->mutable_object_list()->mutable_objects()) {
+      if (object.id() != replace.object_id()) continue;
+      before = object.name();
+      // Sizes are an edit, which keeps the back where it was.
+      object.set_name(replace.by().name());
+      object.set_category(replace.by().category());
+      object.set_description(replace.by().description());
+      object.set_round(replace.by().round());
+      object.set_requested(true);
+    }
+  }
+  if (before.empty()) {
+    return InvalidArgument("replace.object_id: \"{}\" is not an object of the room", replace.object_id().substr(0, 80));
+  }
+  EditList edits;
+  v1::ResizeObject& resize = *edits.Add()->mutable_resize_object();
+  resize.set_object_id(replace.object_id());
+  resize.set_width_m(replace.by().width_m());
+  resize.set_depth_m(replace.by().depth_m());
+  resize.set_height_m(replace.by().height_m());
+  ASSIGN_OR_RETURN(Acted acted,
+                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending}, edits, call));
+  acted.label = fmt::format("replace the {} by a {}", before, replace.by().name());
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1::Room& room, CallContext& call) const {
+  RETURN_IF_ERROR(Validate(room));
+  Acted acted;
+  acted.layout = standing.shown;
+  v1::LayoutGraph& graph = *acted.layout.mutable_graph();
+  std::set<std::string> gone;
+  for (const v1::Opening& opening : graph.room().openings()) gone.insert(opening.id());
+  for (const v1::Wall& wall : graph.room().walls()) gone.insert(wall.name());
+  for (const v1::Socket& socket : graph.room().sockets()) gone.insert(socket.id());
+  for (const v1::Opening& opening : room.openings()) gone.erase(opening.id());
+  for (const v1::Wall& wall : room.walls()) gone.erase(wall.name());
+  for (const v1::Socket& socket : room.sockets()) gone.erase(socket.id());
+  // What a sentence said of a wall that is gone means nothing any more.
+  const google::protobuf::RepeatedPtrField<v1::ConstraintEdge> edges = graph.edges();
+  graph.clear_edges();
+  for (const v1::ConstraintEdge& edge : edges) {
+    if (!Names(edge, gone)) {
+      *graph.add_edges() = edge;
+      continue;
+    }
+    v1::Diagnostic& dropped = acted.diagnostics.emplace_back();
+    dropped.set_severity(v1::SEVERITY_NOTE);
+    dropped.set_code("edge_dropped");
+    dropped.set_message(fmt::format("{} is dropped: it speaks of a wall or opening that is gone", edge.id()));
+    dropped.set_subject_id(edge.id());
+  }
+  *graph.mutable_room() = room;
+  acted.layout.clear_zone_regions();
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  acted.producer = ByHand();
+  acted.settled = false;
+  acted.anew = true;
+  acted.label = "change the room";
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActRequest& request,
+                                      CallContext& call) const {
+  switch (request.act_case()) {
+    case v1::ActRequest::kMove:
+      return Move(standing, request.move(), call);
+    case v1::ActRequest::kEdit:
+      return Edit(standing, request.edit(), call);
+    case v1::ActRequest::kSettle:
+      return Settle(standing, call);
+    case v1::ActRequest::kSay:
+      return Say(standing, request.say(), call);
+    case v1::ActRequest::kWeigh:
+      return Weigh(standing, request.weigh(), call);
+    case v1::ActRequest::kReplace:
+      return Replace(standing, request.replace(), call);
+    case v1::ActRequest::kRoom:
+      return ChangeRoom(standing, request.room(), call);
+    default:
+      return absl::InvalidArgumentError("act: is not set; say what to do");
+  }
+}
+
+absl::StatusOr<v1::JudgeResponse> LayoutActs::Judge(const v1::SolvedLayout& layout, const v1::JudgeRequest& request,
+                                                    CallContext& call) const {
+  v1::SolvedLayout moved;
+  *moved.mutable_graph() = layout.graph();
+  *moved.mutable_placements() = layout.placements();
+  RETURN_IF_ERROR(Place(moved, request.placements(), "placements"));
+  v1::EvaluateRequest evaluate;
+  evaluate.set_request_id("flair-session");
+  evaluate.mutable_layout_graph()->Swap(moved.mutable_graph());
+  evaluate.mutable_placements()->Swap(moved.mutable_placements());
+  ASSIGN_OR_RETURN(v1::EvaluateResponse judged, stages_.Evaluate(evaluate, call));
+  std::set<std::string> ids;
+  for (const v1::Placement& placement : request.placements()) ids.insert(placement.object_id());
+  v1::JudgeResponse response;
+  for (int i = 0; i < judged.edge_outcomes_size() && i < layout.graph().edges_size(); ++i) {
+    if (Names(layout.graph().edges(i), ids))
+      *response.add_edge_outcomes() = std::move(*judged.mutable_edge_outcomes(i));
+  }
+  for (v1::Finding& finding : *judged.mutable_metrics()->mutable_findings()) {
+    if (ids.contains(finding.object_id()) || ids.contains(finding.partner_id())) {
+      *response.add_findings() = std::move(finding);
+    }
+  }
+  response.set_reachable_floor_share(judged.metrics().reachable_floor_share());
+  return response;
+}
+
+}  // namespace flair::session

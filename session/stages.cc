@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/stages.h"
+
+#include <grpcpp/channel.h>
+
+#include "flair/v1/optimizer_service.grpc.pb.h"
+#include "flair/v1/orchestrator_service.grpc.pb.h"
+#include "flair/v1/renderer_service.grpc.pb.h"
+#include "flair/v1/translator_service.grpc.pb.h"
+#include "worker_runtime/grpc/client_call.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::session {
+
+using runtime::CallContext;
+using runtime::UnaryRequest;
+
+struct Stages::Stubs {
+  std::unique_ptr<v1::OrchestratorService::Stub> orchestrator;
+  std::unique_ptr<v1::TranslatorService::Stub> translator;
+  std::unique_ptr<v1::OptimizerService::Stub> optimizer;
+  std::unique_ptr<v1::RendererService::Stub> renderer;
+};
+
+Stages::Stages(const Channels& channels)
+    : stubs_(new Stubs{.orchestrator = v1::OrchestratorService::NewStub(channels.orchestrator),
+                       .translator = v1::TranslatorService::NewStub(channels.translator),
+                       .optimizer = v1::OptimizerService::NewStub(channels.optimizer),
+                       .renderer = v1::RendererService::NewStub(channels.renderer)}) {}
+Stages::~Stages() = default;
+
+absl::StatusOr<v1::SolveResponse> Stages::Solve(const v1::SolveRequest& request, CallContext& call) {
+  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Solve, request, call);
+}
+absl::StatusOr<v1::ResolveResponse> Stages::Resolve(const v1::ResolveRequest& request, CallContext& call) {
+  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Resolve, request, call);
+}
+absl::StatusOr<v1::EvaluateResponse> Stages::Evaluate(const v1::EvaluateRequest& request, CallContext& call) {
+  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Evaluate, request, call);
+}
+absl::StatusOr<v1::ConstraintCatalog> Stages::Catalog(CallContext& call) {
+  const std::lock_guard lock(mutex_);
+  if (!catalog_.has_value()) {
+    ASSIGN_OR_RETURN(v1::ListConstraintTypesResponse response,
+                     UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::ListConstraintTypes,
+                                  v1::ListConstraintTypesRequest(), call));
+    catalog_ = std::move(*response.mutable_catalog());
+  }
+  return *catalog_;
+}
+absl::StatusOr<v1::TranslateResponse> Stages::Translate(const v1::TranslateRequest& request, CallContext& call) {
+  return UnaryRequest(*stubs_->translator, &v1::TranslatorService::StubInterface::Translate, request, call);
+}
+absl::StatusOr<v1::RenderResponse> Stages::Render(const v1::RenderRequest& request, CallContext& call) {
+  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::Render, request, call);
+}
+absl::StatusOr<v1::ExportSceneResponse> Stages::ExportScene(const v1::ExportSceneRequest& request, CallContext& call) {
+  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::ExportScene, request, call);
+}
+absl::StatusOr<v1::DrawPlanPartsResponse> Stages::DrawPlanParts(const v1::DrawPlanPartsRequest& request,
+                                                                CallContext& call) {
+  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::DrawPlanParts, request, call);
+}
+
+absl::StatusOr<v1::Job> Stages::CreateJob(const v1::CreateJobRequest& request, CallContext& call) {
+  ASSIGN_OR_RETURN(
+      v1::CreateJobResponse response,
+      UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::CreateJob, request, call));
+  return std::move(*response.mutable_job());
+}
+absl::StatusOr<v1::Job> Stages::GetJob(const std::string& id, CallContext& call) {
+  v1::GetJobRequest request;
+  request.set_job_id(id);
+  ASSIGN_OR_RETURN(v1::GetJobResponse response,
+                   UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::GetJob, request, call));
+  return std::move(*response.mutable_job());
+}
+absl::StatusOr<v1::Artifact> Stages::GetArtifact(const std::string& id, CallContext& call) {
+  v1::GetArtifactRequest request;
+  request.set_artifact_id(id);
+  ASSIGN_OR_RETURN(
+      v1::GetArtifactResponse response,
+      UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::GetArtifact, request, call));
+  return std::move(*response.mutable_artifact());
+}
+
+absl::Status Stages::WatchJob(const std::string& id, int64_t after_sequence,
+                              const std::function<void(const v1::JobEvent&)>& see, CallContext& call) {
+  v1::WatchJobRequest request;
+  request.set_job_id(id);
+  request.set_after_sequence(after_sequence);
+  grpc::ClientContext context;
+  const runtime::OnCancel guard(call.cancellation(), [&context] { context.TryCancel(); });
+  const auto reader = stubs_->orchestrator->WatchJob(&context, request);
+  v1::WatchJobResponse response;
+  while (reader->Read(&response)) see(response.event());
+  return runtime::FromGrpcStatus(reader->Finish(), context);
+}
+
+}  // namespace flair::session

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "absl/status/statusor.h"
+#include "flair/v1/optimizer_service.pb.h"
+#include "flair/v1/orchestrator_service.pb.h"
+#include "flair/v1/renderer_service.pb.h"
+#include "flair/v1/translator_service.pb.h"
+#include "worker_runtime/bootstrap/call_context.h"
+
+// gRPC's headers are in the .cc file: they cost every file that includes them seconds.
+namespace grpc {
+class Channel;
+}
+
+namespace flair::session {
+
+// Where the services are that an editor needs.
+struct Channels {
+  std::shared_ptr<grpc::Channel> orchestrator;
+  std::shared_ptr<grpc::Channel> translator;
+  std::shared_ptr<grpc::Channel> optimizer;
+  std::shared_ptr<grpc::Channel> renderer;
+};
+
+// The calls that an editor makes of them, each until its caller gives up. Errors are the service's. Thread-safe.
+class Stages {
+ public:
+  explicit Stages(const Channels& channels);
+  ~Stages();
+
+  absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::ResolveResponse> Resolve(const v1::ResolveRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, runtime::CallContext& call);
+  // The optimizer's, asked once.
+  absl::StatusOr<v1::ConstraintCatalog> Catalog(runtime::CallContext& call);
+  absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::ExportSceneResponse> ExportScene(const v1::ExportSceneRequest& request,
+                                                      runtime::CallContext& call);
+  absl::StatusOr<v1::DrawPlanPartsResponse> DrawPlanParts(const v1::DrawPlanPartsRequest& request,
+                                                          runtime::CallContext& call);
+
+  absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::Job> GetJob(const std::string& id, runtime::CallContext& call);
+  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id, runtime::CallContext& call);
+  // Calls `see` for every event after a sequence number until the job ends.
+  absl::Status WatchJob(const std::string& id, int64_t after_sequence,
+                        const std::function<void(const v1::JobEvent&)>& see, runtime::CallContext& call);
+
+ private:
+  struct Stubs;
+  const std::unique_ptr<Stubs> stubs_;
+  std::mutex mutex_;
+  std::optional<v1::ConstraintCatalog> catalog_;
+};
+
+}  // namespace flair::session
