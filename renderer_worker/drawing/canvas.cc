@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer_worker/drawing/svg_paths.h"
 #include "renderer_worker/drawing/text.h"
 
 namespace flair::renderer {
@@ -39,7 +40,7 @@ bool Exists(const Rgb& linear) {
 
 using std::numbers::pi;
 
-Canvas::Canvas(cairo_t* cairo) : cairo_(cairo), lettering_(std::make_unique<Lettering>()) {
+Canvas::Canvas(cairo_t* cairo, SvgPaths* svg) : cairo_(cairo), svg_(svg), lettering_(std::make_unique<Lettering>()) {
   cairo_get_matrix(cairo_, &sheet_);
   frame_ = sheet_;
 }
@@ -108,6 +109,11 @@ void Canvas::Ellipse(Point centre, double radius_x, double radius_y) {
 }
 
 void Canvas::Fill(const Rgb& colour, double alpha, bool keep) {
+  if (svg_ != nullptr) {
+    svg_->Fill(cairo_, colour, alpha);
+    if (!keep) Discard();
+    return;
+  }
   cairo_set_source_rgba(cairo_, colour.red, colour.green, colour.blue, alpha);
   keep ? cairo_fill_preserve(cairo_) : cairo_fill(cairo_);
 }
@@ -119,6 +125,11 @@ void Canvas::FillEvenOdd(const Rgb& colour, double alpha) {
 }
 
 void Canvas::Draw(const Stroke& stroke, bool keep) {
+  if (svg_ != nullptr) {
+    svg_->Draw(cairo_, stroke);
+    if (!keep) Discard();
+    return;
+  }
   cairo_set_matrix(cairo_, &sheet_);
   cairo_set_source_rgba(cairo_, stroke.colour.red, stroke.colour.green, stroke.colour.blue, stroke.alpha);
   cairo_set_line_width(cairo_, stroke.width_mm);
@@ -140,10 +151,12 @@ void Canvas::Clip() {
   cairo_save(cairo_);
   cairo_append_path(cairo_, path);
   cairo_path_destroy(path);
+  if (svg_ != nullptr) svg_->Clip(cairo_);
   cairo_clip(cairo_);
 }
 
 void Canvas::Unclip() {
+  if (svg_ != nullptr) svg_->Unclip();
   cairo_restore(cairo_);
   cairo_set_matrix(cairo_, &frame_);
 }

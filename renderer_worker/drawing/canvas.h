@@ -53,6 +53,7 @@ Rgb TintForPrint(const Rgb& colour);
 Rgb LineColourFor(const Rgb& fill);
 
 class Lettering;
+class SvgPaths;
 
 enum class Dash { kSolid, kDashed };
 
@@ -69,8 +70,8 @@ struct Stroke {
 // frame (an object's, in metres); strokes keep their width on paper. Knows nothing of files or pixels.
 class Canvas {
  public:
-  // `cairo` must outlive the canvas.
-  explicit Canvas(cairo_t* cairo);
+  // Both must outlive the canvas. With `svg` paths go there instead of the surface.
+  explicit Canvas(cairo_t* cairo, SvgPaths* svg = nullptr);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -106,6 +107,7 @@ class Canvas {
 
  private:
   cairo_t* cairo_;
+  SvgPaths* svg_;
   std::unique_ptr<Lettering> lettering_;
   cairo_matrix_t sheet_;
   cairo_matrix_t frame_;

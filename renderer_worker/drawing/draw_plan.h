@@ -53,4 +53,7 @@ absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, con
 // contact sheet. Sides in [16, 4096].
 absl::StatusOr<Pixels> DrawPlanTile(const v1::SolvedLayout& layout, int width_px, int height_px);
 
+// The plan as it is on A3, in parts that a screen can move; see the messages.
+absl::StatusOr<v1::PlanParts> DrawPlanParts(const v1::DrawPlanPartsRequest& request);
+
 }  // namespace flair::renderer

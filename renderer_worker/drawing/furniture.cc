@@ -20,20 +20,6 @@ void TraceOutline(Canvas& canvas, const PlanObject& object, double grown_m) {
   }
 }
 
-// A soft shadow to the lower right, longer for taller pieces: layers of growing outlines, vector on every surface.
-void DrawShadow(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
-  const double height = std::clamp(object.top_m, 0.1, 2.2);
-  const double offset_mm = std::min(0.5 + 0.035 * height * sheet.mm_per_m(), 2.2);
-  const Point origin = sheet.ToSheet(object.centre_m) + Point{0.8 * offset_mm, offset_mm};
-  canvas.EnterFrame(origin, sheet.mm_per_m(), object.theta_rad, true);
-  const double blur_m = 0.45 * offset_mm / sheet.mm_per_m();
-  for (double share : {1.0, 0.5, 0.0, -0.5}) {
-    TraceOutline(canvas, object, share * blur_m);
-    canvas.Fill(Hex(0x2B2621), 0.055);
-  }
-  canvas.LeaveFrame();
-}
-
 void DrawObject(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
   canvas.EnterFrame(sheet.ToSheet(object.centre_m), sheet.mm_per_m(), object.theta_rad, true);
   // Whatever its proportions, a piece covers its footprint and no more (half a millimetre for its outline).
@@ -53,19 +39,6 @@ PlanObject AsBar(PlanObject object, const Sheet& sheet) {
     object.depth_m = least;
   }
   return object;
-}
-
-// Whether it shows as an outline: what is deep and above the plane that plans are cut at, and what has a piece that
-// stands on the floor below the middle of its front.
-bool IsAbove(const Plan& plan, const PlanObject& object) {
-  constexpr double kCut_m = 1.2, kDeep_m = 0.15;
-  if (object.low_m >= kCut_m && object.depth_m > kDeep_m) return true;
-  const Point front =
-      object.centre_m + Point{-std::sin(object.theta_rad), std::cos(object.theta_rad)} * (object.depth_m / 2);
-  return std::ranges::any_of(plan.objects, [&](const PlanObject& below) {
-    return below.kind == v1::OBJECT_KIND_FLOOR && !below.walk_over && below.top_m < object.top_m &&
-           PolygonContains(below.Corners(), front);
-  });
 }
 
 void DrawAbove(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
@@ -185,30 +158,71 @@ Script& Symbols() {
 
 }  // namespace
 
+bool HasShadow(const PlanObject& object) {
+  return object.kind == v1::OBJECT_KIND_FLOOR && !object.walk_over &&
+         object.shown_as->outline() != FurnitureClass::OPEN;
+}
+
+Point ShadowOffsetMm(const PlanObject& object, const Sheet& sheet) {
+  const double height = std::clamp(object.top_m, 0.1, 2.2);
+  const double offset_mm = std::min(0.5 + 0.035 * height * sheet.mm_per_m(), 2.2);
+  return {0.8 * offset_mm, offset_mm};
+}
+
+void DrawShadow(Canvas& canvas, const PlanObject& object, const Sheet& sheet) {
+  const Point offset = ShadowOffsetMm(object, sheet);
+  canvas.EnterFrame(sheet.ToSheet(object.centre_m) + offset, sheet.mm_per_m(), object.theta_rad, true);
+  const double blur_m = 0.45 * offset.y / sheet.mm_per_m();
+  for (double share : {1.0, 0.5, 0.0, -0.5}) {
+    TraceOutline(canvas, object, share * blur_m);
+    canvas.Fill(Hex(0x2B2621), 0.055);
+  }
+  canvas.LeaveFrame();
+}
+
+bool IsAbove(const Plan& plan, const PlanObject& object) {
+  constexpr double kCut_m = 1.2, kDeep_m = 0.15;
+  if (object.kind != v1::OBJECT_KIND_WALL || object.walk_over) return false;
+  if (object.low_m >= kCut_m && object.depth_m > kDeep_m) return true;
+  const Point front =
+      object.centre_m + Point{-std::sin(object.theta_rad), std::cos(object.theta_rad)} * (object.depth_m / 2);
+  return std::ranges::any_of(plan.objects, [&](const PlanObject& below) {
+    return below.kind == v1::OBJECT_KIND_FLOOR && !below.walk_over && below.top_m < object.top_m &&
+           PolygonContains(below.Corners(), front);
+  });
+}
+
+void DrawPiece(Canvas& canvas, const PlanObject& object, bool above, const Sheet& sheet) {
+  if (above) {
+    DrawAbove(canvas, object, sheet);
+  } else if (object.kind == v1::OBJECT_KIND_CEILING && !object.walk_over) {
+    DrawOverhead(canvas, object, sheet);
+  } else {
+    DrawObject(canvas, IsMounted(object) ? AsBar(object, sheet) : object, sheet);
+  }
+}
+
+bool IsMounted(const PlanObject& object) {
+  return !object.walk_over && (object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING);
+}
+
 void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.walk_over && OnPaper(object, sheet)) DrawObject(canvas, object, sheet);
+    if (object.walk_over && OnPaper(object, sheet)) DrawPiece(canvas, object, false, sheet);
   }
 }
 
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.walk_over || object.kind == v1::OBJECT_KIND_WALL || object.kind == v1::OBJECT_KIND_CEILING) continue;
-    if (!OnPaper(object, sheet)) continue;
-    if (object.kind == v1::OBJECT_KIND_FLOOR && object.shown_as->outline() != FurnitureClass::OPEN)
-      DrawShadow(canvas, object, sheet);
-    DrawObject(canvas, object, sheet);
+    if (object.walk_over || IsMounted(object) || !OnPaper(object, sheet)) continue;
+    if (HasShadow(object)) DrawShadow(canvas, object, sheet);
+    DrawPiece(canvas, object, false, sheet);
   }
 }
 
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   for (const PlanObject& object : plan.objects) {
-    if (object.kind != v1::OBJECT_KIND_WALL || object.walk_over || !OnPaper(object, sheet)) continue;
-    IsAbove(plan, object) ? DrawAbove(canvas, object, sheet) : DrawObject(canvas, AsBar(object, sheet), sheet);
-  }
-  for (const PlanObject& object : plan.objects) {
-    if (object.kind == v1::OBJECT_KIND_CEILING && !object.walk_over && OnPaper(object, sheet))
-      DrawOverhead(canvas, object, sheet);
+    if (IsMounted(object) && OnPaper(object, sheet)) DrawPiece(canvas, object, IsAbove(plan, object), sheet);
   }
 }
 

@@ -59,8 +59,12 @@ class LabelLayer {
     }
   }
 
+  std::vector<PlacedLabel> Place() const { return PlaceLabels(items_, obstacles_, floor_mm_, taken_); }
+
+  const Form& FormOf(const PlacedLabel& label) const { return forms_[label.item][label.form]; }
+
   std::vector<PlacedLabel> Draw() {
-    std::vector<PlacedLabel> placed = PlaceLabels(items_, obstacles_, floor_mm_, taken_);
+    std::vector<PlacedLabel> placed = Place();
     for (const PlacedLabel& label : placed) DrawLeader(canvas_, label, items_[label.item]);
     for (const PlacedLabel& label : placed) DrawOne(label);
     return placed;
@@ -69,7 +73,7 @@ class LabelLayer {
  private:
   static constexpr double kLineMm = 3.9;
 
-  TextStyle NameStyle() const { return {.size_mm = 3.3, .colour = Hex(0x2B2926)}; }
+  TextStyle NameStyle() const { return {.size_mm = kNameSizeMm, .colour = Hex(0x2B2926)}; }
   static TextStyle AreaStyle(const Rgb& colour) {
     return {.size_mm = 3.1, .colour = colour, .bold = true, .tracking = 0.14};
   }
@@ -162,7 +166,7 @@ class LabelLayer {
       return;
     }
     // Its halo hides the lines of the piece below the name.
-    const Form& form = forms_[label.item][label.form];
+    const Form& form = FormOf(label);
     const Rgb halo = label.leader ? plan_.floor_tint : Mix(object.ink.fill, kWhite, 0.6);
     double y = centre.y - kLineMm * (static_cast<double>(form.size()) - 1) / 2;
     for (const std::string& line : form) {
@@ -242,6 +246,16 @@ void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, con
 
 std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
   return LabelLayer(canvas, plan, sheet).Draw();
+}
+
+std::vector<NameOnPiece> NamesOnPieces(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
+  const LabelLayer layer(canvas, plan, sheet);
+  std::vector<NameOnPiece> names;
+  for (const PlacedLabel& label : layer.Place()) {
+    if (label.item >= static_cast<int>(plan.objects.size()) || label.form == kBadgeForm || label.leader) continue;
+    names.push_back({label.item, layer.FormOf(label), label.box_mm.centre()});
+  }
+  return names;
 }
 
 }  // namespace flair::renderer

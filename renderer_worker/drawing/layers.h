@@ -75,6 +75,17 @@ void DrawSockets(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawRugs(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawFurniture(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawMounted(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// One piece, without its shadow; `above` says that it is one of which the plan shows the outline only.
+void DrawPiece(Canvas& canvas, const PlanObject& object, bool above, const Sheet& sheet);
+// What hangs on walls and above.
+bool IsMounted(const PlanObject& object);
+// Whether it shows as an outline: what hangs on a wall, is deep and above the plane that plans are cut at, or has a
+// piece that stands on the floor below the middle of its front.
+bool IsAbove(const Plan& plan, const PlanObject& object);
+// A soft shadow to the lower right, longer for taller pieces: layers of growing outlines, vector on every surface.
+bool HasShadow(const PlanObject& object);
+Point ShadowOffsetMm(const PlanObject& object, const Sheet& sheet);
+void DrawShadow(Canvas& canvas, const PlanObject& object, const Sheet& sheet);
 // overlay_layers.cc: circulation, below the furniture; what they do not reach, above it; what that means, in a box
 void DrawRoutes(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 void DrawBlocked(Canvas& canvas, const Plan& plan, const Sheet& sheet);
@@ -88,6 +99,14 @@ void DrawViolationBadge(Canvas& canvas, int index, Point centre_mm);
 void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 // label_layer.cc; what a piece asks of its label, and of others that would cover it
 std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// A name that the plan writes within a piece.
+struct NameOnPiece {
+  int object = 0;  // index in Plan::objects
+  std::vector<std::string> lines;
+  Point centre_mm;
+};
+inline constexpr double kNameSizeMm = 3.3;
+std::vector<NameOnPiece> NamesOnPieces(Canvas& canvas, const Plan& plan, const Sheet& sheet);
 LabelItem LabelItemOf(const PlanObject& object, const Sheet& sheet);
 LabelObstacle LabelObstacleOf(const PlanObject& object, const Sheet& sheet, int owner);
 void DrawLeader(Canvas& canvas, const PlacedLabel& label, const LabelItem& item);

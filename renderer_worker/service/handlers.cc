@@ -244,4 +244,20 @@ absl::StatusOr<v1::RenderResponse> RenderHandler::Handle(const v1::RenderRequest
   return response;
 }
 
+absl::StatusOr<v1::DrawPlanPartsResponse> PlanPartsHandler::Handle(const v1::DrawPlanPartsRequest& request,
+                                                                   runtime::CallContext&) const {
+  RETURN_IF_ERROR(Validate(request));
+  v1::DrawPlanPartsResponse response;
+  ASSIGN_OR_RETURN(*response.mutable_parts(), DrawPlanParts(request));
+  response.mutable_producer()->set_program("flair-renderer");
+  response.mutable_producer()->set_method("plan_parts");
+  response.mutable_producer()->set_version(kPlanVersion);
+  const size_t size = response.ByteSizeLong();
+  if (size <= static_cast<uint64_t>(answer_bytes_)) return response;
+  return ResourceExhausted(
+      "solved_layout: its parts take {} MiB, and this renderer sends messages of {} MiB (runtime.max_message_mib); "
+      "ask for fewer object_ids at a time",
+      size >> 20, answer_bytes_ >> 20);
+}
+
 }  // namespace flair::renderer

@@ -86,6 +86,18 @@ class RenderHandler {
   const ViewLimits limits_;
 };
 
+// Answers RendererService.DrawPlanParts.
+class PlanPartsHandler {
+ public:
+  explicit PlanPartsHandler(int64_t answer_bytes) : answer_bytes_(answer_bytes) {}
+
+  absl::StatusOr<v1::DrawPlanPartsResponse> Handle(const v1::DrawPlanPartsRequest& request,
+                                                   runtime::CallContext& call) const;
+
+ private:
+  const int64_t answer_bytes_;
+};
+
 // Where a renderer takes its furniture from: of its own making, or, with a folder of assets, from there where one fits.
 struct FurnishingChoice {
   std::unique_ptr<FurnishingSource> source;

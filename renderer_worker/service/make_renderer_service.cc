@@ -60,12 +60,14 @@ class Service final : public runtime::Service {
         writer_(std::move(writer)),
         furnishing_(std::move(furnishing)),
         render_(*writer_, *furnishing_, limits),
+        parts_(limits.answer_bytes),
         counted_render_(render_, worker.clock, RenderMetrics(worker.metrics)) {
     Unary<v1::RenderRequest>("Render", counted_render_);
     Unary<v1::ExportSceneRequest>("ExportScene",
                                   files.make_exporter == nullptr
                                       ? RefuseExport
                                       : files.make_exporter(*furnishing_, worker.build, limits.answer_bytes));
+    Unary<v1::DrawPlanPartsRequest>("DrawPlanParts", parts_);
     ClientStream<v1::ComposeContactSheetRequest>(
         "ComposeContactSheet", [this] { return std::make_unique<ContactSheetTaker>(*writer_, open_sheets_); });
   }
@@ -75,6 +77,7 @@ class Service final : public runtime::Service {
   const std::unique_ptr<FurnishingSource> furnishing_;
   std::atomic<int> open_sheets_ = 0;
   RenderHandler render_;
+  PlanPartsHandler parts_;
   runtime::ObservedHandler<RenderHandler, RenderMetrics> counted_render_;
 };
 
