@@ -233,5 +233,19 @@ TEST_F(RenderHandlerTest, AFileTooLargeForItsMessageIsAnErrorThatSaysSo) {
   EXPECT_THAT(std::string(status.message()), HasSubstr("runtime.max_message_mib"));
 }
 
+TEST_F(RenderHandlerTest, PlansComeInPartsToo) {
+  v1::DrawPlanPartsRequest request;
+  *request.mutable_solved_layout() = request_.solved_layout();
+  const absl::StatusOr<v1::DrawPlanPartsResponse> response =
+      PlanPartsHandler(limits_.answer_bytes).Handle(request, call_);
+  ASSERT_TRUE(response.ok()) << response.status();
+  EXPECT_EQ(response->parts().parts_size(), request.solved_layout().placements_size());
+  EXPECT_EQ(response->producer().method(), "plan_parts");
+  const absl::Status too_large = PlanPartsHandler(1000).Handle(request, call_).status();
+  EXPECT_EQ(too_large.code(), absl::StatusCode::kResourceExhausted);
+  EXPECT_THAT(std::string(too_large.message()), HasSubstr("runtime.max_message_mib"));
+  EXPECT_THAT(std::string(PlanPartsHandler(1000).Handle({}, call_).status().message()), StartsWith("solved_layout"));
+}
+
 }  // namespace
 }  // namespace flair::renderer
