@@ -15,6 +15,9 @@ absl::Status Assemble(const config::v1::OrchestratorConfig& config, runtime::Wor
   ASSIGN_OR_RETURN(const StageChannels channels, ConnectStages(config));
   ASSIGN_OR_RETURN(auto service, MakeOrchestratorService(config, worker.context(), channels));
   worker.OnStop([&stopping = *service] { stopping.Stop(); });
+  std::vector<runtime::NamedService> passages = service->Passages();
+  // Services are destroyed in the order of this list.
+  for (runtime::NamedService& passage : passages) worker.Serve(passage.name, std::move(passage.service));
   worker.Serve(v1::OrchestratorService::service_full_name(), std::move(service));
   return absl::OkStatus();
 }

@@ -87,6 +87,11 @@ class StageClients {
   virtual absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, Call& call) = 0;
   virtual absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, Call& call) = 0;
+  // What only editors ask, between jobs.
+  virtual absl::StatusOr<v1::ResolveResponse> Resolve(const v1::ResolveRequest& request, Call& call) = 0;
+  virtual absl::StatusOr<v1::ExportSceneResponse> ExportScene(const v1::ExportSceneRequest& request, Call& call) = 0;
+  virtual absl::StatusOr<v1::DrawPlanPartsResponse> DrawPlanParts(const v1::DrawPlanPartsRequest& request,
+                                                                  Call& call) = 0;
 
   // Tells the worker that a kind of artifact comes from apart from all that may answer otherwise (see WorkerService);
   // empty for what we make ourselves, nothing for workers that do not tell. Part of the key for re-use, so that no

@@ -23,6 +23,7 @@
 #include "orchestrator/batch/repeater.h"
 #include "orchestrator/pipeline/pipeline.h"
 #include "orchestrator/service/orchestrator_handlers.h"
+#include "orchestrator/service/stage_passage.h"
 #include "orchestrator/store/local_artifacts.h"
 #include "orchestrator/store/sqlite_work_queue.h"
 #include "orchestrator/workers/stage_workers.h"
@@ -199,6 +200,10 @@ class Service final : public OrchestratorService {
   ~Service() override {
     Stop();
     stores_.queue->Listen({});
+  }
+
+  std::vector<runtime::NamedService> Passages() override {
+    return MakeStagePassages(workers_.clients(), *stores_.access, worker_);
   }
 
   void Stop() override {

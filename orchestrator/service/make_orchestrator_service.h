@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/config/v1/orchestrator_config.pb.h"
@@ -9,6 +10,7 @@
 #include "orchestrator/workers/stage_channels.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 #include "worker_runtime/config/config_reader.h"
+#include "worker_runtime/grpc/server.h"
 #include "worker_runtime/grpc/server_call.h"
 
 namespace flair::orchestrator {
@@ -20,6 +22,8 @@ class OrchestratorService : public runtime::Service {
  public:
   // Ends the streams and interrupts the jobs; call before the server drains.
   virtual void Stop() = 0;
+  // Services to serve beside it: calls of its workers, see stage_passage.h. They need it; it must be destroyed last.
+  virtual std::vector<runtime::NamedService> Passages() = 0;
 
  protected:
   using Service::Service;

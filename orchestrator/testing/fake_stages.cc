@@ -171,6 +171,21 @@ absl::StatusOr<v1::SolveResponse> FakeStages::Solve(const v1::SolveRequest& requ
   return response;
 }
 
+absl::StatusOr<v1::ResolveResponse> FakeStages::Resolve(const v1::ResolveRequest& request, Call& call) {
+  RETURN_IF_ERROR(Begin("Resolve", call));
+  v1::ResolveResponse response;
+  *response.mutable_solved_layout() = request.solved_layout();
+  return response;
+}
+
+absl::StatusOr<v1::ExportSceneResponse> FakeStages::ExportScene(const v1::ExportSceneRequest&, Call&) {
+  return absl::UnimplementedError("not known");
+}
+
+absl::StatusOr<v1::DrawPlanPartsResponse> FakeStages::DrawPlanParts(const v1::DrawPlanPartsRequest&, Call&) {
+  return absl::UnimplementedError("not known");
+}
+
 absl::StatusOr<v1::EvaluateResponse> FakeStages::Evaluate(const v1::EvaluateRequest&, Call& call) {
   RETURN_IF_ERROR(Begin("Evaluate", call));
   return Parse<v1::EvaluateResponse>(R"pb(

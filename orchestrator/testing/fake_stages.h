@@ -39,6 +39,10 @@ class FakeStages : public StageClients {
                                                                       Call&) override;
   absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest&, Call&) override;
   absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest&, Call&) override;
+  absl::StatusOr<v1::ResolveResponse> Resolve(const v1::ResolveRequest& request, Call& call) override;
+  // Not known here.
+  absl::StatusOr<v1::ExportSceneResponse> ExportScene(const v1::ExportSceneRequest&, Call&) override;
+  absl::StatusOr<v1::DrawPlanPartsResponse> DrawPlanParts(const v1::DrawPlanPartsRequest&, Call&) override;
   absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest&, Call&) override;
   absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind, Call&) override { return revision_; }
 

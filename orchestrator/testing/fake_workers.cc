@@ -58,6 +58,7 @@ struct FakeOptimizer final : Fake {
     Forward("ListConstraintTypes", &StageClients::ListConstraintTypes);
     Forward("Solve", &StageClients::Solve);
     Forward("Evaluate", &StageClients::Evaluate);
+    Forward("Resolve", &StageClients::Resolve);
   }
 };
 

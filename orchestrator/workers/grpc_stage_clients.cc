@@ -259,7 +259,10 @@ class GrpcStageClients final : public StageClients {
   FLAIR_ASK(optimizer_, OptimizerService, ListConstraintTypes)
   FLAIR_ASK(optimizer_, OptimizerService, Solve)
   FLAIR_ASK(optimizer_, OptimizerService, Evaluate)
+  FLAIR_ASK(optimizer_, OptimizerService, Resolve)
   FLAIR_ASK(renderer_, RendererService, Render)
+  FLAIR_ASK(renderer_, RendererService, ExportScene)
+  FLAIR_ASK(renderer_, RendererService, DrawPlanParts)
 #undef FLAIR_ASK
 
   absl::StatusOr<std::optional<std::string>> Revision(v1::ArtifactKind kind, Call& call) override {
