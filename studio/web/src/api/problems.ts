@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What went wrong with a call, in the server's own words where it had any.
+import { Code, ConnectError } from "@connectrpc/connect";
+
+export function sentenceOf(error: unknown): string {
+  return ConnectError.from(error).rawMessage || "Something went wrong.";
+}
+
+// Nobody answered: the server is gone, or the network is.
+export function isAway(error: unknown): boolean {
+  if (error instanceof TypeError) return true;
+  const problem = ConnectError.from(error);
+  return problem.code === Code.Unavailable || problem.cause instanceof TypeError;
+}
+
+// Somebody else has changed the document.
+export const isConflict = (error: unknown): boolean => ConnectError.from(error).code === Code.Aborted;
+
+export const isUnknownCall = (error: unknown): boolean => ConnectError.from(error).code === Code.Unimplemented;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page: documents at the left, the room in the middle, what there is to say of it at the right.
+import { lazy, Suspense } from "preact/compat";
+import { JobState } from "../gen/flair/v1/job_pb";
+import { Start } from "../brief/Start";
+import { Progress } from "../brief/Progress";
+import { Inspector } from "../inspector/Inspector";
+import { Plan } from "../plan/Plan";
+import type { OpenRoom } from "../state/open_room";
+import { route } from "../state/route";
+import { useStudio } from "../state/studio";
+import { Banner } from "./Banner";
+import { FileDrop } from "./FileDrop";
+import { KeysDialog } from "./KeysDialog";
+import { usePageKeys } from "./keys";
+import { Sidebar } from "./Sidebar";
+import { ToastList } from "./ToastList";
+import { TopBar } from "./TopBar";
+
+const Scene = lazy(() => import("../three/Scene"));
+
+function Panes({ room }: { room: OpenRoom }) {
+  const panes = useStudio().settings.panes.value;
+  return (
+    <div class={`panes is-${panes}`}>
+      {panes !== "3d" && <Plan key={room.id} room={room} />}
+      {panes !== "plan" && (
+        <Suspense fallback={<div class="scene is-loading">Loading the view...</div>}><Scene key={room.id} room={room} /></Suspense>
+      )}
+    </div>
+  );
+}
+
+function RoomPage({ room }: { room: OpenRoom }) {
+  const { jobState } = room.document.value;
+  const isWorking = jobState === JobState.QUEUED || jobState === JobState.RUNNING;
+  const hasRoom = room.layout.value?.graph?.room !== undefined;
+  if (!hasRoom || (isWorking && room.pieces.value.size === 0)) return <main class="stage"><Progress room={room} /></main>;
+  return (
+    <>
+      <main class="stage" aria-label="Room"><Panes room={room} /></main>
+      <Inspector room={room} />
+    </>
+  );
+}
+
+function Middle() {
+  const room = useStudio().open.value;
+  if (route.value.page === "document") return room ? <RoomPage room={room} /> : <main class="stage" aria-busy="true" />;
+  return <main class="stage is-start"><Start /></main>;
+}
+
+export function App() {
+  const studio = useStudio();
+  usePageKeys(studio);
+  return (
+    <div class={`page is-sidebar-${studio.settings.sidebar.value}`}>
+      <TopBar />
+      <Banner />
+      <div class="body">
+        <Sidebar />
+        <Middle />
+      </div>
+      <ToastList />
+      <KeysDialog />
+      <FileDrop />
+    </div>
+  );
+}

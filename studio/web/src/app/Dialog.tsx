@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { Icon } from "./Icon";
+
+interface DialogProps {
+  title: string;
+  class?: string;
+  onClose(): void;
+  children: ComponentChildren;
+}
+
+// A modal dialog while it is there.
+export function Dialog({ title, class: name, onClose, children }: DialogProps) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => { if (!dialog.current!.open) dialog.current!.showModal(); }, []);
+  return (
+    <dialog ref={dialog} class={`dialog ${name ?? ""}`} aria-label={title} onClose={onClose}
+      onClick={(event) => { if (event.target === dialog.current) onClose(); }}>
+      <header>
+        <h2>{title}</h2>
+        <button class="icon-button" aria-label="Close" onClick={onClose}><Icon name="close" /></button>
+      </header>
+      {children}
+    </dialog>
+  );
+}

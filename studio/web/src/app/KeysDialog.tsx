@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { signal } from "@preact/signals";
+import { Dialog } from "./Dialog";
+
+export const isShowingKeys = signal(false);
+
+const groups: Array<[string, Array<[string, string]>]> = [
+  ["Select", [["Click", "one piece"], ["Shift click", "add or take away"], ["Drag on the floor", "all that is touched"],
+    ["Ctrl A", "everything"], ["Tab", "the next piece"], ["Esc", "nothing"]]],
+  ["Move", [["Drag", "snaps; with Alt it does not, with Shift along one axis"], ["Arrows", "1 cm"], ["Shift arrows", "10 cm"],
+    ["R, T", "turn by 90° clockwise, counter-clockwise"], ["Click a distance", "type another one"]]],
+  ["Change", [["Ctrl D", "duplicate"], ["Ctrl C, Ctrl V", "copy, paste"], ["Delete", "remove"], ["L", "lock or unlock"],
+    ["S", "settle what stands badly"], ["Ctrl Z, Ctrl Shift Z", "undo, redo"]]],
+  ["Look", [["Scroll, space drag", "pan"], ["Ctrl scroll, + and -", "zoom"], ["0, double click", "the whole room"],
+    ["1, 2, 3", "plan, both, 3D"], ["F", "furniture"], ["[", "sidebar"], ["U", "metres or feet"]]],
+];
+
+export function KeysDialog() {
+  if (!isShowingKeys.value) return null;
+  return (
+    <Dialog title="Keys" class="keys-dialog" onClose={() => { isShowingKeys.value = false; }}>
+      <div class="key-groups">
+        {groups.map(([name, keys]) => (
+          <section key={name}>
+            <h3>{name}</h3>
+            <dl>{keys.map(([key, what]) => [<dt><kbd>{key}</kbd></dt>, <dd>{what}</dd>])}</dl>
+          </section>
+        ))}
+      </div>
+    </Dialog>
+  );
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of a job as they come.
+import { Icon } from "../app/Icon";
+import { JobState } from "../gen/flair/v1/job_pb";
+import { stagesOf } from "../state/jobs";
+import type { OpenRoom } from "../state/open_room";
+import { goTo } from "../state/route";
+import { useStudio } from "../state/studio";
+
+const names: Record<string, string> = {
+  brief: "Read the brief", room: "Room", zones: "Zones", objects: "Furniture", style: "Style", constraints: "Wishes",
+  cleaning: "Wishes, tidied", completion: "Wishes, completed", translation: "Constraints", solve: "Layout", render: "Drawing",
+  report: "Report",
+};
+
+export function Progress({ room }: { room: OpenRoom }) {
+  const studio = useStudio();
+  const { jobId, jobState, jobError, title } = room.document.value;
+  const stages = stagesOf(studio.jobs.events.value.get(jobId) ?? []);
+  const isFailed = jobState === JobState.FAILED || jobState === JobState.CANCELLED;
+  return (
+    <div class="progress" aria-live="polite">
+      <h1>{title}</h1>
+      <ol class="stages">
+        {stages.map(({ stage, message, seconds, isDone, isReused }) => (
+          <li key={stage} class={isDone ? "is-done" : "is-running"}>
+            <span class="stage-mark">{isDone ? <Icon name="check" size={14} /> : <span class="spinner" />}</span>
+            <span class="stage-name">{names[stage] ?? stage}</span>
+            <span class="stage-message">{message}</span>
+            <span class="stage-time">{isReused ? "known" : isDone ? `${seconds.toFixed(2)} s` : ""}</span>
+          </li>
+        ))}
+        {stages.length === 0 && !isFailed && (
+          <li class="is-running"><span class="stage-mark"><span class="spinner" /></span><span class="stage-name">Starting</span></li>
+        )}
+      </ol>
+      {isFailed && (
+        <div class="notice is-bad" role="alert">
+          <p>{jobError || "The design was ended."}</p>
+          <button class="button" onClick={() => goTo({ page: "start" })}>Try another brief</button>
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Furniture to add: searched, dragged into the room, or put into its middle by a click.
+import { useEffect, useState } from "preact/hooks";
+import { Icon } from "../app/Icon";
+import { boxOf } from "../geometry/polygon";
+import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
+import { addPiece, replacePiece } from "../state/commands";
+import type { OpenRoom } from "../state/open_room";
+import { nameOf } from "../state/pieces";
+import { useStudio } from "../state/studio";
+import { OfferTile } from "./OfferTile";
+
+const kPause = 120;
+
+function useOffers(query: string): readonly FurnitureOffer[] | undefined {
+  const studio = useStudio();
+  const [offers, setOffers] = useState<readonly FurnitureOffer[]>();
+  useEffect(() => {
+    let isStale = false;
+    const timer = setTimeout(async () => {
+      const answer = await studio.told(() => studio.clients.studio.listFurniture({ query }));
+      if (!isStale && answer) setOffers(answer.offers);
+    }, query ? kPause : 0);
+    return () => {
+      isStale = true;
+      clearTimeout(timer);
+    };
+  }, [query, studio]);
+  return offers;
+}
+
+export function Drawer({ room }: { room: OpenRoom }) {
+  const [query, setQuery] = useState("");
+  const offers = useOffers(query.trim());
+  const chosen = [...room.selection.value].flatMap((id) => room.pieces.value.get(id) ?? []);
+  const replaced = chosen.length === 1 ? chosen[0] : undefined;
+  const groups = [...new Set(offers?.map((offer) => offer.group))];
+  const add = (offer: FurnitureOffer) => {
+    const { min, max } = boxOf(room.floor.peek());
+    void addPiece(room, offer.object!, { x: (min.x + max.x) / 2, y: (min.y + max.y) / 2, theta: 0 });
+  };
+  return (
+    <div class="drawer">
+      <label class="search">
+        <Icon name="search" />
+        <input type="search" value={query} placeholder="Search furniture" aria-label="Search furniture"
+          onInput={(event) => setQuery(event.currentTarget.value)} />
+      </label>
+      {replaced && <p class="hint"><Icon name="swap" size={13} /> replaces the {nameOf(replaced.object)}.</p>}
+      {offers?.length === 0 && <p class="hint">Nothing is called that.</p>}
+      {groups.map((group) => (
+        <section key={group}>
+          <h3 class="eyebrow">{group}</h3>
+          <ul class="offers">
+            {offers!.filter((offer) => offer.group === group && offer.object).map((offer) => (
+              <OfferTile key={offer.object!.name} offer={offer} onAdd={() => add(offer)}
+                onReplace={replaced && (() => void replacePiece(room, replaced.id, offer.object!))} />
+            ))}
+          </ul>
+        </section>
+      ))}
+    </div>
+  );
+}

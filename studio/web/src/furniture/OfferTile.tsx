@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Icon } from "../app/Icon";
+import { figure } from "../app/units";
+import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
+import { Drawn } from "../plan/Drawn";
+import { useStudio } from "../state/studio";
+import { carried } from "./carried";
+
+interface OfferProps {
+  offer: FurnitureOffer;
+  onAdd(): void;
+  onReplace?: (() => void) | undefined;
+}
+
+// A piece with its plan symbol.
+export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
+  const { units } = useStudio().settings;
+  const object = offer.object!;
+  const size = Math.max(object.widthM, object.depthM) * 1.12;
+  const sizes = `${figure(object.widthM, units.value)} × ${figure(object.depthM, units.value)}`;
+  return (
+    <li class="offer">
+      <button draggable onClick={onAdd} title={`Add a ${object.name}: click, or drag it into the room`}
+        onDragStart={(event) => {
+          carried.value = object;
+          event.dataTransfer?.setData("text/plain", object.name);
+        }}
+        onDragEnd={() => { carried.value = undefined; }}>
+        <svg viewBox={`${-size / 2} ${-size / 2} ${size} ${size}`} aria-hidden="true"><Drawn svg={offer.svg} /></svg>
+        <span class="offer-name">{object.name}</span>
+        <small>{sizes}</small>
+      </button>
+      {onReplace && (
+        <button class="icon-button offer-replace" onClick={onReplace} aria-label={`Replace by the ${object.name}`}
+          title="Put it in the place of the selected piece"><Icon name="swap" size={14} /></button>
+      )}
+    </li>
+  );
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Icon } from "../app/Icon";
+import type { OpenRoom } from "../state/open_room";
+import { nameOf, type Piece } from "../state/pieces";
+import { capital } from "./words";
+import type { Note } from "./note";
+
+function groupsOf(room: OpenRoom, note: Note): Array<{ name: string; pieces: Piece[] }> {
+  const pieces = [...room.pieces.value.values()];
+  const zones = room.layout.value?.graph?.zonePlan?.zones ?? [];
+  const named = new Map([...zones.map(({ id, name }) => [id, name] as const),
+    ...(note.zones ?? []).map(({ id = "", name = "" }) => [id, name] as const)]);
+  const groups = [...new Set(pieces.map((piece) => piece.object.zoneId))].map((id) => ({
+    name: named.get(id) || "whole room", pieces: pieces.filter((piece) => piece.object.zoneId === id),
+  }));
+  return groups;
+}
+
+// Everything in the room, by zones: the way to it for those who use no mouse, and for what is hidden below something else.
+export function PieceList({ room, note }: { room: OpenRoom; note: Note }) {
+  return (
+    <section>
+      {groupsOf(room, note).map(({ name, pieces }) => (
+        <div key={name}>
+          <h3 class="eyebrow">{name}</h3>
+          <ul class="pieces">
+            {pieces.map((piece) => (
+              <li key={piece.id}><button class="piece-row" onClick={() => room.select([piece.id])}
+                onPointerEnter={() => { room.hovered.value = piece.id; }} onPointerLeave={() => { room.hovered.value = ""; }}>
+                {capital(nameOf(piece.object))}{piece.pinned && <Icon name="lock" size={13} />}
+              </button></li>
+            ))}
+          </ul>
+        </div>
+      ))}
+    </section>
+  );
+}

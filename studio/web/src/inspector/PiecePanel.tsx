@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Icon } from "../app/Icon";
+import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import type { OpenRoom } from "../state/open_room";
+import { nameOf, type Piece } from "../state/pieces";
+import { findingsOf } from "../plan/overlay/Findings";
+import { objectIn, type Demand } from "./note";
+import { PieceFields } from "./PieceFields";
+import { SentenceRow } from "./Sentence";
+import { capital, withStop } from "./words";
+
+const order = { missed: 0, "not understood": 1, dropped: 2, holds: 3 };
+
+function sorted(demands: readonly Demand[]): Demand[] {
+  return [...demands].sort((a, b) => order[a.fate] - order[b.fate]);
+}
+
+export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
+  const about = objectIn(room.explanation.value?.note, piece.id);
+  const findings = findingsOf(room).filter((one) => one.objectId === piece.id || one.partnerId === piece.id);
+  const demands = sorted(about?.demands ?? []);
+  const asked = piece.object.requested ? "You asked for it." : "";
+  return (
+    <>
+      <header class="panel-head">
+        <h2>{capital(nameOf(piece.object))}</h2>
+        <div class="button-group">
+          <button class="icon-button" aria-pressed={piece.pinned} aria-label={piece.pinned ? "Unlock" : "Lock"}
+            title={piece.pinned ? "Unlock (L)" : "Lock where it is (L)"} onClick={() => void lockPieces(room, [piece])}>
+            <Icon name={piece.pinned ? "lock" : "unlock"} /></button>
+          <button class="icon-button" aria-label="Duplicate" title="Duplicate (Ctrl D)" onClick={() => void duplicatePieces(room, [piece])}>
+            <Icon name="copy" /></button>
+          <button class="icon-button" aria-label="Remove" title="Remove (Delete)" onClick={() => void removePieces(room, [piece.id])}>
+            <Icon name="trash" /></button>
+        </div>
+      </header>
+      {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}
+      <PieceFields room={room} piece={piece} />
+      {findings.length > 0 && (
+        <ul class="notices">{findings.map((one) => <li key={one.message} class="notice is-bad">{withStop(one.message)}</li>)}</ul>
+      )}
+      <h3 class="eyebrow">Why it stands there</h3>
+      {demands.length === 0 && <p class="hint">Nothing is asked of it. Say a sentence below.</p>}
+      <ul class="sentences">
+        {demands.map((demand, i) => <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={piece.id} />)}
+      </ul>
+      {about?.followers && about.followers.length > 0 && (
+        <p class="hint followers">Placed by it: {about.followers.join(", ")}.</p>
+      )}
+      {about?.remarks?.map((remark) => <p key={remark} class="hint">{withStop(remark)}</p>)}
+    </>
+  );
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { useState } from "preact/hooks";
+import { Icon } from "../app/Icon";
+import { say } from "../state/commands";
+import type { OpenRoom } from "../state/open_room";
+import { nameOf, type Piece } from "../state/pieces";
+
+// Adds what one sentence asks for; the server says when it does not understand.
+export function SayField({ room, about }: { room: OpenRoom; about: Piece | undefined }) {
+  const [text, setText] = useState("");
+  const [isSent, setSent] = useState(false);
+  const [remark, setRemark] = useState("");
+  const label = about ? `Say something about the ${nameOf(about.object)}` : "Say something about the room";
+  const send = async () => {
+    if (!text.trim() || isSent) return;
+    setSent(true);
+    const answer = await say(room, text.trim());
+    setSent(false);
+    setRemark(answer?.diagnostics.map((one) => one.message).join(" ") ?? "");
+    if (answer && answer.diagnostics.length === 0) setText("");
+  };
+  return (
+    <form class="say" onSubmit={(event) => { event.preventDefault(); void send(); }}>
+      {remark && <p class="say-remark" role="alert">{remark}</p>}
+      <div class="say-line">
+        <input value={text} maxLength={400} aria-label={label} aria-busy={isSent}
+          placeholder={about ? `The ${nameOf(about.object)} faces the window` : "The armchair faces the window"}
+          onInput={(event) => { setText(event.currentTarget.value); setRemark(""); }} />
+        <button class="icon-button" type="submit" aria-label="Add the sentence" title="Add the sentence (Enter)"
+          disabled={!text.trim() || isSent}><Icon name="chat" /></button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Icon } from "../app/Icon";
+import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import type { OpenRoom } from "../state/open_room";
+import { nameOf, type Piece } from "../state/pieces";
+import { capital } from "./words";
+
+export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonly Piece[] }) {
+  const isLocked = pieces.every((piece) => piece.pinned);
+  return (
+    <>
+      <header class="panel-head">
+        <h2>{pieces.length} pieces</h2>
+        <div class="button-group">
+          <button class="icon-button" aria-pressed={isLocked} aria-label={isLocked ? "Unlock them" : "Lock them"}
+            title={isLocked ? "Unlock (L)" : "Lock (L)"} onClick={() => void lockPieces(room, pieces)}>
+            <Icon name={isLocked ? "lock" : "unlock"} /></button>
+          <button class="icon-button" aria-label="Duplicate them" title="Duplicate (Ctrl D)" onClick={() => void duplicatePieces(room, pieces)}>
+            <Icon name="copy" /></button>
+          <button class="icon-button" aria-label="Remove them" title="Remove (Delete)"
+            onClick={() => void removePieces(room, pieces.map((piece) => piece.id))}><Icon name="trash" /></button>
+        </div>
+      </header>
+      <ul class="pieces">
+        {pieces.map((piece) => (
+          <li key={piece.id}><button class="piece-row" onClick={() => room.select([piece.id])}
+            onPointerEnter={() => { room.hovered.value = piece.id; }} onPointerLeave={() => { room.hovered.value = ""; }}>
+            {capital(nameOf(piece.object))}{piece.pinned && <Icon name="lock" size={13} />}
+          </button></li>
+        ))}
+      </ul>
+    </>
+  );
+}

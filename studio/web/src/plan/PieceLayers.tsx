@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Floor, pieces, walls, in the order of the renderer's plan. A piece's element is made once; only its transform changes.
+import { useComputed } from "@preact/signals";
+import { memo } from "preact/compat";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
+import type { PlanPart } from "../gen/flair/v1/renderer_service_pb";
+import { nameOf, type Piece } from "../state/pieces";
+import { usePlan } from "./context";
+import { Drawn } from "./Drawn";
+import { plainFloor, plainPiece } from "./plain";
+import { resizing } from "./gestures/resize";
+
+const kDegrees = 180 / Math.PI;
+
+interface PieceProps {
+  id: string;
+  svg: string;
+  width: number;
+  depth: number;
+  isCeiling: boolean;
+  name: string;
+}
+
+const PieceElement = memo(function PieceElement({ id, svg, width, depth, isCeiling, name }: PieceProps) {
+  const { room } = usePlan();
+  const transform = useComputed(() => {
+    const pulled = resizing.value?.id === id ? resizing.value.to : undefined;
+    const pose = pulled?.pose ?? room.poseOf(id);
+    if (!pose) return "";
+    const scale = pulled ? ` scale(${pulled.size.width / width} ${pulled.size.depth / depth})` : "";
+    return `translate(${pose.x} ${-pose.y}) rotate(${-pose.theta * kDegrees})${scale}`;
+  });
+  const state = useComputed(() => (room.selection.value.has(id) ? "piece is-selected" : "piece"));
+  return (
+    <g class={state} transform={transform} data-piece={id} aria-hidden="true" data-name={name}>
+      <Drawn svg={svg} />
+      <rect class={isCeiling ? "hit hit-outline" : "hit"} x={-width / 2} y={-depth / 2} width={width} height={depth} />
+    </g>
+  );
+});
+
+function layerOf(piece: Piece, part: PlanPart | undefined): "below" | "middle" | "above" {
+  if (part ? part.belowFurniture : piece.object.walkOver) return "below";
+  const isHigh = piece.object.kind === ObjectKind.WALL || piece.object.kind === ObjectKind.CEILING;
+  return (part ? part.aboveWalls : isHigh) ? "above" : "middle";
+}
+
+export function PieceLayers() {
+  const { room } = usePlan();
+  const parts = room.parts.value;
+  const pieces = room.pieces.value;
+  const order = new Map(parts?.parts.map((part, i) => [part.objectId, { part, i }]));
+  const sorted = [...pieces.values()].sort((a, b) => (order.get(a.id)?.i ?? 1e6) - (order.get(b.id)?.i ?? 1e6));
+  const layer = (which: "below" | "middle" | "above") => sorted
+    .filter((piece) => layerOf(piece, order.get(piece.id)?.part) === which)
+    .map((piece) => (
+      <PieceElement key={piece.id} id={piece.id} svg={order.get(piece.id)?.part.svg ?? plainPiece(piece)}
+        width={piece.size.width} depth={piece.size.depth} isCeiling={piece.object.kind === ObjectKind.CEILING}
+        name={nameOf(piece.object)} />
+    ));
+  const plain = parts ? undefined : plainFloor(room.floor.value);
+  return (
+    <>
+      <Drawn svg={parts?.floorSvg ?? plain?.floor ?? ""} name="floor" />
+      <g>{layer("below")}</g>
+      <g>{layer("middle")}</g>
+      <Drawn svg={parts?.wallsSvg ?? plain?.walls ?? ""} name="walls" />
+      <g>{layer("above")}</g>
+    </>
+  );
+}

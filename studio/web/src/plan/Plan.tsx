@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plan: the renderer's drawing in parts that are moved, and what is drawn above it in pixels.
+import { useComputed } from "@preact/signals";
+import { useEffect, useMemo, useRef } from "preact/hooks";
+import type { OpenRoom } from "../state/open_room";
+import { useStudio } from "../state/studio";
+import { PlanController } from "./controller";
+import { usePlanKeys } from "./keys";
+import { Overlay } from "./Overlay";
+import { PieceLayers } from "./PieceLayers";
+import { PlanContext } from "./context";
+import { usePlanPointer } from "./pointer";
+import { usePlanWheel } from "./wheel";
+import { ClearanceField } from "./ClearanceField";
+import { PlanTools } from "./PlanTools";
+import { usePlanDrop } from "./drop";
+
+function useSize(plan: PlanController, host: { current: HTMLDivElement | null }): void {
+  useEffect(() => {
+    const observer = new ResizeObserver(([entry]) => {
+      const { width, height } = entry!.contentRect;
+      plan.width.value = width;
+      plan.height.value = height;
+      if (!plan.isViewOwn) plan.fit();
+    });
+    observer.observe(host.current!);
+    return () => observer.disconnect();
+  }, [plan]);
+}
+
+export function Plan({ room }: { room: OpenRoom }) {
+  const studio = useStudio();
+  const plan = useMemo(() => new PlanController(room, studio), [room, studio]);
+  const host = useRef<HTMLDivElement>(null);
+  useSize(plan, host);
+  useEffect(() => room.floor.subscribe(() => { if (!plan.isViewOwn) plan.fit(); }), [plan]);
+  const pointer = usePlanPointer(plan);
+  usePlanWheel(plan, host);
+  usePlanDrop(plan, host);
+  const keys = usePlanKeys(plan);
+  const world = useComputed(() => {
+    const { scale, left, top } = plan.view.value;
+    return `matrix(${scale} 0 0 ${scale} ${left} ${top})`;
+  });
+  const cursor = useComputed(() => plan.gesture.value?.cursor ?? (plan.isSpaceDown.value ? "grab" : "default"));
+  useEffect(() => cursor.subscribe((value) => { host.current!.style.cursor = value; }), [cursor]);
+  return (
+    <PlanContext.Provider value={plan}>
+      <div class="plan" ref={host} tabIndex={0} role="application" aria-label="Plan of the room. Tab goes to the pieces, arrows move what is selected."
+        {...keys}>
+        <svg class="plan-drawing" ref={(element) => { plan.element = element; }} {...pointer}>
+          <g transform={world}><PieceLayers /></g>
+          <Overlay />
+        </svg>
+        <ClearanceField />
+        <PlanTools />
+      </div>
+    </PlanContext.Provider>
+  );
+}

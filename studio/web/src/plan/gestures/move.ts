@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { moved } from "../../geometry/footprint";
+import { boxOf } from "../../geometry/polygon";
+import { snapped, type Moving, type Target } from "../../geometry/snap";
+import { add, sub, vec, type Vec } from "../../geometry/vec";
+import { footprintOf, guestsOf, isSolid, nameOf, type Piece, type Poses } from "../../state/pieces";
+import type { PlanController } from "../controller";
+import { kDragStart, kSnapPixels, type Gesture } from "../gesture";
+
+// A lone piece by its own sides, several by the box around them.
+function movingOf(pieces: readonly Piece[], by: Vec): Moving {
+  const [only, ...others] = pieces;
+  if (only && others.length === 0) return { polygon: footprintOf(only, moved(only.pose, by)), theta: only.pose.theta };
+  const { min, max } = boxOf(pieces.flatMap((piece) => footprintOf(piece, moved(piece.pose, by))));
+  return { polygon: [min, vec(max.x, min.y), max, vec(min.x, max.y)], theta: 0 };
+}
+
+export function snapTargets(plan: PlanController, moving: readonly Piece[]): Target[] {
+  const all = plan.room.pieces.peek();
+  const ids = moving.map((piece) => piece.id);
+  const own = new Set([...ids, ...guestsOf(all, ids)]);
+  return [...all.values()].filter((piece) => !own.has(piece.id) && isSolid(piece))
+    .map((piece) => ({ id: piece.id, polygon: footprintOf(piece), theta: piece.pose.theta }));
+}
+
+// Drags the selected pieces; alt lets them go anywhere, shift keeps to one axis. A press without a move is a click.
+export function moveGesture(plan: PlanController, start: PointerEvent, pressed: string): Gesture {
+  const wasSelected = plan.room.selection.peek().has(pressed);
+  if (start.shiftKey && !wasSelected) plan.room.select([...plan.room.selection.peek(), pressed]);
+  else if (!wasSelected) plan.room.select([pressed]);
+  const from = plan.pointOf(start);
+  const chosen = plan.chosen.peek();
+  const movable = chosen.filter((piece) => !piece.pinned);
+  const targets = snapTargets(plan, movable);
+  let poses: Poses | undefined;
+
+  function byOf(event: PointerEvent): Vec {
+    const by = sub(plan.pointOf(event), from);
+    if (!event.shiftKey) return by;
+    return Math.abs(by.x) > Math.abs(by.y) ? vec(by.x, 0) : vec(0, by.y);
+  }
+
+  return {
+    cursor: movable.length > 0 ? "move" : "not-allowed",
+    move(event) {
+      if (!poses && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart) return;
+      if (movable.length === 0) return;
+      let by = byOf(event);
+      if (event.altKey) {
+        plan.guides.value = [];
+      } else {
+        const within = kSnapPixels / plan.view.peek().scale;
+        const snap = snapped(movingOf(movable, by), plan.room.floor.peek(), targets, within);
+        by = add(by, snap.by);
+        plan.guides.value = snap.guides;
+      }
+      poses = new Map(movable.map((piece) => [piece.id, moved(piece.pose, by)]));
+      plan.preview(poses);
+    },
+    end(event) {
+      if (poses) return void plan.drop(poses);
+      const still = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart;
+      if (!still && chosen.length > 0) {
+        plan.studio.toasts.note(`The ${nameOf(chosen[0]!.object)} is locked. Press L to unlock it.`);
+      }
+      if (!still || !wasSelected) return;
+      const rest = [...plan.room.selection.peek()].filter((id) => id !== pressed);
+      plan.room.select(start.shiftKey ? rest : [pressed]);
+    },
+    cancel() { plan.abandon(); },
+  };
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys while the plan has the focus. Those of the whole page are in app/keys.ts.
+import { useEffect, useMemo } from "preact/hooks";
+import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import { isSolid, type Piece } from "../state/pieces";
+import type { PlanController } from "./controller";
+import { pivotOf, rotated } from "./gestures/rotate";
+import { Nudge } from "./nudge";
+import { vec } from "../geometry/vec";
+import { zoomedAt } from "./view";
+
+let copied: readonly Piece[] = [];
+
+function turn(plan: PlanController, angle: number): void {
+  const pieces = plan.chosen.peek().filter((piece) => !piece.pinned);
+  if (pieces.length > 0) void plan.drop(rotated(pieces, pivotOf(pieces), angle));
+}
+
+// The next piece of the room, as tab does for fields; false at the end, where the focus goes on.
+function step(plan: PlanController, by: 1 | -1): boolean {
+  const ids = [...plan.room.pieces.peek().values()].filter(isSolid).map((piece) => piece.id);
+  const at = ids.findIndex((id) => plan.room.selection.peek().has(id));
+  const next = at < 0 ? (by > 0 ? 0 : ids.length - 1) : at + by;
+  plan.room.select(ids[next] ? [ids[next]] : []);
+  return ids[next] !== undefined;
+}
+
+function zoom(plan: PlanController, factor: number): void {
+  plan.setView(zoomedAt(plan.view.peek(), vec(plan.width.peek() / 2, plan.height.peek() / 2), factor));
+}
+
+function escape(plan: PlanController): void {
+  const gesture = plan.gesture.peek();
+  plan.gesture.value = undefined;
+  if (gesture) gesture.cancel();
+  else plan.room.select([]);
+}
+
+function onCommand(plan: PlanController, key: string): boolean {
+  const chosen = plan.chosen.peek();
+  if (key === "a") plan.room.select([...plan.room.pieces.peek().values()].filter(isSolid).map((piece) => piece.id));
+  else if (key === "c") copied = chosen;
+  else if (key === "v") void duplicatePieces(plan.room, copied);
+  else if (key === "d") void duplicatePieces(plan.room, chosen);
+  else return false;
+  return true;
+}
+
+function onPlain(plan: PlanController, event: KeyboardEvent): boolean {
+  const chosen = plan.chosen.peek();
+  switch (event.key) {
+    case "Escape": escape(plan); return true;
+    case "r": turn(plan, -Math.PI / 2); return true;
+    case "R": case "t": case "T": turn(plan, Math.PI / 2); return true;
+    case "l": case "L": if (chosen.length > 0) void lockPieces(plan.room, chosen); return true;
+    case "Delete": case "Backspace":
+      if (chosen.length > 0) void removePieces(plan.room, chosen.map((piece) => piece.id));
+      return true;
+    case "0": plan.fit(); return true;
+    case "+": case "=": zoom(plan, 1.25); return true;
+    case "-": zoom(plan, 1 / 1.25); return true;
+    case " ": plan.isSpaceDown.value = true; return true;
+    case "Tab": return step(plan, event.shiftKey ? -1 : 1);
+    default: return false;
+  }
+}
+
+export function usePlanKeys(plan: PlanController) {
+  const nudge = useMemo(() => new Nudge(plan), [plan]);
+  const keys = useMemo(() => ({
+    onKeyDown(event: KeyboardEvent) {
+      if (event.target instanceof HTMLInputElement || event.target instanceof HTMLButtonElement) return;
+      const isCommand = event.ctrlKey || event.metaKey;
+      const taken = nudge.down(event)
+        || (isCommand ? onCommand(plan, event.key.toLowerCase()) : !event.altKey && onPlain(plan, event));
+      if (!taken) return;
+      event.preventDefault();
+      event.stopPropagation();
+    },
+    onKeyUp: (event: KeyboardEvent) => nudge.up(event),
+    onBlur: () => nudge.finish(),
+  }), [plan, nudge]);
+  useEffect(() => {
+    // With the focus nowhere, keys are for the plan.
+    const down = (event: KeyboardEvent) => { if (event.target === document.body && event.key !== "Tab") keys.onKeyDown(event); };
+    const up = (event: KeyboardEvent) => {
+      if (event.key === " ") plan.isSpaceDown.value = false;
+      if (event.target === document.body) keys.onKeyUp(event);
+    };
+    addEventListener("keydown", down);
+    addEventListener("keyup", up);
+    return () => {
+      removeEventListener("keydown", down);
+      removeEventListener("keyup", up);
+    };
+  }, [plan, keys]);
+  return keys;
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { figure } from "../../app/units";
+import { middle, sub, unit, left, times, add } from "../../geometry/vec";
+import { nameOf } from "../../state/pieces";
+import { usePlan } from "../context";
+import { shownClearances } from "../clearance_of";
+import { editedClearance } from "../ClearanceField";
+import { resizing } from "../gestures/resize";
+import { toScreen } from "../view";
+
+const kTick = 4;
+
+// Dimension lines from the piece in hand to what is next to it. Their figures can be clicked and typed.
+export function Clearances() {
+  const plan = usePlan();
+  const shown = resizing.value ? undefined : shownClearances(plan);
+  if (!shown) return null;
+  const view = plan.view.value, units = plan.studio.settings.units.value;
+  const isIdle = !plan.gesture.value;
+  return (
+    <g class="clearances">
+      {shown.list.filter((one) => one.metres * view.scale > 6).map((one) => {
+        const a = toScreen(view, one.from), b = toScreen(view, one.to), at = middle(a, b);
+        const tick = times(left(unit(sub(b, a))), kTick);
+        const text = figure(one.metres, units);
+        const width = text.length * 6.6 + 10;
+        const ends = [a, b].map((end) => ({ p: add(end, tick), q: sub(end, tick) }));
+        const edit = () => {
+          if (isIdle && !shown.piece.pinned) editedClearance.value = { pieceId: shown.piece.id, side: one.side };
+        };
+        return (
+          <g key={one.side} class="clearance">
+            <line x1={a.x} y1={a.y} x2={b.x} y2={b.y} />
+            {ends.map(({ p, q }, i) => <line key={i} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />)}
+            <g data-field="" role="button" aria-label={`${one.side} clearance of the ${nameOf(shown.piece.object)}: ${text}`}
+              class="figure" transform={`translate(${at.x} ${at.y})`} onClick={edit}>
+              <rect x={-width / 2} y={-9} width={width} height={18} rx={4} />
+              <text y={4}>{text}</text>
+            </g>
+          </g>
+        );
+      })}
+    </g>
+  );
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { clipped } from "../../geometry/polygon";
+import { FindingKind, type Finding } from "../../gen/flair/v1/layout_metrics_pb";
+import { footprintOf } from "../../state/pieces";
+import type { OpenRoom } from "../../state/open_room";
+import { doorSweep } from "../doors";
+import { usePlan } from "../context";
+import { pixelPoints } from "./pixels";
+
+// What is wrong as things stand; while something is dragged, as they would stand.
+export function findingsOf(room: OpenRoom): readonly Finding[] {
+  const stored = room.layout.value?.metrics?.findings ?? [];
+  const verdict = room.judging.verdict.value;
+  if (!verdict) return stored;
+  const isAsked = (finding: Finding) => verdict.objectIds.has(finding.objectId) || verdict.objectIds.has(finding.partnerId);
+  return [...stored.filter((finding) => !isAsked(finding)), ...verdict.findings];
+}
+
+const kShown = new Set([FindingKind.OVERLAP, FindingKind.DOOR_LEAF, FindingKind.OUTSIDE, FindingKind.COVERS_OPENING]);
+
+// Red hatching where two things want the same place.
+export function Findings() {
+  const plan = usePlan(), { room } = plan, view = plan.view.value;
+  const polygonOf = (id: string) => {
+    const piece = room.pieces.value.get(id);
+    return piece && footprintOf(piece, room.poseOf(id));
+  };
+  const layoutRoom = room.layout.value?.graph?.room;
+  return (
+    <g class="findings" pointer-events="none">
+      <defs>
+        <pattern id="hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+          <rect width="7" height="7" class="hatch-ground" />
+          <line x1="0" y1="0" x2="0" y2="7" class="hatch-line" />
+        </pattern>
+      </defs>
+      {findingsOf(room).filter((finding) => kShown.has(finding.kind)).map((finding, i) => {
+        const own = polygonOf(finding.objectId);
+        if (!own) return null;
+        const partner = polygonOf(finding.partnerId) ?? (layoutRoom && doorSweep(layoutRoom, finding.partnerId));
+        const shared = partner ? clipped(partner, own) : own;
+        return (
+          <g key={i}>
+            {partner && <polygon class="clash" points={pixelPoints(view, own)} />}
+            {shared.length > 2 && <polygon class="hatch" points={pixelPoints(view, shared)} />}
+          </g>
+        );
+      })}
+    </g>
+  );
+}

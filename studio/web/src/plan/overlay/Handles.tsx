@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { toRoom } from "../../geometry/footprint";
+import { boxOf } from "../../geometry/polygon";
+import { gripAt, grips } from "../../geometry/resize";
+import { add, length, sub, times, unit, vec, type Vec } from "../../geometry/vec";
+import { footprintOf, type Piece } from "../../state/pieces";
+import { usePlan } from "../context";
+import { resizing } from "../gestures/resize";
+import { toScreen, type View } from "../view";
+
+const kArm = 26;
+const kGrip = 4;
+// Smaller pieces on the screen are not resized by hand.
+const kRoomForGrips = 36;
+const kRoomForMiddles = 64;
+
+// Beyond the front's middle for a lone piece, above the box for several.
+function rotateHandle(view: View, pieces: readonly Piece[], poseOf: (piece: Piece) => Piece["pose"]): [Vec, Vec] {
+  const [only] = pieces;
+  if (pieces.length === 1 && only) {
+    const from = toScreen(view, toRoom(poseOf(only), vec(0, only.size.depth / 2)));
+    const ahead = sub(from, toScreen(view, poseOf(only)));
+    return [from, add(from, times(unit(ahead), kArm))];
+  }
+  const { min, max } = boxOf(pieces.flatMap((piece) => footprintOf(piece, poseOf(piece))));
+  const from = toScreen(view, vec((min.x + max.x) / 2, max.y));
+  return [from, add(from, vec(0, -kArm))];
+}
+
+export function Handles() {
+  const plan = usePlan(), view = plan.view.value;
+  const pieces = plan.chosen.value.filter((piece) => !piece.pinned);
+  const [only] = pieces;
+  if (!only || (plan.gesture.value && !resizing.value)) return null;
+  const pulled = pieces.length === 1 && resizing.value?.id === only.id ? resizing.value.to : undefined;
+  const poseOf = (piece: Piece) => pulled?.pose ?? plan.room.poseOf(piece.id) ?? piece.pose;
+  const [from, to] = rotateHandle(view, pieces, poseOf);
+  const size = pulled?.size ?? only.size;
+  const small = Math.min(size.width, size.depth) * view.scale;
+  const shown = pieces.length > 1 || small < kRoomForGrips ? []
+    : grips.map((grip, i) => ({ grip, i })).filter(({ grip }) => small >= kRoomForMiddles || (grip.x !== 0 && grip.y !== 0));
+  return (
+    <g class="handles">
+      {!pulled && (
+        <g data-rotate="" class="rotate-handle">
+          <line x1={from.x} y1={from.y} x2={to.x} y2={to.y} />
+          <circle class="hit" cx={to.x} cy={to.y} r={14} />
+          <circle cx={to.x} cy={to.y} r={length(sub(to, from)) > 0 ? 5.5 : 0} />
+        </g>
+      )}
+      {shown.map(({ grip, i }) => {
+        const at = toScreen(view, gripAt(poseOf(only), size, grip));
+        return (
+          <g key={i} data-grip={i} class="grip">
+            <rect class="hit" x={at.x - 9} y={at.y - 9} width={18} height={18} />
+            <rect x={at.x - kGrip} y={at.y - kGrip} width={2 * kGrip} height={2 * kGrip} rx={1.5} />
+          </g>
+        );
+      })}
+    </g>
+  );
+}

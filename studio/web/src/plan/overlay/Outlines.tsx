@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { footprintOf } from "../../state/pieces";
+import { usePlan } from "../context";
+import { resizing } from "../gestures/resize";
+import { corners } from "../../geometry/footprint";
+import { pixelPoints } from "./pixels";
+
+// Outlines of what is selected, pointed at and named by a sentence; locks; the marquee.
+export function Outlines() {
+  const plan = usePlan(), { room } = plan;
+  const view = plan.view.value, pieces = room.pieces.value;
+  const selected = room.selection.value, hovered = room.hovered.value;
+  const named = new Set(room.pointedAt.value?.other_object_ids);
+  const outline = (id: string, name: string) => {
+    const piece = pieces.get(id);
+    const pulled = resizing.value?.id === id ? resizing.value.to : undefined;
+    const pose = room.poseOf(id);
+    if (!piece || !pose) return null;
+    const polygon = pulled ? corners(pulled.pose, pulled.size) : footprintOf(piece, pose);
+    return <polygon key={`${name} ${id}`} class={`outline ${name}`} points={pixelPoints(view, polygon)} />;
+  };
+  const marquee = plan.marquee.value;
+  return (
+    <g pointer-events="none">
+      {hovered && !selected.has(hovered) && !plan.gesture.value && outline(hovered, "is-hovered")}
+      {[...named].map((id) => outline(id, "is-named"))}
+      {[...selected].map((id) => outline(id, pieces.get(id)?.pinned ? "is-selected is-locked" : "is-selected"))}
+      {marquee && <rect class="marquee" x={marquee.min.x} y={marquee.min.y} width={marquee.max.x - marquee.min.x}
+        height={marquee.max.y - marquee.min.y} />}
+    </g>
+  );
+}

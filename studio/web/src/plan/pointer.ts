@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From presses to gestures: what is under the pointer decides which.
+import { useMemo } from "preact/hooks";
+import { grips } from "../geometry/resize";
+import type { PlanController } from "./controller";
+import type { Gesture } from "./gesture";
+import { marqueeGesture } from "./gestures/marquee";
+import { moveGesture } from "./gestures/move";
+import { panGesture } from "./gestures/pan";
+import { resizeGesture } from "./gestures/resize";
+import { rotateGesture } from "./gestures/rotate";
+
+const kMiddleButton = 1;
+
+function attributeOf(event: Event, name: string): string | undefined {
+  return (event.target as Element).closest<SVGElement>(`[data-${name}]`)?.dataset[name];
+}
+
+function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefined {
+  if (event.button === kMiddleButton || (event.button === 0 && plan.isSpaceDown.peek())) return panGesture(plan, event);
+  if (event.button !== 0) return undefined;
+  if (attributeOf(event, "rotate") !== undefined) return rotateGesture(plan, event);
+  const grip = attributeOf(event, "grip");
+  const [piece] = plan.chosen.peek();
+  if (grip !== undefined && piece) return resizeGesture(plan, piece, grips[Number(grip)]!);
+  const pressed = attributeOf(event, "piece");
+  return pressed ? moveGesture(plan, event, pressed) : marqueeGesture(plan, event);
+}
+
+export function usePlanPointer(plan: PlanController) {
+  return useMemo(() => ({
+    onPointerDown(event: PointerEvent) {
+      if (plan.gesture.peek() || attributeOf(event, "field") !== undefined) return;
+      const gesture = gestureFor(plan, event);
+      if (!gesture) return;
+      event.preventDefault();
+      plan.element?.parentElement?.focus({ preventScroll: true });
+      plan.element?.setPointerCapture(event.pointerId);
+      plan.room.pointedAt.value = undefined;
+      plan.gesture.value = gesture;
+    },
+    onPointerMove(event: PointerEvent) {
+      const gesture = plan.gesture.peek();
+      if (gesture) gesture.move(event);
+      else plan.room.hovered.value = attributeOf(event, "piece") ?? "";
+    },
+    onPointerUp(event: PointerEvent) {
+      const gesture = plan.gesture.peek();
+      plan.gesture.value = undefined;
+      gesture?.end(event);
+    },
+    onPointerCancel() {
+      const gesture = plan.gesture.peek();
+      plan.gesture.value = undefined;
+      gesture?.cancel();
+    },
+    onPointerLeave() { plan.room.hovered.value = ""; },
+    onDblClick(event: MouseEvent) {
+      if (attributeOf(event, "piece") === undefined && attributeOf(event, "field") === undefined) plan.fit();
+    },
+  }), [plan]);
+}

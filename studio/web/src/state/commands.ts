@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one can do to a room; each is one act and one entry of its history.
+import type { MessageInitShape } from "@bufbuild/protobuf";
+import type { Pose } from "../geometry/footprint";
+import type { Resized } from "../geometry/resize";
+import type { LayoutEditSchema } from "../gen/flair/v1/layout_edit_pb";
+import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/object_list_pb";
+import type { OpenRoom } from "./open_room";
+import { placementOf, type Piece } from "./pieces";
+
+type Edit = MessageInitShape<typeof LayoutEditSchema>;
+
+const kCopyOffset = 0.25;
+
+function edit(room: OpenRoom, edits: Edit[], withoutSolving: boolean) {
+  return room.act({ case: "edit", value: { edits, withoutSolving } });
+}
+
+// Puts it there without leaving it locked, unless it was.
+function placed(piece: Piece, pose: Pose): Edit[] {
+  const move: Edit = { edit: { case: "moveObject", value: placementOf(piece, pose) } };
+  return piece.pinned ? [move] : [move, { edit: { case: "unpinObjectId", value: piece.id } }];
+}
+
+export function resizePiece(room: OpenRoom, piece: Piece, { pose, size }: Resized, heightM?: number) {
+  const value = { objectId: piece.id, widthM: size.width, depthM: size.depth, ...(heightM ? { heightM } : {}) };
+  return edit(room, [{ edit: { case: "resizeObject", value } }, ...placed(piece, pose)], true);
+}
+
+export function removePieces(room: OpenRoom, ids: readonly string[]) {
+  return edit(room, ids.map((id): Edit => ({ edit: { case: "removeObjectId", value: id } })), true);
+}
+
+export function lockPieces(room: OpenRoom, pieces: readonly Piece[]) {
+  const lock = pieces.some((piece) => !piece.pinned);
+  return edit(room, pieces.filter((piece) => piece.pinned !== lock).map((piece): Edit => lock
+    ? { edit: { case: "pinObjectId", value: piece.id } }
+    : { edit: { case: "unpinObjectId", value: piece.id } }), true);
+}
+
+// An id that no object of the room has: "armchair", "armchair_2"...
+export function freeId(taken: ReadonlySet<string>, name: string): string {
+  const base = name.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_+|_+$|_\d+$/g, "") || "piece";
+  if (!taken.has(base) && !taken.has(`${base}_1`)) return base;
+  for (let number = 2; ; number += 1) if (!taken.has(`${base}_${number}`)) return `${base}_${number}`;
+}
+
+function takenIds(room: OpenRoom): Set<string> {
+  return new Set(room.layout.peek()?.graph?.objectList?.objects.map((object) => object.id));
+}
+
+// Adds an object at a pose and selects it.
+export async function addPiece(room: OpenRoom, object: MessageInitShape<typeof ObjectSchema>, pose: Pose, z = 0) {
+  const id = freeId(takenIds(room), object.name ?? "piece");
+  const added = { role: ObjectRole.SECONDARY, ...object, id, requested: true, spare: false };
+  const move = { objectId: id, xM: pose.x, yM: pose.y, zM: z, thetaRad: pose.theta };
+  const response = await edit(room, [
+    { edit: { case: "addObject", value: { object: added } } },
+    { edit: { case: "moveObject", value: move } },
+    { edit: { case: "unpinObjectId", value: id } },
+  ], true);
+  if (response) room.select([id]);
+}
+
+// The same again, a little aside.
+export async function duplicatePieces(room: OpenRoom, pieces: readonly Piece[]) {
+  const taken = takenIds(room);
+  const ids: string[] = [];
+  const edits = pieces.flatMap((piece): Edit[] => {
+    const id = freeId(taken, piece.object.id);
+    taken.add(id);
+    ids.push(id);
+    const pose = { ...piece.pose, x: piece.pose.x + kCopyOffset, y: piece.pose.y - kCopyOffset };
+    return [
+      { edit: { case: "addObject", value: { object: { ...plain(piece.object), id } } } },
+      { edit: { case: "moveObject", value: { ...placementOf(piece, pose), objectId: id } } },
+      { edit: { case: "unpinObjectId", value: id } },
+    ];
+  });
+  if (edits.length === 0) return;
+  if (await edit(room, edits, true)) room.select(ids);
+}
+
+function plain(object: Object$): MessageInitShape<typeof ObjectSchema> {
+  const { $typeName: _name, $unknown: _unknown, placement: _placement, ...rest } = object;
+  return { ...rest, spare: false };
+}
+
+export const settle = (room: OpenRoom) => room.act({ case: "settle", value: {} });
+export const undo = (room: OpenRoom) => room.act({ case: "undo", value: {} });
+export const redo = (room: OpenRoom) => room.act({ case: "redo", value: {} });
+export const rename = (room: OpenRoom, title: string) => room.act({ case: "title", value: title });
+export const say = (room: OpenRoom, text: string) => room.act({ case: "say", value: { text } });
+
+export const weigh = (room: OpenRoom, sentenceId: string, weight: number) =>
+  room.act({ case: "weigh", value: { sentenceId, weight } });
+
+export const replacePiece = (room: OpenRoom, objectId: string, by: MessageInitShape<typeof ObjectSchema>) =>
+  room.act({ case: "replace", value: { objectId, by } });

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The document that is open: what it shows, what is selected in it, and the one way to change it.
+import { batch, computed, signal } from "@preact/signals";
+import type { MessageInitShape } from "@bufbuild/protobuf";
+import type { Clients } from "../api/clients";
+import { isConflict, isUnknownCall, sentenceOf } from "../api/problems";
+import type { Pose } from "../geometry/footprint";
+import { noteOf, type Demand, type Note } from "../inspector/note";
+import type { PlanParts } from "../gen/flair/v1/renderer_service_pb";
+import { Severity } from "../gen/flair/v1/provenance_pb";
+import type { SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
+import type { ActRequestSchema, ActResponse, Document } from "../gen/flair/v1/studio_service_pb";
+import { Judging } from "./judging";
+import { animate } from "./motion";
+import { floorOf, piecesOf, type Poses } from "./pieces";
+import { isDrawnAlike } from "./structure";
+import type { Toasts } from "./toasts";
+
+export type Act = NonNullable<MessageInitShape<typeof ActRequestSchema>["act"]>;
+
+export interface Explanation {
+  readonly note: Note;
+  readonly notAsAsked: readonly string[];
+}
+
+const kNothing: Poses = new Map();
+
+export class OpenRoom {
+  readonly document;
+  readonly layout = signal<SolvedLayout | undefined>(undefined);
+  readonly parts = signal<PlanParts | undefined>(undefined);
+  readonly explanation = signal<Explanation | undefined>(undefined);
+  // Ids of pieces.
+  readonly selection = signal<ReadonlySet<string>>(new Set());
+  readonly hovered = signal("");
+  // The sentence that the pointer is on, whose pieces and distances are shown.
+  readonly pointedAt = signal<Demand | undefined>(undefined);
+  // Where pieces are seen while they are dragged or on their way; those that are not named are where the layout says.
+  readonly draft = signal<Poses>(kNothing);
+  readonly isBusy = signal(false);
+  readonly pieces = computed(() => piecesOf(this.layout.value));
+  readonly floor = computed(() => floorOf(this.layout.value));
+  readonly outcomes = computed(() => new Map(this.layout.value?.edgeOutcomes.map((one) => [one.edgeId, one])));
+  readonly judging: Judging;
+  private queue: Promise<unknown> = Promise.resolve();
+  private endMotion = () => {};
+  private isClosed = false;
+
+  constructor(document: Document, private readonly clients: Clients, private readonly toasts: Toasts) {
+    this.document = signal(document);
+    this.judging = new Judging((placements) => clients.studio.judge(
+      { documentId: this.id, revision: this.document.peek().revision, placements }));
+  }
+
+  get id(): string {
+    return this.document.peek().id;
+  }
+
+  poseOf(id: string): Pose | undefined {
+    return this.draft.value.get(id) ?? this.pieces.value.get(id)?.pose;
+  }
+
+  close(): void {
+    this.isClosed = true;
+    this.endMotion();
+  }
+
+  select(ids: Iterable<string>): void {
+    this.selection.value = new Set(ids);
+  }
+
+  // Shows the first that is known of it.
+  start(layout: SolvedLayout | undefined): void {
+    this.show(this.document.peek(), layout);
+  }
+
+  // Fetches the document anew, as after a change by somebody else.
+  async reload(): Promise<void> {
+    const { document, layout } = await this.clients.studio.getDocument({ documentId: this.id });
+    if (document && !this.isClosed) this.show(document, layout);
+  }
+
+  // Changes the document; one act after the other. Errors are told to the user; then the answer is undefined.
+  act(act: Act): Promise<ActResponse | undefined> {
+    const answer = this.queue.then(() => this.send(act));
+    this.queue = answer;
+    return answer;
+  }
+
+  private async send(act: Act): Promise<ActResponse | undefined> {
+    this.isBusy.value = true;
+    try {
+      const { revision } = this.document.peek();
+      const response = await this.clients.studio.act({ documentId: this.id, revision, act });
+      if (response.document && !this.isClosed) this.show(response.document, response.layout);
+      for (const remark of response.diagnostics) {
+        if (remark.severity >= Severity.WARNING) this.toasts.error(remark.message);
+        else this.toasts.note(remark.message);
+      }
+      return response;
+    } catch (error) {
+      this.show(this.document.peek(), this.layout.peek());
+      if (isConflict(error)) {
+        await this.reload().catch(() => {});
+        this.toasts.error("The room was changed in another window meanwhile. Here is its newest state; please try again.");
+      } else {
+        this.toasts.error(sentenceOf(error));
+      }
+      return undefined;
+    } finally {
+      this.isBusy.value = false;
+    }
+  }
+
+  private show(document: Document, next: SolvedLayout | undefined): void {
+    const before = this.layout.peek();
+    if (next && !next.graph && before) next.graph = before.graph;
+    const seen = new Map([...this.pieces.peek()].map(([id, piece]) => [id, this.draft.peek().get(id) ?? piece.pose]));
+    this.endMotion();
+    batch(() => {
+      this.document.value = document;
+      this.layout.value = next ?? before;
+      this.judging.end();
+      const pieces = this.pieces.value;
+      if ([...this.selection.peek()].some((id) => !pieces.has(id))) {
+        this.select([...this.selection.peek()].filter((id) => pieces.has(id)));
+      }
+      const goal = new Map([...pieces].map(([id, piece]) => [id, piece.pose]));
+      this.endMotion = animate(seen, goal, (poses) => { this.draft.value = poses; }, () => { this.draft.value = kNothing; });
+    });
+    if (!next) return;
+    if (!this.parts.peek() || !isDrawnAlike(before, next)) void this.redraw();
+    void this.explain();
+  }
+
+  private async redraw(): Promise<void> {
+    try {
+      const { revision, parts } = await this.clients.studio.drawDocument({ documentId: this.id });
+      if (revision === this.document.peek().revision || !this.parts.peek()) this.parts.value = parts;
+    } catch (error) {
+      // The page then draws plain outlines.
+      if (!isUnknownCall(error)) this.toasts.error(sentenceOf(error));
+    }
+  }
+
+  private async explain(): Promise<void> {
+    try {
+      const { revision, note, notAsAsked } = await this.clients.studio.explain({ documentId: this.id });
+      if (revision !== this.document.peek().revision) return;
+      this.explanation.value = { note: noteOf(note), notAsAsked };
+    } catch (error) {
+      if (!isUnknownCall(error)) this.toasts.error(sentenceOf(error));
+    }
+  }
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the page needs to know of a layout's objects, and questions about them.
+import { corners, contains, type Pose, type Size } from "../geometry/footprint";
+import { vec, wrapped, type Vec } from "../geometry/vec";
+import { ObjectKind, type Object$ } from "../gen/flair/v1/object_list_pb";
+import type { Placement } from "../gen/flair/v1/placement_pb";
+import type { SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
+
+export type Poses = ReadonlyMap<string, Pose>;
+
+export interface Piece {
+  readonly id: string;
+  readonly object: Object$;
+  readonly size: Size;
+  readonly pose: Pose;
+  // Underside above the floor, metres.
+  readonly z: number;
+  readonly pinned: boolean;
+}
+
+export type Pieces = ReadonlyMap<string, Piece>;
+
+// Those that stand somewhere, in the list's order.
+export function piecesOf(layout: SolvedLayout | undefined): Pieces {
+  const placements = new Map(layout?.placements.map((one) => [one.objectId, one]));
+  const pinned = new Set(layout?.graph?.pinnedPlacements.map((one) => one.objectId));
+  const pieces = new Map<string, Piece>();
+  for (const object of layout?.graph?.objectList?.objects ?? []) {
+    const at = placements.get(object.id);
+    if (!at) continue;
+    pieces.set(object.id, {
+      id: object.id, object, size: { width: object.widthM, depth: object.depthM },
+      pose: { x: at.xM, y: at.yM, theta: at.thetaRad }, z: at.zM, pinned: pinned.has(object.id),
+    });
+  }
+  return pieces;
+}
+
+// "nightstand 2": the name, numbered where there are several.
+export function nameOf(object: Object$): string {
+  const number = /_(\d+)$/.exec(object.id)?.[1];
+  return number && !object.name.endsWith(number) ? `${object.name} ${number}` : object.name;
+}
+
+export const isOnFloor = (piece: Piece): boolean => piece.object.kind === ObjectKind.FLOOR;
+
+// What one bumps into: no rugs, nothing on walls, ceilings and tables.
+export const isSolid = (piece: Piece): boolean => isOnFloor(piece) && !piece.object.walkOver;
+
+// The ids of all that stands on the pieces, which go where those go.
+export function guestsOf(pieces: Pieces, hosts: Iterable<string>): string[] {
+  const carried = new Set(hosts);
+  const first = new Set(carried);
+  for (let grown = true; grown; ) {
+    grown = false;
+    for (const piece of pieces.values()) {
+      if (carried.has(piece.id) || piece.object.kind !== ObjectKind.SURFACE) continue;
+      const host = hostOf(pieces, piece);
+      if (host && carried.has(host)) {
+        carried.add(piece.id);
+        grown = true;
+      }
+    }
+  }
+  return [...carried].filter((id) => !first.has(id));
+}
+
+// What it stands on: its host by name, or whatever is below its middle.
+function hostOf(pieces: Pieces, guest: Piece): string {
+  const named = pieces.get(guest.object.hostId);
+  if (named && contains(named.pose, named.size, vec(guest.pose.x, guest.pose.y))) return named.id;
+  for (const piece of pieces.values()) {
+    if (piece.id === guest.id || piece.object.walkOver || piece.z + piece.object.heightM > guest.z + 0.05) continue;
+    if (contains(piece.pose, piece.size, vec(guest.pose.x, guest.pose.y)) && guest.z > 0) return piece.id;
+  }
+  return "";
+}
+
+export function footprintOf(piece: Piece, pose: Pose = piece.pose): Vec[] {
+  return corners(pose, piece.size);
+}
+
+export function placementOf(piece: Piece, pose: Pose): Omit<Placement, "$typeName"> {
+  return { objectId: piece.id, xM: pose.x, yM: pose.y, zM: piece.z, thetaRad: wrapped(pose.theta) };
+}
+
+export function floorOf(layout: SolvedLayout | undefined): Vec[] {
+  return layout?.graph?.room?.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
+}

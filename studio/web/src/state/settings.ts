@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What this browser remembers of how one likes the page.
+import { effect, signal, type Signal } from "@preact/signals";
+import type { Units } from "../app/units";
+
+export type Theme = "system" | "light" | "dark";
+export type Panes = "plan" | "split" | "3d";
+
+function remembered<T extends string>(key: string, values: readonly T[], initial: T): Signal<T> {
+  const name = `flair.${key}`;
+  let stored: string | null = null;
+  try {
+    stored = localStorage.getItem(name);
+  } catch {
+    // A browser that keeps nothing starts anew each time.
+  }
+  const value = signal(values.find((one) => one === stored) ?? initial);
+  effect(() => {
+    try {
+      localStorage.setItem(name, value.value);
+    } catch {
+      // As above.
+    }
+  });
+  return value;
+}
+
+export class Settings {
+  readonly theme = remembered<Theme>("theme", ["system", "light", "dark"], "system");
+  readonly units = remembered<Units>("units", ["m", "ft"], "m");
+  readonly panes = remembered<Panes>("panes", ["plan", "split", "3d"], "plan");
+  readonly autoSettle = remembered<"on" | "off">("auto-settle", ["on", "off"], "off");
+  readonly sidebar = remembered<"open" | "closed">("sidebar", ["open", "closed"], "open");
+
+  constructor() {
+    effect(() => {
+      const theme = this.theme.value;
+      if (theme === "system") delete document.documentElement.dataset.theme;
+      else document.documentElement.dataset.theme = theme;
+    });
+  }
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that the page knows: the documents, the open one, and whether the server is there.
+import { effect, signal } from "@preact/signals";
+import { createContext } from "preact";
+import { useContext } from "preact/hooks";
+import type { MessageInitShape } from "@bufbuild/protobuf";
+import type { Clients } from "../api/clients";
+import { newRequestId } from "../api/ids";
+import { isAway, sentenceOf } from "../api/problems";
+import { watchDocuments, type Connection } from "../api/watch";
+import { JobState } from "../gen/flair/v1/job_pb";
+import type { CreateDocumentRequestSchema, Document, WatchDocumentsResponse } from "../gen/flair/v1/studio_service_pb";
+import { JobBook } from "./jobs";
+import { OpenRoom } from "./open_room";
+import { goTo, route } from "./route";
+import { Settings } from "./settings";
+import { Toasts } from "./toasts";
+
+export type Source = NonNullable<MessageInitShape<typeof CreateDocumentRequestSchema>["source"]>;
+
+export class Studio {
+  readonly settings = new Settings();
+  readonly toasts = new Toasts();
+  readonly jobs = new JobBook();
+  readonly documents = signal<readonly Document[]>([]);
+  readonly isListed = signal(false);
+  readonly open = signal<OpenRoom | undefined>(undefined);
+  readonly connection = signal<Connection>("connecting");
+  private readonly ending = new AbortController();
+
+  constructor(readonly clients: Clients) {
+    effect(() => {
+      const { page, id } = route.value;
+      void this.openDocument(page === "document" ? id : "");
+    });
+    void watchDocuments(clients, {
+      connected: () => this.refresh(),
+      heard: (event) => this.heard(event),
+      state: (connection) => { this.connection.value = connection; },
+    }, this.ending.signal);
+  }
+
+  stop(): void {
+    this.ending.abort();
+  }
+
+  // A new document, which is then open. Undefined when the server would not make it.
+  async create(source: Source): Promise<Document | undefined> {
+    const made = await this.told(() => this.clients.studio.createDocument({ requestId: newRequestId(), source }));
+    if (!made?.document) return undefined;
+    this.put(made.document);
+    goTo({ page: "document", id: made.document.id });
+    return made.document;
+  }
+
+  async forget(id: string): Promise<void> {
+    await this.told(() => this.clients.studio.deleteDocument({ documentId: id }));
+    this.drop(id);
+  }
+
+  // The answer of a call, or undefined after the user was told what went wrong.
+  async told<T>(call: () => Promise<T>): Promise<T | undefined> {
+    try {
+      return await call();
+    } catch (error) {
+      this.toasts.error(isAway(error) ? "The server does not answer." : sentenceOf(error));
+      return undefined;
+    }
+  }
+
+  private async openDocument(id: string): Promise<void> {
+    const before = this.open.peek();
+    if (before?.id === id) return;
+    before?.close();
+    this.open.value = undefined;
+    if (!id) return;
+    const answer = await this.told(() => this.clients.studio.getDocument({ documentId: id }));
+    if (route.peek().page !== "document" || route.peek().id !== id) return;
+    if (!answer?.document) return goTo({ page: "start" });
+    const room = new OpenRoom(answer.document, this.clients, this.toasts);
+    this.open.value = room;
+    room.start(answer.layout);
+  }
+
+  private async refresh(): Promise<void> {
+    const { documents } = await this.clients.studio.listDocuments({ pageSize: 200 });
+    this.documents.value = documents;
+    this.isListed.value = true;
+    const open = this.open.peek();
+    const newest = documents.find((one) => one.id === open?.id);
+    if (open && newest && newest.revision > open.document.peek().revision) await open.reload();
+  }
+
+  private heard(event: WatchDocumentsResponse["event"]): void {
+    if (event.case === "jobEvent") this.jobs.add(event.value);
+    if (event.case === "deletedDocumentId") this.drop(event.value);
+    if (event.case !== "document") return;
+    this.put(event.value);
+    const open = this.open.peek();
+    if (open?.id === event.value.id) this.follow(open, event.value);
+  }
+
+  // Somebody else changed the open document, or its job went on.
+  private follow(open: OpenRoom, newest: Document): void {
+    if (open.isBusy.peek() || newest.revision <= open.document.peek().revision) return;
+    const ended = newest.jobState !== JobState.QUEUED && newest.jobState !== JobState.RUNNING;
+    if (ended || newest.layoutId !== open.document.peek().layoutId) void open.reload().catch(() => {});
+    else open.document.value = newest;
+  }
+
+  private put(document: Document): void {
+    const known = this.documents.value.find((one) => one.id === document.id);
+    if (known && known.revision > document.revision) return;
+    const others = this.documents.value.filter((one) => one.id !== document.id);
+    this.documents.value = [document, ...others];
+  }
+
+  private drop(id: string): void {
+    this.documents.value = this.documents.value.filter((one) => one.id !== id);
+    if (this.open.peek()?.id === id) goTo({ page: "start" });
+  }
+}
+
+export const StudioContext = createContext<Studio | undefined>(undefined);
+
+export function useStudio(): Studio {
+  const studio = useContext(StudioContext);
+  if (!studio) throw new Error("no studio above this component");
+  return studio;
+}
