@@ -16,4 +16,7 @@ export function isAway(error: unknown): boolean {
 // Somebody else has changed the document.
 export const isConflict = (error: unknown): boolean => ConnectError.from(error).code === Code.Aborted;
 
+// Nothing is wrong: there is nothing to undo, or everything is settled.
+export const isNothingToDo = (error: unknown): boolean => ConnectError.from(error).code === Code.FailedPrecondition;
+
 export const isUnknownCall = (error: unknown): boolean => ConnectError.from(error).code === Code.Unimplemented;

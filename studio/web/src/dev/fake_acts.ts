@@ -67,12 +67,12 @@ function edit(layout: SolvedLayout, { edits }: EditLayout): string {
   return label;
 }
 
-// Everything but what is kept goes back to where the design had it.
-function settle(layout: SolvedLayout, keep: readonly string[]): void {
+// Everything but what was moved last goes back to where the design had it.
+function settle(layout: SolvedLayout, keep: ReadonlySet<string>): void {
   const first = new Map(bedroomLayout().placements.map((one) => [one.objectId, one]));
   for (const at of layout.placements) {
     const back = first.get(at.objectId);
-    if (back && !keep.includes(at.objectId)) Object.assign(at, { xM: back.xM, yM: back.yM, thetaRad: back.thetaRad });
+    if (back && !keep.has(at.objectId)) Object.assign(at, { xM: back.xM, yM: back.yM, thetaRad: back.thetaRad });
   }
 }
 
@@ -81,11 +81,12 @@ export function act(room: FakeRoom, { act: asked }: ActRequest): Diagnostic[] {
   switch (asked.case) {
     case "move": {
       move(layout, asked.value.placements);
+      room.moved = new Set(asked.value.placements.map((one) => one.objectId));
       room.put(`move the ${asked.value.placements[0]?.objectId.replace(/_/g, " ")}`, layout);
       return [];
     }
     case "edit": room.put(edit(layout, asked.value), layout); return [];
-    case "settle": settle(layout, asked.value.keepObjectIds); room.put("settle", layout); return [];
+    case "settle": settle(layout, room.moved); room.put("settle", layout); return [];
     case "undo": case "redo":
       if (!room.undo(asked.case === "undo" ? -1 : 1)) {
         throw new ConnectError(`There is nothing to ${asked.case}.`, Code.FailedPrecondition);

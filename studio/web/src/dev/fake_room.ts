@@ -27,6 +27,8 @@ let documentCount = 0;
 
 export class FakeRoom {
   readonly document: Document;
+  // What the last move moved.
+  moved: ReadonlySet<string> = new Set();
   private entries: Entry[] = [];
   private at = -1;
 

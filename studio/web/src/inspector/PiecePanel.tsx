@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
-import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import { duplicatePieces, lockPieces, removePieces, renamePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { nameOf, type Piece } from "../state/pieces";
 import { findingsOf } from "../plan/overlay/Findings";
@@ -15,6 +15,26 @@ function sorted(demands: readonly Demand[]): Demand[] {
   return [...demands].sort((a, b) => order[a.fate] - order[b.fate]);
 }
 
+// The heading, which is a field: another name makes it another piece of the same size.
+function PieceName({ room, piece }: { room: OpenRoom; piece: Piece }) {
+  const name = nameOf(piece.object);
+  const take = (input: HTMLInputElement) => {
+    const typed = input.value.trim().toLowerCase().slice(0, 80);
+    if (!typed || typed === name) input.value = capital(name);
+    else void renamePiece(room, piece, typed);
+  };
+  return (
+    <h2 class="piece-name">
+      <input key={name} defaultValue={capital(name)} aria-label="Name" spellcheck={false} maxLength={80}
+        onBlur={(event) => take(event.currentTarget)} onKeyDown={(event) => {
+          event.stopPropagation();
+          if (event.key === "Escape") event.currentTarget.value = capital(name);
+          if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
+        }} />
+    </h2>
+  );
+}
+
 export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const about = objectIn(room.explanation.value?.note, piece.id);
   const findings = findingsOf(room).filter((one) => one.objectId === piece.id || one.partnerId === piece.id);
@@ -23,7 +43,7 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   return (
     <>
       <header class="panel-head">
-        <h2>{capital(nameOf(piece.object))}</h2>
+        <PieceName room={room} piece={piece} />
         <div class="button-group">
           <button class="icon-button" aria-pressed={piece.pinned} aria-label={piece.pinned ? "Unlock" : "Lock"}
             title={piece.pinned ? "Unlock (L)" : "Lock where it is (L)"} onClick={() => void lockPieces(room, [piece])}>

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { SentenceOrigin } from "../gen/flair/v1/constraint_list_pb";
 import { OutcomeStatus } from "../gen/flair/v1/solved_layout_pb";
-import { weigh } from "../state/commands";
+import { say, weigh } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import type { Demand, Fate } from "./note";
@@ -28,18 +28,19 @@ function liveFate(room: OpenRoom, demand: Demand): { fate: Fate; shortfall: stri
   return { fate: missed ? "missed" : "holds", shortfall: missed?.reason ?? "", isLive: true };
 }
 
-function Weight({ room, id, text }: { room: OpenRoom; id: string; text: string }) {
-  const sentence = room.layout.value?.graph?.constraintList?.sentences.find((one) => one.id === id);
-  const weight = sentence?.weight || 1;
-  const [shown, setShown] = useState(weight);
-  // A slider of powers: from a tenth to ten times.
-  const set = (value: string) => setShown(Number((10 ** Number(value)).toPrecision(2)));
+function Weight({ room, demand, text }: { room: OpenRoom; demand: Demand; text: string }) {
+  const edge = room.layout.value?.graph?.edges.find((one) => one.id === demand.edge_ids?.[0]);
+  const weight = edge?.weight || 1;
+  const [typed, setTyped] = useState<number>();
+  const shown = typed ?? Number(weight.toPrecision(2));
+  // A slider of powers, from a tenth to thirty times.
+  const set = (value: string) => setTyped(Number((10 ** Number(value)).toPrecision(2)));
   return (
     <label class="weight">
       <span>Weight</span>
       <input type="range" min="-1" max="1.5" step="0.05" value={Math.log10(weight)} aria-label={`Weight of: ${text}`}
         aria-valuetext={`${shown}`} onInput={(event) => set(event.currentTarget.value)}
-        onChange={() => void weigh(room, id, shown)} />
+        onChange={() => void weigh(room, demand.sentence_id!, shown).then(() => setTyped(undefined))} />
       <output>{shown}</output>
     </label>
   );
@@ -72,9 +73,9 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
           <p class="sentence-origin">{origins[origin]}</p>
           {demand.sentence_id && fate !== "not understood" && (
             <div class="sentence-acts">
-              {fate !== "dropped" && <Weight room={room} id={demand.sentence_id} text={text} />}
+              {fate !== "dropped" && <Weight room={room} demand={demand} text={text} />}
               {fate === "dropped"
-                ? <button class="link-button" onClick={() => void weigh(room, demand.sentence_id!, 1)}>Ask for it again</button>
+                ? <button class="link-button" onClick={() => void say(room, demand.sentence || text)}>Ask for it again</button>
                 : <button class="link-button" onClick={() => void weigh(room, demand.sentence_id!, 0)}>Drop</button>}
             </div>
           )}

@@ -10,34 +10,51 @@ import { Drawn } from "./Drawn";
 import { plainFloor, plainPiece } from "./plain";
 import { resizing } from "./gestures/resize";
 
+interface Shadow {
+  svg: string;
+  x: number;
+  y: number;
+}
+
 const kDegrees = 180 / Math.PI;
 
 interface PieceProps {
   id: string;
   svg: string;
+  shadow: Shadow | undefined;
   width: number;
   depth: number;
   isCeiling: boolean;
   name: string;
 }
 
-const PieceElement = memo(function PieceElement({ id, svg, width, depth, isCeiling, name }: PieceProps) {
+const PieceElement = memo(function PieceElement({ id, svg, shadow, width, depth, isCeiling, name }: PieceProps) {
   const { room } = usePlan();
-  const transform = useComputed(() => {
+  const transformAt = (shiftX: number, shiftY: number) => {
     const pulled = resizing.value?.id === id ? resizing.value.to : undefined;
     const pose = pulled?.pose ?? room.poseOf(id);
     if (!pose) return "";
     const scale = pulled ? ` scale(${pulled.size.width / width} ${pulled.size.depth / depth})` : "";
-    return `translate(${pose.x} ${-pose.y}) rotate(${-pose.theta * kDegrees})${scale}`;
-  });
+    return `translate(${pose.x + shiftX} ${shiftY - pose.y}) rotate(${-pose.theta * kDegrees})${scale}`;
+  };
+  const transform = useComputed(() => transformAt(0, 0));
+  const shadowTransform = useComputed(() => (shadow ? transformAt(shadow.x, shadow.y) : ""));
   const state = useComputed(() => (room.selection.value.has(id) ? "piece is-selected" : "piece"));
   return (
-    <g class={state} transform={transform} data-piece={id} aria-hidden="true" data-name={name}>
-      <Drawn svg={svg} />
-      <rect class={isCeiling ? "hit hit-outline" : "hit"} x={-width / 2} y={-depth / 2} width={width} height={depth} />
-    </g>
+    <>
+      {shadow && <g transform={shadowTransform} pointer-events="none"><Drawn svg={shadow.svg} /></g>}
+      <g class={state} transform={transform} data-piece={id} aria-hidden="true" data-name={name}>
+        <Drawn svg={svg} />
+        <rect class={isCeiling ? "hit hit-outline" : "hit"} x={-width / 2} y={-depth / 2} width={width} height={depth} />
+      </g>
+    </>
   );
-});
+}, (a, b) => a.id === b.id && a.svg === b.svg && a.width === b.width && a.depth === b.depth && a.name === b.name
+  && a.shadow?.svg === b.shadow?.svg && a.shadow?.x === b.shadow?.x && a.shadow?.y === b.shadow?.y);
+
+function shadowOf(part: PlanPart | undefined): Shadow | undefined {
+  return part?.shadowSvg ? { svg: part.shadowSvg, x: part.shadowXM, y: part.shadowYM } : undefined;
+}
 
 function layerOf(piece: Piece, part: PlanPart | undefined): "below" | "middle" | "above" {
   if (part ? part.belowFurniture : piece.object.walkOver) return "below";
@@ -55,6 +72,7 @@ export function PieceLayers() {
     .filter((piece) => layerOf(piece, order.get(piece.id)?.part) === which)
     .map((piece) => (
       <PieceElement key={piece.id} id={piece.id} svg={order.get(piece.id)?.part.svg ?? plainPiece(piece)}
+        shadow={shadowOf(order.get(piece.id)?.part)}
         width={piece.size.width} depth={piece.size.depth} isCeiling={piece.object.kind === ObjectKind.CEILING}
         name={nameOf(piece.object)} />
     ));

@@ -16,15 +16,10 @@ function edit(room: OpenRoom, edits: Edit[], withoutSolving: boolean) {
   return room.act({ case: "edit", value: { edits, withoutSolving } });
 }
 
-// Puts it there without leaving it locked, unless it was.
-function placed(piece: Piece, pose: Pose): Edit[] {
-  const move: Edit = { edit: { case: "moveObject", value: placementOf(piece, pose) } };
-  return piece.pinned ? [move] : [move, { edit: { case: "unpinObjectId", value: piece.id } }];
-}
-
 export function resizePiece(room: OpenRoom, piece: Piece, { pose, size }: Resized, heightM?: number) {
   const value = { objectId: piece.id, widthM: size.width, depthM: size.depth, ...(heightM ? { heightM } : {}) };
-  return edit(room, [{ edit: { case: "resizeObject", value } }, ...placed(piece, pose)], true);
+  const move: Edit = { edit: { case: "moveObject", value: placementOf(piece, pose) } };
+  return edit(room, [{ edit: { case: "resizeObject", value } }, move], true);
 }
 
 export function removePieces(room: OpenRoom, ids: readonly string[]) {
@@ -57,7 +52,6 @@ export async function addPiece(room: OpenRoom, object: MessageInitShape<typeof O
   const response = await edit(room, [
     { edit: { case: "addObject", value: { object: added } } },
     { edit: { case: "moveObject", value: move } },
-    { edit: { case: "unpinObjectId", value: id } },
   ], true);
   if (response) room.select([id]);
 }
@@ -74,8 +68,7 @@ export async function duplicatePieces(room: OpenRoom, pieces: readonly Piece[]) 
     return [
       { edit: { case: "addObject", value: { object: { ...plain(piece.object), id } } } },
       { edit: { case: "moveObject", value: { ...placementOf(piece, pose), objectId: id } } },
-      { edit: { case: "unpinObjectId", value: id } },
-    ];
+      ];
   });
   if (edits.length === 0) return;
   if (await edit(room, edits, true)) room.select(ids);
@@ -97,3 +90,6 @@ export const weigh = (room: OpenRoom, sentenceId: string, weight: number) =>
 
 export const replacePiece = (room: OpenRoom, objectId: string, by: MessageInitShape<typeof ObjectSchema>) =>
   room.act({ case: "replace", value: { objectId, by } });
+
+export const renamePiece = (room: OpenRoom, piece: Piece, name: string) =>
+  replacePiece(room, piece.id, { ...plain(piece.object), name });

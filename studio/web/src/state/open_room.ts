@@ -3,7 +3,7 @@
 import { batch, computed, signal } from "@preact/signals";
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { Clients } from "../api/clients";
-import { isConflict, isUnknownCall, sentenceOf } from "../api/problems";
+import { isConflict, isNothingToDo, isUnknownCall, sentenceOf } from "../api/problems";
 import type { Pose } from "../geometry/footprint";
 import { noteOf, type Demand, type Note } from "../inspector/note";
 import type { PlanParts } from "../gen/flair/v1/renderer_service_pb";
@@ -92,10 +92,11 @@ export class OpenRoom {
     try {
       const { revision } = this.document.peek();
       const response = await this.clients.studio.act({ documentId: this.id, revision, act });
+      const known = new Set(this.layout.peek()?.diagnostics.map((one) => one.message));
       if (response.document && !this.isClosed) this.show(response.document, response.layout);
-      for (const remark of response.diagnostics) {
-        if (remark.severity >= Severity.WARNING) this.toasts.error(remark.message);
-        else this.toasts.note(remark.message);
+      for (const { severity, message } of response.diagnostics) {
+        if (severity >= Severity.WARNING && !known.has(message)) this.toasts.error(message);
+        else if (act.case === "room") this.toasts.note(message);
       }
       return response;
     } catch (error) {
@@ -103,6 +104,8 @@ export class OpenRoom {
       if (isConflict(error)) {
         await this.reload().catch(() => {});
         this.toasts.error("The room was changed in another window meanwhile. Here is its newest state; please try again.");
+      } else if (isNothingToDo(error)) {
+        this.toasts.note(sentenceOf(error));
       } else {
         this.toasts.error(sentenceOf(error));
       }

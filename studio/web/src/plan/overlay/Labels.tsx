@@ -1,39 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { contains } from "../../geometry/footprint";
 import { boxOf } from "../../geometry/polygon";
+import type { Vec } from "../../geometry/vec";
+import type { PlanPart } from "../../gen/flair/v1/renderer_service_pb";
 import { footprintOf, isSolid, nameOf, type Piece } from "../../state/pieces";
 import { usePlan } from "../context";
 import { toScreen } from "../view";
 
-const kCharacter = 5.9;
+const kLeading = 1.18;
+const kSmallest = 7.5;
+const kLargest = 15;
+const kPlainSize = 11.5;
 
-function isCovered(piece: Piece, pieces: Iterable<Piece>): boolean {
-  for (const other of pieces) {
-    if (other.id !== piece.id && isSolid(other) && contains(other.pose, other.size, piece.pose)) return true;
-  }
-  return false;
+function Text({ lines, at, size, name }: { lines: readonly string[]; at: Vec; size: number; name: string }) {
+  const first = at.y + size * 0.35 - ((lines.length - 1) * size * kLeading) / 2;
+  return (
+    <text class={name} font-size={size}>
+      {lines.map((line, i) => <tspan key={i} x={at.x} y={first + i * size * kLeading}>{line}</tspan>)}
+    </text>
+  );
 }
 
-// Names of what has room for its own, and of what is pointed at.
+// The name of a piece that is pointed at, above it where it has none on it.
+function pointed(piece: Piece, at: Vec, top: number) {
+  return <Text key={piece.id} lines={[nameOf(piece.object)]} at={{ x: at.x, y: top - 11 }} size={kPlainSize} name="is-pointed" />;
+}
+
+// The renderer's labels, upright and no larger than reads well; without a drawing, the names of what stands on the floor.
 export function Labels() {
   const plan = usePlan(), { room } = plan, view = plan.view.value;
-  const pieces = [...room.pieces.value.values()];
-  const labels = new Map(room.parts.value?.parts.map((part) => [part.objectId, part.label]));
+  const parts = new Map<string, PlanPart>(room.parts.value?.parts.map((part) => [part.objectId, part]));
   const hovered = plan.gesture.value ? "" : room.hovered.value;
   return (
     <g class="labels" pointer-events="none">
-      {pieces.map((piece) => {
-        const pose = room.poseOf(piece.id) ?? piece.pose;
-        const isPointed = hovered === piece.id;
-        const text = isPointed ? nameOf(piece.object) : labels.get(piece.id) ?? (isSolid(piece) ? piece.object.name : "");
-        if (!text) return null;
-        const box = boxOf(footprintOf(piece, pose));
-        const fits = text.length * kCharacter < (box.max.x - box.min.x) * view.scale + 14
-          && (box.max.y - box.min.y) * view.scale > 15;
-        if (!isPointed && (!fits || isCovered(piece, pieces))) return null;
-        const at = toScreen(view, pose);
-        const y = isPointed && !fits ? toScreen(view, box.max).y - 8 : at.y + 4;
-        return <text key={piece.id} class={isPointed ? "is-pointed" : ""} x={at.x} y={y}>{text}</text>;
+      {[...room.pieces.value.values()].map((piece) => {
+        const pose = room.poseOf(piece.id) ?? piece.pose, at = toScreen(view, pose);
+        const part = parts.get(piece.id);
+        const label = part?.label ?? (isSolid(piece) ? piece.object.name : "");
+        const size = part?.label ? part.labelSizeM * view.scale : kPlainSize;
+        if (hovered === piece.id && (!label || size < kSmallest)) {
+          return pointed(piece, at, toScreen(view, boxOf(footprintOf(piece, pose)).max).y);
+        }
+        if (!label || size < kSmallest) return null;
+        const shift = { x: (part?.labelXM ?? 0) * view.scale, y: (part?.labelYM ?? 0) * view.scale };
+        return <Text key={piece.id} lines={label.split("\n")} at={{ x: at.x + shift.x, y: at.y + shift.y }}
+          size={Math.min(size, kLargest)} name="" />;
       })}
     </g>
   );
