@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn above the plan in pixels, so that it is as fine at every zoom.
+import { ClearSpaces } from "./overlay/ClearSpaces";
 import { Clearances } from "./overlay/Clearances";
 import { Findings } from "./overlay/Findings";
 import { Guides } from "./overlay/Guides";
@@ -11,6 +12,7 @@ import { Outlines } from "./overlay/Outlines";
 export function Overlay() {
   return (
     <g class="overlay">
+      <ClearSpaces />
       <Findings />
       <Labels />
       <Lines />

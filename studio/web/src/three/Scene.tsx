@@ -1,6 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The view beside the plan: the same selection, fetched anew some time after each act.
+import { useEffect, useRef, useState } from "preact/hooks";
+import { isUnknownCall, sentenceOf } from "../api/problems";
+import { Icon } from "../app/Icon";
+import { DocumentFormat } from "../gen/flair/v1/studio_service_pb";
 import type { OpenRoom } from "../state/open_room";
+import { useStudio, type Studio } from "../state/studio";
+import { Traced } from "./Traced";
+import { View3d, type Mode } from "./view3d";
+
+const kPause = 350;
+
+// Keeps the view at what the document shows.
+function followDocument(studio: Studio, room: OpenRoom, view: View3d, told: (state: string) => void): () => void {
+  let timer: ReturnType<typeof setTimeout> | undefined, shown = "", isEnded = false;
+  const fetchScene = async () => {
+    const { layoutId } = room.document.peek();
+    try {
+      const { content } = await studio.clients.studio.exportDocument({ documentId: room.id, format: DocumentFormat.SCENE_GLB });
+      if (isEnded) return;
+      await view.load(content);
+      shown = layoutId;
+      told("");
+    } catch (error) {
+      if (!isEnded) told(isUnknownCall(error) ? "This server shows no view." : sentenceOf(error));
+    }
+  };
+  const unsubscribe = room.document.subscribe(({ layoutId }) => {
+    if (!layoutId || layoutId === shown) return;
+    clearTimeout(timer);
+    timer = setTimeout(fetchScene, shown ? kPause : 0);
+  });
+  return () => {
+    isEnded = true;
+    clearTimeout(timer);
+    unsubscribe();
+  };
+}
+
+function pick(room: OpenRoom, id: string, isAdding: boolean): void {
+  const before = room.selection.peek();
+  if (!id) return isAdding ? undefined : room.select([]);
+  if (!isAdding) return room.select([id]);
+  room.select(before.has(id) ? [...before].filter((one) => one !== id) : [...before, id]);
+}
 
 export default function Scene({ room }: { room: OpenRoom }) {
-  return <div class="scene">{room.document.value.title}</div>;
+  const studio = useStudio();
+  const host = useRef<HTMLDivElement>(null), view = useRef<View3d>();
+  const [mode, setMode] = useState<Mode>("orbit");
+  const [state, setState] = useState("Loading the view...");
+  const [isTracing, setTracing] = useState(false);
+  useEffect(() => {
+    let made: View3d;
+    try {
+      made = new View3d(host.current!, (id, isAdding) => pick(room, id, isAdding));
+    } catch {
+      return setState("This browser shows nothing in three dimensions: it has no WebGL.");
+    }
+    view.current = made;
+    const observer = new ResizeObserver(() => made.resize());
+    observer.observe(host.current!);
+    const ends = [followDocument(studio, room, made, setState), room.selection.subscribe((ids) => made.select(ids))];
+    return () => {
+      observer.disconnect();
+      ends.forEach((end) => end());
+      made.dispose();
+    };
+  }, [room, studio]);
+  const change = (to: Mode) => {
+    setMode(to);
+    view.current?.setMode(to);
+  };
+  return (
+    <div class="scene" ref={host} role="region" aria-label="The room in three dimensions">
+      {state && <p class="scene-state">{state}</p>}
+      <div class="scene-tools">
+        <div class="segmented" role="group" aria-label="How to look">
+          <button aria-pressed={mode === "orbit"} onClick={() => change("orbit")} title="Look from outside"><Icon name="orbit" />Orbit</button>
+          <button aria-pressed={mode === "walk"} onClick={() => change("walk")} title="Walk: W A S D, drag to look around"><Icon name="walk" />Walk</button>
+        </div>
+        <button class="button" onClick={() => setTracing(true)}><Icon name="camera" />Ray-trace</button>
+      </div>
+      {isTracing && <Traced room={room} onClose={() => setTracing(false)} />}
+    </div>
+  );
 }

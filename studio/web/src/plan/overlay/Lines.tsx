@@ -5,6 +5,7 @@ import { OutcomeStatus } from "../../gen/flair/v1/solved_layout_pb";
 import { usePlan } from "../context";
 import { linksOf, type Link } from "../operands";
 import { toScreen } from "../view";
+import { shownEdges } from "./shown_edges";
 
 interface Line extends Link {
   readonly isMissed: boolean;
@@ -14,16 +15,11 @@ interface Line extends Link {
 // and those of the sentence that is pointed at with their distances.
 export function Lines() {
   const plan = usePlan(), { room } = plan;
-  const graph = room.layout.value?.graph;
-  const verdict = room.judging.verdict.value, demand = room.pointedAt.value;
-  if (!graph?.room || (!verdict && !demand)) return null;
-  const wanted = new Set(demand ? demand.edge_ids : verdict?.outcomes.keys());
-  const outcomes = demand ? room.outcomes.value : verdict!.outcomes;
+  const layoutRoom = room.layout.value?.graph?.room, demand = room.pointedAt.value;
   const byTarget = new Map<string, Line>();
-  for (const edge of graph.edges) {
-    if (!wanted.has(edge.id)) continue;
-    const isMissed = outcomes.get(edge.id)?.status === OutcomeStatus.VIOLATED;
-    for (const link of linksOf(edge, graph.room, room.pieces.value, (id) => room.poseOf(id))) {
+  for (const { edge, outcome } of layoutRoom ? shownEdges(room) : []) {
+    const isMissed = outcome?.status === OutcomeStatus.VIOLATED;
+    for (const link of linksOf(edge, layoutRoom!, room.pieces.value, (id) => room.poseOf(id))) {
       const key = demand ? `${edge.id} ${link.target}` : link.target;
       if (!byTarget.has(key) || isMissed) byTarget.set(key, { ...link, isMissed });
     }

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The furnished room in three.js: what is loaded, lit, looked at and selected. Draws only when something changed.
+import {
+  ACESFilmicToneMapping, AmbientLight, Box3, BoxHelper, Color, DirectionalLight, Group, HemisphereLight, Mesh,
+  PerspectiveCamera, PMREMGenerator, Raycaster, Scene, SRGBColorSpace, TextureLoader, Vector2, Vector3, WebGLRenderer,
+  type Light, type Object3D,
+} from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { Walk } from "./walk";
+
+export type Mode = "orbit" | "walk";
+
+const kEyeHeight = 1.6;
+
+// Pictures in the file are read by <img>: the page's policy lets nothing else read them.
+function makeLoader(): GLTFLoader {
+  const loader = new GLTFLoader();
+  loader.register((parser) => {
+    parser.textureLoader = new TextureLoader(parser.options.manager);
+    return { name: "FLAIR_pictures" };
+  });
+  return loader;
+}
+
+function release(root: Object3D): void {
+  root.traverse((node) => {
+    if (!(node instanceof Mesh)) return;
+    node.geometry.dispose();
+    for (const material of [node.material].flat()) {
+      material.map?.dispose();
+      material.dispose();
+    }
+  });
+}
+
+// The piece that a mesh belongs to; furniture is a node of that name, with a node an object.
+function pieceOf(node: Object3D | null): string {
+  for (let one = node; one; one = one.parent) if (one.parent?.name === "furniture") return one.name;
+  return "";
+}
+
+export class View3d {
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(50, 1, 0.05, 200);
+  private readonly renderer: WebGLRenderer;
+  private readonly orbit: OrbitControls;
+  private readonly walk: Walk;
+  private readonly marks = new Group();
+  private readonly loader = makeLoader();
+  private model: Object3D | undefined;
+  private selected: ReadonlySet<string> = new Set();
+  private mode: Mode = "orbit";
+  private frame = 0;
+  private loads = 0;
+
+  // Throws where the browser has no WebGL.
+  constructor(private readonly host: HTMLElement, private readonly onPick: (id: string, isAdding: boolean) => void) {
+    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    this.renderer.toneMapping = ACESFilmicToneMapping;
+    this.renderer.toneMappingExposure = 1.05;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    host.prepend(this.renderer.domElement);
+    const environment = new PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04);
+    this.scene.environment = environment.texture;
+    this.scene.environmentIntensity = 0.55;
+    const sun = new DirectionalLight(0xfff3e0, 1.6);
+    sun.position.set(3, 6, 4);
+    this.scene.add(new HemisphereLight(0xffffff, 0xb8a890, 0.6), new AmbientLight(0xffffff, 0.15), sun, this.marks);
+    this.orbit = new OrbitControls(this.camera, this.renderer.domElement);
+    this.orbit.maxPolarAngle = Math.PI * 0.49;
+    this.orbit.addEventListener("change", () => this.draw());
+    this.walk = new Walk(this.camera, this.renderer.domElement, () => this.draw());
+    this.listenToPicks();
+    this.resize();
+  }
+
+  async load(content: Uint8Array): Promise<void> {
+    const load = ++this.loads;
+    const buffer = content.slice().buffer;
+    const { scene } = await this.loader.parseAsync(buffer, "");
+    if (load !== this.loads) return release(scene);
+    const isFirst = !this.model;
+    if (this.model) {
+      this.scene.remove(this.model);
+      release(this.model);
+    }
+    this.model = scene;
+    // The file's lights are for engines with exposure; here the room is lit evenly, and lamps only glow.
+    scene.traverse((node) => { if ((node as Light).isLight) node.visible = false; });
+    const ceiling = scene.getObjectByName("ceiling");
+    if (ceiling) ceiling.visible = this.mode === "walk";
+    this.scene.add(scene);
+    if (isFirst) this.lookFromAbove();
+    this.mark();
+  }
+
+  setMode(mode: Mode): void {
+    this.mode = mode;
+    this.orbit.enabled = mode === "orbit";
+    const ceiling = this.model?.getObjectByName("ceiling");
+    if (ceiling) ceiling.visible = mode === "walk";
+    if (mode === "orbit") {
+      this.walk.stop();
+      this.lookFromAbove();
+    } else {
+      this.lookFromDoor();
+      this.walk.start();
+    }
+    this.draw();
+  }
+
+  select(ids: ReadonlySet<string>): void {
+    this.selected = ids;
+    this.mark();
+  }
+
+  resize(): void {
+    const { clientWidth, clientHeight } = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  dispose(): void {
+    this.loads += 1;
+    cancelAnimationFrame(this.frame);
+    this.walk.stop();
+    this.orbit.dispose();
+    if (this.model) release(this.model);
+    this.renderer.dispose();
+    this.renderer.domElement.remove();
+  }
+
+  private draw(): void {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.renderer.render(this.scene, this.camera);
+    });
+  }
+
+  private boxOfRoom(): Box3 {
+    return new Box3().setFromObject(this.model?.getObjectByName("floor") ?? this.scene);
+  }
+
+  private lookFromAbove(): void {
+    const box = this.boxOfRoom(), middle = box.getCenter(new Vector3()), size = box.getSize(new Vector3());
+    const away = Math.max(size.x, size.z, 2) / Math.min(this.camera.aspect, 1);
+    this.orbit.target.copy(middle).setY(0.5);
+    this.camera.position.set(middle.x + away * 0.35, away * 1.15 + 0.6, middle.z + away * 0.95);
+    this.orbit.update();
+    this.draw();
+  }
+
+  private lookFromDoor(): void {
+    const box = this.boxOfRoom(), middle = box.getCenter(new Vector3());
+    const door = this.model?.getObjectByName("door_1");
+    const at = door ? new Box3().setFromObject(door).getCenter(new Vector3()) : new Vector3(middle.x, 0, box.max.z);
+    const step = middle.clone().sub(at).setY(0).normalize().multiplyScalar(0.7);
+    this.camera.position.copy(at.add(step)).setY(kEyeHeight);
+    this.camera.lookAt(middle.x, 1.1, middle.z);
+    this.walk.bounds = box;
+  }
+
+  private mark(): void {
+    this.marks.clear();
+    for (const id of this.selected) {
+      const node = this.model?.getObjectByName("furniture")?.getObjectByName(id);
+      if (node) this.marks.add(new BoxHelper(node, new Color(0x19a0a4)));
+    }
+    this.draw();
+  }
+
+  private listenToPicks(): void {
+    const canvas = this.renderer.domElement;
+    let from = new Vector2();
+    canvas.addEventListener("pointerdown", (event) => { from = new Vector2(event.clientX, event.clientY); });
+    canvas.addEventListener("pointerup", (event) => {
+      if (event.button !== 0 || from.distanceTo(new Vector2(event.clientX, event.clientY)) > 4 || !this.model) return;
+      const box = canvas.getBoundingClientRect();
+      const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+      const ray = new Raycaster();
+      ray.setFromCamera(at, this.camera);
+      const hit = ray.intersectObject(this.model, true).find(({ object }) => object.visible && this.isSeen(object));
+      this.onPick(pieceOf(hit?.object ?? null), event.shiftKey);
+    });
+  }
+
+  private isSeen(node: Object3D): boolean {
+    for (let one: Object3D | null = node; one; one = one.parent) if (!one.visible) return false;
+    return true;
+  }
+}
