@@ -24,11 +24,11 @@ function Title({ room }: { room: OpenRoom }) {
     else input.value = title;
   };
   return (
-    <input class="title" key={`${room.id} ${title}`} defaultValue={title} aria-label="Title" maxLength={200} spellcheck={false}
+    <h1 class="title-heading"><input class="title" key={`${room.id} ${title}`} defaultValue={title} aria-label="Title" maxLength={200} spellcheck={false}
       onBlur={(event) => take(event.currentTarget)} onKeyDown={(event) => {
         if (event.key === "Escape") event.currentTarget.value = title;
         if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
-      }} />
+      }} /></h1>
   );
 }
 

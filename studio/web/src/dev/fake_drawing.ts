@@ -28,7 +28,7 @@ export function drawing(layout: SolvedLayout): PlanParts {
   const placed = new Set(layout.placements.map((one) => one.objectId));
   const parts = (layout.graph?.objectList?.objects ?? []).filter((one) => placed.has(one.id)).map((object) =>
     create(PlanPartSchema, {
-      objectId: object.id, svg: symbol(object), label: object.kind === ObjectKind.FLOOR ? object.name : "",
+      objectId: object.id, svg: symbol(object), label: object.kind === ObjectKind.FLOOR && !object.walkOver ? object.name : "", labelSizeM: 0.1,
       aboveWalls: object.kind === ObjectKind.CEILING || object.kind === ObjectKind.WALL, belowFurniture: object.walkOver,
     }));
   return create(PlanPartsSchema, {

@@ -6,9 +6,11 @@ import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import { findingsOf } from "../plan/overlay/Findings";
 import type { Demand, Note } from "./note";
+import { Furnish } from "./Furnish";
 import { Measures } from "./Measures";
 import { PieceList } from "./PieceList";
 import { SentenceRow } from "./Sentence";
+import { Variants } from "./Variants";
 import { capital, withStop } from "./words";
 
 function missedOf(note: Note): Array<{ demand: Demand; objectId: string }> {
@@ -62,7 +64,8 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
           </ul>
         </section>
       )}
-      <Measures note={note} metrics={layout?.metrics} />
+      {room.pieces.value.size === 0 ? <Furnish room={room} /> : <Measures note={note} metrics={layout?.metrics} />}
+      <Variants room={room} />
       {missed.length > 0 && (
         <section>
           <h3 class="eyebrow">Wishes that do not hold</h3>

@@ -7,6 +7,7 @@ import type { Gesture } from "./gesture";
 import { marqueeGesture } from "./gestures/marquee";
 import { moveGesture } from "./gestures/move";
 import { panGesture } from "./gestures/pan";
+import { Pinch } from "./gestures/pinch";
 import { resizeGesture } from "./gestures/resize";
 import { rotateGesture } from "./gestures/rotate";
 
@@ -24,12 +25,21 @@ function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefi
   const [piece] = plan.chosen.peek();
   if (grip !== undefined && piece) return resizeGesture(plan, piece, grips[Number(grip)]!);
   const pressed = attributeOf(event, "piece");
-  return pressed ? moveGesture(plan, event, pressed) : marqueeGesture(plan, event);
+  if (pressed) return moveGesture(plan, event, pressed);
+  return event.pointerType === "touch" ? panGesture(plan, event) : marqueeGesture(plan, event);
 }
 
-export function usePlanPointer(plan: PlanController) {
-  return useMemo(() => ({
+function cancel(plan: PlanController): void {
+  const gesture = plan.gesture.peek();
+  plan.gesture.value = undefined;
+  gesture?.cancel();
+}
+
+function handlers(plan: PlanController) {
+  const pinch = new Pinch(plan);
+  return {
     onPointerDown(event: PointerEvent) {
+      if (pinch.down(event)) return cancel(plan);
       if (plan.gesture.peek() || attributeOf(event, "field") !== undefined) return;
       const gesture = gestureFor(plan, event);
       if (!gesture) return;
@@ -40,23 +50,28 @@ export function usePlanPointer(plan: PlanController) {
       plan.gesture.value = gesture;
     },
     onPointerMove(event: PointerEvent) {
+      if (pinch.move(event)) return;
       const gesture = plan.gesture.peek();
       if (gesture) gesture.move(event);
       else plan.room.hovered.value = attributeOf(event, "piece") ?? "";
     },
     onPointerUp(event: PointerEvent) {
+      pinch.up(event);
       const gesture = plan.gesture.peek();
       plan.gesture.value = undefined;
       gesture?.end(event);
     },
-    onPointerCancel() {
-      const gesture = plan.gesture.peek();
-      plan.gesture.value = undefined;
-      gesture?.cancel();
+    onPointerCancel(event: PointerEvent) {
+      pinch.up(event);
+      cancel(plan);
     },
     onPointerLeave() { plan.room.hovered.value = ""; },
     onDblClick(event: MouseEvent) {
       if (attributeOf(event, "piece") === undefined && attributeOf(event, "field") === undefined) plan.fit();
     },
-  }), [plan]);
+  };
+}
+
+export function usePlanPointer(plan: PlanController) {
+  return useMemo(() => handlers(plan), [plan]);
 }

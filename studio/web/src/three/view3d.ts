@@ -13,6 +13,7 @@ import { Walk } from "./walk";
 export type Mode = "orbit" | "walk";
 
 const kEyeHeight = 1.6;
+const kRoomHeight = 2.5;
 
 // Pictures in the file are read by <img>: the page's policy lets nothing else read them.
 function makeLoader(): GLTFLoader {
@@ -149,9 +150,12 @@ export class View3d {
 
   private lookFromAbove(): void {
     const box = this.boxOfRoom(), middle = box.getCenter(new Vector3()), size = box.getSize(new Vector3());
-    const away = Math.max(size.x, size.z, 2) / Math.min(this.camera.aspect, 1);
-    this.orbit.target.copy(middle).setY(0.5);
-    this.camera.position.set(middle.x + away * 0.35, away * 1.15 + 0.6, middle.z + away * 0.95);
+    // So far that a ball around the room is in the picture, whichever way that is narrow.
+    const radius = Math.hypot(size.x, size.z, kRoomHeight) / 2;
+    const half = (this.camera.fov * Math.PI) / 360;
+    const away = (radius * 0.92) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect)));
+    this.orbit.target.copy(middle).setY(kRoomHeight / 3);
+    this.camera.position.copy(this.orbit.target).addScaledVector(new Vector3(0.34, 1, 0.82).normalize(), away);
     this.orbit.update();
     this.draw();
   }

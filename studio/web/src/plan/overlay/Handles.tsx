@@ -2,25 +2,26 @@
 import { toRoom } from "../../geometry/footprint";
 import { boxOf } from "../../geometry/polygon";
 import { gripAt, grips } from "../../geometry/resize";
-import { add, length, sub, times, unit, vec, type Vec } from "../../geometry/vec";
+import { add, length, sub, times, turned, unit, vec, type Vec } from "../../geometry/vec";
 import { footprintOf, type Piece } from "../../state/pieces";
 import { usePlan } from "../context";
 import { resizing } from "../gestures/resize";
 import { toScreen, type View } from "../view";
 
-const kArm = 26;
+const kArm = 20;
 const kGrip = 4;
 // Smaller pieces on the screen are not resized by hand.
 const kRoomForGrips = 36;
 const kRoomForMiddles = 64;
 
-// Beyond the front's middle for a lone piece, above the box for several.
+// Off the front right corner of a lone piece, above the box of several: clear of the distances, which begin at the middles.
 function rotateHandle(view: View, pieces: readonly Piece[], poseOf: (piece: Piece) => Piece["pose"]): [Vec, Vec] {
   const [only] = pieces;
   if (pieces.length === 1 && only) {
-    const from = toScreen(view, toRoom(poseOf(only), vec(0, only.size.depth / 2)));
-    const ahead = sub(from, toScreen(view, poseOf(only)));
-    return [from, add(from, times(unit(ahead), kArm))];
+    const { theta } = poseOf(only);
+    const from = toScreen(view, toRoom(poseOf(only), vec(only.size.width / 2, only.size.depth / 2)));
+    const outward = turned(unit(vec(1, 1)), theta);
+    return [from, add(from, times(vec(outward.x, -outward.y), kArm))];
   }
   const { min, max } = boxOf(pieces.flatMap((piece) => footprintOf(piece, poseOf(piece))));
   const from = toScreen(view, vec((min.x + max.x) / 2, max.y));
