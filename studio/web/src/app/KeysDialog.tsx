@@ -5,7 +5,7 @@ import { Dialog } from "./Dialog";
 export const isShowingKeys = signal(false);
 
 const groups: Array<[string, Array<[string, string]>]> = [
-  ["Select", [["Click", "one piece"], ["Shift click", "add or take away"], ["Drag on the floor", "all that is touched"],
+  ["Select", [["Click", "one piece"], ["Double click", "what stands on it"], ["Shift click", "add or take away"], ["Drag on the floor", "all that is touched"],
     ["Ctrl A", "everything"], ["Tab", "the next piece"], ["Esc", "nothing"]]],
   ["Move", [["Drag", "snaps; with Alt it does not, with Shift along one axis"], ["Arrows", "1 cm"], ["Shift arrows", "10 cm"],
     ["R, T", "turn by 90° clockwise, counter-clockwise"], ["Click a distance", "type another one"]]],

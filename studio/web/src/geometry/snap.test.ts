@@ -28,10 +28,15 @@ test("nothing within reach leaves it alone", () => {
 });
 
 test("edges come in line with those of another piece", () => {
-  const other = { id: "other", polygon: corners({ x: 1.2, y: 3, theta: 0 }, size), theta: 0 };
+  const other = { id: "other", polygon: corners({ x: 1.2, y: 2.4, theta: 0 }, size), theta: 0 };
   const { by, guides } = snapped(piece(1.23, 1.4), floor, [other], 0.05);
   assert.ok(Math.abs(by.x + 0.03) < 1e-9);
   assert.equal(guides[0]?.kind, "piece");
+});
+
+test("what is far away catches nothing", () => {
+  const other = { id: "other", polygon: corners({ x: 1.2, y: 4.2, theta: 0 }, size), theta: 0 };
+  assert.deepEqual(snapped(piece(1.23, 1.4), floor, [other], 0.05).guides, []);
 });
 
 test("a turned piece touches a wall with its corner", () => {

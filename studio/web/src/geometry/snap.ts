@@ -3,7 +3,7 @@
 //
 // A candidate asks for an advance d along a direction n. The nearest one is taken, then the nearest in another direction,
 // and both are met exactly: corners need no case of their own, nor do walls at an angle.
-import { boxOf, edgesOf } from "./polygon";
+import { boxesMeet, boxOf, edgesOf } from "./polygon";
 import { add, cross, dot, left, length, sub, times, turned, unit, vec, type Vec } from "./vec";
 
 export interface Guide {
@@ -65,7 +65,16 @@ function guideAlong(n: Vec, offset: number, of: readonly Vec[], kind: Guide["kin
   return { a: at(low), b: at(high), kind };
 }
 
+// Whoever lines things up looks at what is near.
+const kNear = 1.2;
+
+function isNear(a: readonly Vec[], b: readonly Vec[]): boolean {
+  const { min, max } = boxOf(a);
+  return boxesMeet({ min: vec(min.x - kNear, min.y - kNear), max: vec(max.x + kNear, max.y + kNear) }, boxOf(b));
+}
+
 function pieceCandidates(moving: Moving, target: Target, within: number): Candidate[] {
+  if (!isNear(moving.polygon, target.polygon)) return [];
   const quarter = Math.abs(Math.sin(2 * (moving.theta - target.theta)));
   if (quarter > 2 * kParallel) return [];
   return [turned(vec(1, 0), moving.theta), turned(vec(0, 1), moving.theta)].flatMap((n) => {

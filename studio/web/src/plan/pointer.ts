@@ -2,6 +2,7 @@
 // From presses to gestures: what is under the pointer decides which.
 import { useMemo } from "preact/hooks";
 import { grips } from "../geometry/resize";
+import { carrierOf } from "../state/pieces";
 import type { PlanController } from "./controller";
 import type { Gesture } from "./gesture";
 import { marqueeGesture } from "./gestures/marquee";
@@ -17,6 +18,13 @@ function attributeOf(event: Event, name: string): string | undefined {
   return (event.target as Element).closest<SVGElement>(`[data-${name}]`)?.dataset[name];
 }
 
+// The piece that is meant: what carries the one under the pointer, unless that one is selected or asked for by ctrl.
+function pieceAt(plan: PlanController, event: MouseEvent): string | undefined {
+  const id = attributeOf(event, "piece");
+  if (id === undefined || event.ctrlKey || event.metaKey || plan.room.selection.peek().has(id)) return id;
+  return carrierOf(plan.room.pieces.peek(), id);
+}
+
 function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefined {
   if (event.button === kMiddleButton || (event.button === 0 && plan.isSpaceDown.peek())) return panGesture(plan, event);
   if (event.button !== 0) return undefined;
@@ -24,7 +32,7 @@ function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefi
   const grip = attributeOf(event, "grip");
   const [piece] = plan.chosen.peek();
   if (grip !== undefined && piece) return resizeGesture(plan, piece, grips[Number(grip)]!);
-  const pressed = attributeOf(event, "piece");
+  const pressed = pieceAt(plan, event);
   if (pressed) return moveGesture(plan, event, pressed);
   return event.pointerType === "touch" ? panGesture(plan, event) : marqueeGesture(plan, event);
 }
@@ -53,7 +61,7 @@ function handlers(plan: PlanController) {
       if (pinch.move(event)) return;
       const gesture = plan.gesture.peek();
       if (gesture) gesture.move(event);
-      else plan.room.hovered.value = attributeOf(event, "piece") ?? "";
+      else plan.room.hovered.value = pieceAt(plan, event) ?? "";
     },
     onPointerUp(event: PointerEvent) {
       pinch.up(event);
@@ -67,7 +75,9 @@ function handlers(plan: PlanController) {
     },
     onPointerLeave() { plan.room.hovered.value = ""; },
     onDblClick(event: MouseEvent) {
-      if (attributeOf(event, "piece") === undefined && attributeOf(event, "field") === undefined) plan.fit();
+      const id = attributeOf(event, "piece");
+      if (id !== undefined) plan.room.select([id]);
+      else if (attributeOf(event, "field") === undefined) plan.fit();
     },
   };
 }

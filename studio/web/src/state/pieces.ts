@@ -76,6 +76,17 @@ function hostOf(pieces: Pieces, guest: Piece): string {
   return "";
 }
 
+// What a press on a piece means: the piece that carries it, as one moves an armchair and not its cushion.
+export function carrierOf(pieces: Pieces, id: string): string {
+  let piece = pieces.get(id);
+  for (let hops = 0; piece?.object.kind === ObjectKind.SURFACE && hops < 8; hops += 1) {
+    const host = pieces.get(hostOf(pieces, piece));
+    if (!host) break;
+    piece = host;
+  }
+  return piece?.id ?? id;
+}
+
 export function footprintOf(piece: Piece, pose: Pose = piece.pose): Vec[] {
   return corners(pose, piece.size);
 }

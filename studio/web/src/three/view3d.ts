@@ -13,7 +13,6 @@ import { Walk } from "./walk";
 export type Mode = "orbit" | "walk";
 
 const kEyeHeight = 1.6;
-const kRoomHeight = 2.5;
 
 // Pictures in the file are read by <img>: the page's policy lets nothing else read them.
 function makeLoader(): GLTFLoader {
@@ -151,10 +150,11 @@ export class View3d {
   private lookFromAbove(): void {
     const box = this.boxOfRoom(), middle = box.getCenter(new Vector3()), size = box.getSize(new Vector3());
     // So far that a ball around the room is in the picture, whichever way that is narrow.
-    const radius = Math.hypot(size.x, size.z, kRoomHeight) / 2;
+    const height = new Box3().setFromObject(this.model ?? this.scene).max.y;
+    const radius = Math.hypot(size.x, size.z, height) / 2;
     const half = (this.camera.fov * Math.PI) / 360;
-    const away = (radius * 0.92) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect)));
-    this.orbit.target.copy(middle).setY(kRoomHeight / 3);
+    const away = radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect)));
+    this.orbit.target.copy(middle).setY(height / 2);
     this.camera.position.copy(this.orbit.target).addScaledVector(new Vector3(0.34, 1, 0.82).normalize(), away);
     this.orbit.update();
     this.draw();
