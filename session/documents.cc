@@ -79,7 +79,28 @@ v1::Producer Opened() {
 }  // namespace
 
 Documents::Documents(std::unique_ptr<DocumentStore> store, const Channels& channels, DocumentParts parts)
-    : store_(std::move(store)), stages_(channels), parts_(std::move(parts)) {}
+    : store_(std::move(store)), stages_(channels), parts_(std::move(parts)), model_(parts_.model) {}
+
+v1::GetModelResponse Documents::GetModel() {
+  const std::lock_guard lock(mutex_);
+  v1::GetModelResponse response;
+  *response.mutable_model() = model_;
+  response.mutable_model()->clear_api_key();
+  response.set_has_key(!model_.api_key().empty());
+  response.set_can_choose(parts_.choose_model != nullptr);
+  return response;
+}
+
+absl::StatusOr<v1::ChooseModelResponse> Documents::ChooseModel(const v1::ChooseModelRequest& request) {
+  if (parts_.choose_model == nullptr) {
+    return absl::UnimplementedError("the orchestrator elsewhere designs, with its own model");
+  }
+  ASSIGN_OR_RETURN(const Channels channels, parts_.choose_model(request.model()));
+  stages_.DesignBy(channels);
+  const std::lock_guard lock(mutex_);
+  model_ = request.model();
+  return v1::ChooseModelResponse();
+}
 
 absl::StatusOr<std::unique_ptr<Documents>> Documents::Open(const std::string& folder, const Channels& channels,
                                                            DocumentParts parts) {

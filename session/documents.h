@@ -32,6 +32,10 @@ struct DocumentParts {
   std::function<std::vector<std::string>(const v1::SolvedLayout&)> not_as_asked;
   // Furniture that can be added.
   std::vector<v1::FurnitureOffer> furniture;
+  // The model that designs at first, without its key; and how another one comes to: the channels of an orchestrator and
+  // a translator that ask it. Null where the services of another program design.
+  v1::ModelChoice model;
+  std::function<absl::StatusOr<Channels>(const v1::ModelChoice&)> choose_model;
 };
 
 // Every act on documents, for the studio, for agents and for commands: the methods of StudioService, free of gRPC.
@@ -57,6 +61,8 @@ class Documents {
                                                     runtime::CallContext& call);
   absl::StatusOr<v1::ListFurnitureResponse> ListFurniture(const v1::ListFurnitureRequest& request,
                                                           runtime::CallContext& call);
+  v1::GetModelResponse GetModel();
+  absl::StatusOr<v1::ChooseModelResponse> ChooseModel(const v1::ChooseModelRequest& request);
   DocumentEvents& events() { return events_; }
 
  private:
@@ -98,7 +104,8 @@ class Documents {
   const DocumentParts parts_;
   DocumentEvents events_;
 
-  std::mutex mutex_;                                   // of all below
+  std::mutex mutex_;  // of all below
+  v1::ModelChoice model_;
   std::list<std::pair<std::string, Layout>> layouts_;  // latest use first
   std::vector<std::thread> followers_;
   bool closing_ = false;

@@ -15,19 +15,36 @@ namespace flair::session {
 using runtime::CallContext;
 using runtime::UnaryRequest;
 
+// Calls under way keep theirs.
+struct Stages::Designer {
+  explicit Designer(const Channels& channels)
+      : orchestrator(v1::OrchestratorService::NewStub(channels.orchestrator)),
+        translator(v1::TranslatorService::NewStub(channels.translator)) {}
+  const std::unique_ptr<v1::OrchestratorService::Stub> orchestrator;
+  const std::unique_ptr<v1::TranslatorService::Stub> translator;
+};
+
 struct Stages::Stubs {
-  std::unique_ptr<v1::OrchestratorService::Stub> orchestrator;
-  std::unique_ptr<v1::TranslatorService::Stub> translator;
   std::unique_ptr<v1::OptimizerService::Stub> optimizer;
   std::unique_ptr<v1::RendererService::Stub> renderer;
 };
 
 Stages::Stages(const Channels& channels)
-    : stubs_(new Stubs{.orchestrator = v1::OrchestratorService::NewStub(channels.orchestrator),
-                       .translator = v1::TranslatorService::NewStub(channels.translator),
-                       .optimizer = v1::OptimizerService::NewStub(channels.optimizer),
-                       .renderer = v1::RendererService::NewStub(channels.renderer)}) {}
+    : stubs_(new Stubs{.optimizer = v1::OptimizerService::NewStub(channels.optimizer),
+                       .renderer = v1::RendererService::NewStub(channels.renderer)}),
+      designer_(std::make_shared<Designer>(channels)) {}
 Stages::~Stages() = default;
+
+void Stages::DesignBy(const Channels& channels) {
+  const auto designer = std::make_shared<Designer>(channels);
+  const std::lock_guard lock(mutex_);
+  designer_ = designer;
+}
+
+std::shared_ptr<Stages::Designer> Stages::DesignerNow() {
+  const std::lock_guard lock(mutex_);
+  return designer_;
+}
 
 absl::StatusOr<v1::SolveResponse> Stages::Solve(const v1::SolveRequest& request, CallContext& call) {
   return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Solve, request, call);
@@ -49,7 +66,7 @@ absl::StatusOr<v1::ConstraintCatalog> Stages::Catalog(CallContext& call) {
   return *catalog_;
 }
 absl::StatusOr<v1::TranslateResponse> Stages::Translate(const v1::TranslateRequest& request, CallContext& call) {
-  return UnaryRequest(*stubs_->translator, &v1::TranslatorService::StubInterface::Translate, request, call);
+  return UnaryRequest(*DesignerNow()->translator, &v1::TranslatorService::StubInterface::Translate, request, call);
 }
 absl::StatusOr<v1::RenderResponse> Stages::Render(const v1::RenderRequest& request, CallContext& call) {
   return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::Render, request, call);
@@ -65,14 +82,15 @@ absl::StatusOr<v1::DrawPlanPartsResponse> Stages::DrawPlanParts(const v1::DrawPl
 absl::StatusOr<v1::Job> Stages::CreateJob(const v1::CreateJobRequest& request, CallContext& call) {
   ASSIGN_OR_RETURN(
       v1::CreateJobResponse response,
-      UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::CreateJob, request, call));
+      UnaryRequest(*DesignerNow()->orchestrator, &v1::OrchestratorService::StubInterface::CreateJob, request, call));
   return std::move(*response.mutable_job());
 }
 absl::StatusOr<v1::Job> Stages::GetJob(const std::string& id, CallContext& call) {
   v1::GetJobRequest request;
   request.set_job_id(id);
-  ASSIGN_OR_RETURN(v1::GetJobResponse response,
-                   UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::GetJob, request, call));
+  ASSIGN_OR_RETURN(
+      v1::GetJobResponse response,
+      UnaryRequest(*DesignerNow()->orchestrator, &v1::OrchestratorService::StubInterface::GetJob, request, call));
   return std::move(*response.mutable_job());
 }
 absl::StatusOr<v1::Artifact> Stages::GetArtifact(const std::string& id, CallContext& call) {
@@ -80,7 +98,7 @@ absl::StatusOr<v1::Artifact> Stages::GetArtifact(const std::string& id, CallCont
   request.set_artifact_id(id);
   ASSIGN_OR_RETURN(
       v1::GetArtifactResponse response,
-      UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::GetArtifact, request, call));
+      UnaryRequest(*DesignerNow()->orchestrator, &v1::OrchestratorService::StubInterface::GetArtifact, request, call));
   return std::move(*response.mutable_artifact());
 }
 
@@ -91,7 +109,8 @@ absl::Status Stages::WatchJob(const std::string& id, int64_t after_sequence,
   request.set_after_sequence(after_sequence);
   grpc::ClientContext context;
   const runtime::OnCancel guard(call.cancellation(), [&context] { context.TryCancel(); });
-  const auto reader = stubs_->orchestrator->WatchJob(&context, request);
+  const std::shared_ptr<Designer> designer = DesignerNow();
+  const auto reader = designer->orchestrator->WatchJob(&context, request);
   v1::WatchJobResponse response;
   while (reader->Read(&response)) see(response.event());
   return runtime::FromGrpcStatus(reader->Finish(), context);

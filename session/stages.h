@@ -31,6 +31,9 @@ struct Channels {
 class Stages {
  public:
   explicit Stages(const Channels& channels);
+  // Jobs that are created and sentences that are translated from now on go there; the rest of the channels is not used.
+  // The other orchestrator has the same jobs and artifacts.
+  void DesignBy(const Channels& channels);
   ~Stages();
 
   absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, runtime::CallContext& call);
@@ -54,8 +57,12 @@ class Stages {
 
  private:
   struct Stubs;
+  struct Designer;
+  std::shared_ptr<Designer> DesignerNow();
+
   const std::unique_ptr<Stubs> stubs_;
   std::mutex mutex_;
+  std::shared_ptr<Designer> designer_;
   std::optional<v1::ConstraintCatalog> catalog_;
 };
 

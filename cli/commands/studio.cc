@@ -8,7 +8,7 @@
 #include "cli/commands/commands.h"
 #include "cli/input/options.h"
 #include "cli/input/service_flags.h"
-#include "cli/session/embedded_documents.h"
+#include "cli/session/open_documents.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "flair/v1/studio_service.grpc.pb.h"
 #include "fmt/format.h"
@@ -25,6 +25,8 @@ namespace {
 struct StudioArguments : Options {
   using Options::Options;
   int& port = Whole("--port N", 0, 65535, 0, "Port of 127.0.0.1 to serve on; 0 takes a free one (0)");
+  std::string& orchestrator =
+      Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
   StageFlags stages{command()};
   LlmFlags llm{command()};
 };
@@ -37,17 +39,17 @@ const std::vector<std::string>& JobMethods() {
   return methods;
 }
 
-// Until ^C or SIGTERM, or until whoever started it has closed standard input's other end, as a test does.
+// Until ^C or SIGTERM.
 void WaitForStop(int stop) {
   pollfd waited = {.fd = stop, .events = POLLIN, .revents = 0};
   while (::poll(&waited, 1, -1) < 0) continue;
 }
 
 absl::Status Studio(const StudioArguments& arguments) {
-  RETURN_IF_ERROR(CheckStageFlags(arguments.stages, "", arguments.llm));
-  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadLlmFlags(arguments.llm));
+  RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
+  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(arguments.llm, {}, arguments.orchestrator));
   ASSIGN_OR_RETURN(const int stop, StopDescriptor());
-  ASSIGN_OR_RETURN(const auto opened, EmbeddedDocuments::Open(llm, arguments.stages));
+  ASSIGN_OR_RETURN(const auto opened, OpenDocuments::Open(arguments.orchestrator, llm, arguments.stages));
   config::v1::RuntimeConfig runtime;
   runtime.set_log_level("error");
   const auto make = [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {
@@ -64,7 +66,7 @@ absl::Status Studio(const StudioArguments& arguments) {
                        .methods = {},
                        .upload_methods = {"CreateDocument"}},
                       {.full_name = v1::OrchestratorService::service_full_name(),
-                       .channel = opened->services().orchestrator(),
+                       .channel = opened->orchestrator(),
                        .methods = JobMethods(),
                        .upload_methods = {}}};
   ASSIGN_OR_RETURN(const auto gateway, studio::Gateway::Start(options));

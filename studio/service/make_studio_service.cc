@@ -88,6 +88,12 @@ class StudioService final : public runtime::Service {
     Unary<v1::DeleteDocumentRequest>(
         "DeleteDocument",
         [&documents](const v1::DeleteDocumentRequest& request, CallContext&) { return documents.Delete(request); });
+    Unary<v1::GetModelRequest>("GetModel", [&documents](const v1::GetModelRequest&, CallContext&) {
+      return absl::StatusOr<v1::GetModelResponse>(documents.GetModel());
+    });
+    Unary<v1::ChooseModelRequest>("ChooseModel", [&documents](const v1::ChooseModelRequest& request, CallContext&) {
+      return documents.ChooseModel(request);
+    });
     Add<v1::CreateDocumentRequest>("CreateDocument", documents, &Documents::Create);
     Add<v1::ActRequest>("Act", documents, &Documents::Act);
     Add<v1::JudgeRequest>("Judge", documents, &Documents::Judge);
