@@ -46,6 +46,7 @@ Reply NoCookieReply(const RequestHead& head) {
                        "</head><body><p>{}</p></body></html>\n",
                        again ? "<meta http-equiv=\"refresh\" content=\"0; url=/\">" : "", kWords));
   reply.headers[0].second = "text/html; charset=utf-8";
+  reply.close = true;
   return reply;
 }
 

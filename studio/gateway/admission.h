@@ -29,7 +29,7 @@ class Admission {
  public:
   Admission(std::string token, int port);
 
-  // The answer to a request that may not go on; nothing when it may.
+  // The answer to a request that may not go on, mostly the last one of its connection; nothing when it may.
   std::optional<Reply> Answer(const RequestHead& head) const;
 
  private:

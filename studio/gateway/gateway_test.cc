@@ -18,12 +18,6 @@ using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr char kService[] = "flair.v1.StudioService";
-constexpr char kGet[] = "/flair.v1.StudioService/GetDocument";
-constexpr char kList[] = "/flair.v1.StudioService/ListDocuments";
-constexpr char kCreate[] = "/flair.v1.StudioService/CreateDocument";
-constexpr char kWatch[] = "/flair.v1.StudioService/WatchDocuments";
-
 class GatewayTest : public ::testing::Test {
  protected:
   void Start(const GatewayLimits& limits = {}) {
@@ -47,7 +41,7 @@ TEST_F(GatewayTest, AnswersUnaryCallsOnOneConnection) {
   Start();
   Browser browser(*gateway_);
   for (const std::string id : {"a", "b", "\\u00e9"}) {
-    const Answer answer = browser.Ask(browser.Post(kGet, fmt::format(R"({{"documentId":"{}"}})", id)));
+    const Answer answer = browser.Ask(browser.Post(kGetDocument, fmt::format(R"({{"documentId":"{}"}})", id)));
     EXPECT_EQ(answer.status, 200);
     EXPECT_EQ(answer.headers.at("content-type"), "application/json");
     EXPECT_EQ(answer.headers.at("cache-control"), "no-store");
@@ -75,7 +69,7 @@ TEST_F(GatewayTest, GivesEachErrorItsNameAndStatus) {
                                                           {"data_loss", 500},
                                                           {"unauthenticated", 401}};
   for (size_t i = 0; i < codes.size(); ++i) {
-    const Answer answer = browser.Ask(browser.Post(kGet, fmt::format(R"({{"documentId":"error/{}"}})", i + 1)));
+    const Answer answer = browser.Ask(browser.Post(kGetDocument, fmt::format(R"({{"documentId":"error/{}"}})", i + 1)));
     EXPECT_EQ(answer.status, codes[i].second) << codes[i].first;
     EXPECT_EQ(json::parse(answer.body),
               json({{"code", codes[i].first}, {"message", fmt::format("words of error/{}", i + 1)}}));
@@ -88,7 +82,7 @@ TEST_F(GatewayTest, SaysInPlainWordsThatTheServiceIsNotThere) {
   options.token = TestToken();
   const auto gateway = Gateway::Start(std::move(options));
   Browser browser(**gateway);
-  const Answer answer = browser.Ask(browser.Post(kGet, "{}"));
+  const Answer answer = browser.Ask(browser.Post(kGetDocument, "{}"));
   EXPECT_EQ(answer.status, 503);
   EXPECT_EQ(json::parse(answer.body)["message"], "there is no socket unix:/nowhere/studio");
 }
@@ -106,7 +100,7 @@ TEST_F(GatewayTest, NamesWhatIsWrongWithARequest) {
       {std::string(100000, '{'), "is no flair.v1.GetDocumentRequest"},
       {R"({"documentId":")" + std::string(1000, 'a'), "is no flair.v1.GetDocumentRequest"}};
   for (const auto& [body, words] : cases) {
-    const Answer answer = browser.Ask(browser.Post(kGet, body));
+    const Answer answer = browser.Ask(browser.Post(kGetDocument, body));
     EXPECT_EQ(answer.status, 400) << body.substr(0, 50);
     EXPECT_EQ(json::parse(answer.body)["code"], "invalid_argument");
     EXPECT_THAT(std::string(json::parse(answer.body)["message"]), HasSubstr(words));
@@ -120,7 +114,7 @@ TEST_F(GatewayTest, RefusesMessagesWithinMessagesWithoutEnd) {
   std::string deep;
   for (int i = 0; i < 10000; ++i) deep += R"({"design":{"room":)";
   Browser browser(*gateway_);
-  const Answer answer = browser.Ask(browser.Post(kCreate, deep));
+  const Answer answer = browser.Ask(browser.Post(kCreateDocument, deep));
   EXPECT_EQ(answer.status, 400);
 }
 
@@ -143,24 +137,26 @@ TEST_F(GatewayTest, HoldsCallsToTheirDeadlines) {
   Browser browser(*gateway_);
   const auto left = [&](const std::string& timeout) {
     const Answer answer =
-        browser.Ask(browser.Post(kGet, R"({"documentId":"deadline"})", {{"Connect-Timeout-Ms", timeout}}));
+        browser.Ask(browser.Post(kGetDocument, R"({"documentId":"deadline"})", {{"Connect-Timeout-Ms", timeout}}));
     return std::stoi(std::string(json::parse(answer.body)["document"]["revision"]));
   };
   EXPECT_THAT(left("50000"), AllOf(::testing::Gt(30000), ::testing::Le(50000)));
   EXPECT_THAT(left("9999999999"), AllOf(::testing::Gt(80000), ::testing::Le(100000)));
   EXPECT_THAT(left(""), AllOf(::testing::Gt(80000), ::testing::Le(100000)));
-  const Answer late = browser.Ask(browser.Post(kGet, R"({"documentId":"wait"})", {{"Connect-Timeout-Ms", "1"}}));
+  const Answer late =
+      browser.Ask(browser.Post(kGetDocument, R"({"documentId":"wait"})", {{"Connect-Timeout-Ms", "1"}}));
   EXPECT_EQ(late.status, 504);
   EXPECT_EQ(json::parse(late.body), json({{"code", "deadline_exceeded"}, {"message", "no answer in time"}}));
   for (const std::string wrong : {"-1", "x", "1.5", "12345678901", "1 "}) {
-    EXPECT_EQ(browser.Ask(browser.Post(kGet, "{}", {{"Connect-Timeout-Ms", wrong + "x"}})).status, 400) << wrong;
+    EXPECT_EQ(browser.Ask(browser.Post(kGetDocument, "{}", {{"Connect-Timeout-Ms", wrong + "x"}})).status, 400)
+        << wrong;
   }
 }
 
 TEST_F(GatewayTest, CancelsTheCallOfABrowserThatHasGone) {
   Start();
   Browser browser(*gateway_);
-  browser.Say(browser.Post(kGet, R"({"documentId":"wait"})"));
+  browser.Say(browser.Post(kGetDocument, R"({"documentId":"wait"})"));
   studio_.AwaitWaiting(1);
   browser.Leave();
   studio_.AwaitCancelled(1);
@@ -169,7 +165,7 @@ TEST_F(GatewayTest, CancelsTheCallOfABrowserThatHasGone) {
 TEST_F(GatewayTest, StreamsUntilTheServiceEnds) {
   Start();
   Browser browser(*gateway_);
-  browser.Say(browser.PostStream(kWatch, "{}"));
+  browser.Say(browser.PostStream(kWatchDocuments, "{}"));
   const Answer head = browser.ReadStreamHead();
   EXPECT_EQ(head.status, 200);
   EXPECT_EQ(head.headers.at("content-type"), "application/connect+json");
@@ -194,20 +190,20 @@ TEST_F(GatewayTest, StreamsUntilTheServiceEnds) {
 TEST_F(GatewayTest, EndsAStreamWithTheErrorOfTheService) {
   Start();
   Browser browser(*gateway_);
-  browser.Say(browser.PostStream(kWatch, "{}"));
+  browser.Say(browser.PostStream(kWatchDocuments, "{}"));
   EXPECT_EQ(browser.ReadStreamHead().status, 200);
   studio_.AwaitWaiting(1);
   studio_.EndStreams({grpc::StatusCode::ABORTED, "enough \xff"});
   EXPECT_EQ(browser.ReadMessage()->json, "{\"error\":{\"code\":\"aborted\",\"message\":\"enough \xef\xbf\xbd\"}}");
   EXPECT_FALSE(browser.ReadMessage().has_value());
-  EXPECT_EQ(browser.Ask(browser.Post(kGet, R"({"documentId":"a"})")).status, 200);
+  EXPECT_EQ(browser.Ask(browser.Post(kGetDocument, R"({"documentId":"a"})")).status, 200);
 }
 
 TEST_F(GatewayTest, SaysInTheStreamWhatIsWrongWithItsRequest) {
   Start();
   for (const std::string message : {"{\"a\":1}", "", "x"}) {
     Browser browser(*gateway_);
-    browser.Say(browser.PostStream(kWatch, message));
+    browser.Say(browser.PostStream(kWatchDocuments, message));
     EXPECT_EQ(browser.ReadStreamHead().status, 200);
     const std::optional<Message> end = browser.ReadMessage();
     EXPECT_TRUE(end->last);
@@ -216,7 +212,7 @@ TEST_F(GatewayTest, SaysInTheStreamWhatIsWrongWithItsRequest) {
   for (const std::string& body : {std::string(), std::string(4, '\0'), std::string("\0\0\0\0\1{}", 7),
                                   std::string("\1\0\0\0\2{}", 7), std::string("\0\xff\xff\xff\xff{}", 7)}) {
     Browser browser(*gateway_);
-    browser.Say(browser.Post(kWatch, body, {{"Content-Type", "application/connect+json"}}));
+    browser.Say(browser.Post(kWatchDocuments, body, {{"Content-Type", "application/connect+json"}}));
     EXPECT_EQ(browser.ReadStreamHead().status, 200);
     EXPECT_EQ(json::parse(browser.ReadMessage()->json)["error"]["code"], "invalid_argument");
   }
@@ -225,7 +221,7 @@ TEST_F(GatewayTest, SaysInTheStreamWhatIsWrongWithItsRequest) {
 TEST_F(GatewayTest, CancelsTheStreamOfABrowserThatHasGone) {
   Start();
   Browser browser(*gateway_);
-  browser.Say(browser.PostStream(kWatch, "{}"));
+  browser.Say(browser.PostStream(kWatchDocuments, "{}"));
   EXPECT_EQ(browser.ReadStreamHead().status, 200);
   studio_.AwaitWaiting(1);
   browser.Leave();
@@ -239,20 +235,20 @@ TEST_F(GatewayTest, TakesOnlySoManyStreams) {
   std::vector<std::unique_ptr<Browser>> browsers;
   for (int i = 0; i < 3; ++i) {
     browsers.push_back(std::make_unique<Browser>(*gateway_));
-    browsers.back()->Say(browsers.back()->PostStream(kWatch, "{}"));
+    browsers.back()->Say(browsers.back()->PostStream(kWatchDocuments, "{}"));
     EXPECT_EQ(browsers.back()->ReadStreamHead().status, 200);
   }
   EXPECT_EQ(json::parse(browsers[2]->ReadMessage()->json)["error"]["code"], "resource_exhausted");
-  EXPECT_EQ(browsers[2]->Ask(browsers[2]->Post(kGet, "{}")).status, 0);
+  EXPECT_EQ(browsers[2]->Ask(browsers[2]->Post(kGetDocument, "{}")).status, 0);
 }
 
 TEST_F(GatewayTest, StopEndsStreamsAndWaitsForAnswers) {
   Start();
   Browser listener(*gateway_);
-  listener.Say(listener.PostStream(kWatch, "{}"));
+  listener.Say(listener.PostStream(kWatchDocuments, "{}"));
   EXPECT_EQ(listener.ReadStreamHead().status, 200);
   Browser caller(*gateway_);
-  caller.Say(caller.Post(kGet, R"({"documentId":"wait"})"));
+  caller.Say(caller.Post(kGetDocument, R"({"documentId":"wait"})"));
   Browser idle(*gateway_);
   studio_.AwaitWaiting(2);
   const auto stopped = std::async(std::launch::async, [this] { gateway_->Stop(); });
@@ -271,7 +267,7 @@ TEST_F(GatewayTest, StopDoesNotWaitForEver) {
   limits.drain_timeout = absl::ZeroDuration();
   Start(limits);
   Browser browser(*gateway_);
-  browser.Say(browser.Post(kGet, R"({"documentId":"wait"})"));
+  browser.Say(browser.Post(kGetDocument, R"({"documentId":"wait"})"));
   studio_.AwaitWaiting(1);
   gateway_->Stop();
   studio_.AwaitCancelled(1);
@@ -285,18 +281,19 @@ TEST_F(GatewayTest, TakesLargeFilesOnlyWhereTheyAreUploaded) {
   {
     Browser browser(*gateway_);
     const std::string file((30 << 20) - 100, 'A');
-    const Answer answer = browser.Ask(browser.Post(kCreate, R"({"file":")" + file + "\"}"));
+    const Answer answer = browser.Ask(browser.Post(kCreateDocument, R"({"file":")" + file + "\"}"));
     EXPECT_EQ(answer.status, 200) << answer.body;
     EXPECT_EQ(json::parse(answer.body)["document"]["title"], std::to_string(file.size() / 4 * 3));
   }
   {
     Browser browser(*gateway_);
-    const Answer answer = browser.Ask(browser.Post(kGet, R"({"documentId":")" + std::string(1000, 'a') + "\"}"));
+    const Answer answer =
+        browser.Ask(browser.Post(kGetDocument, R"({"documentId":")" + std::string(1000, 'a') + "\"}"));
     EXPECT_EQ(answer.status, 413);
     EXPECT_EQ(json::parse(answer.body)["code"], "resource_exhausted");
   }
   Browser browser(*gateway_);
-  browser.Say(browser.Post(kCreate, "", {{"Content-Length", std::to_string(41 << 20)}}));
+  browser.Say(browser.Post(kCreateDocument, "", {{"Content-Length", std::to_string(41 << 20)}}));
   EXPECT_EQ(browser.Read().status, 413);
 }
 
@@ -306,20 +303,20 @@ TEST_F(GatewayTest, HoldsOnlySoManyBytes) {
   Start(limits);
   // Bodies that never come whole.
   Browser first(*gateway_);
-  first.Say(first.Post(kCreate, "{", {{"Content-Length", "60000"}}));
+  first.Say(first.Post(kCreateDocument, "{", {{"Content-Length", "60000"}}));
   // Until the gateway has heard of the first, there is room for the second.
   Answer answer;
   do {
     Browser second(*gateway_);
-    second.Say(second.Post(kCreate, "", {{"Content-Length", "60000"}, {"Expect", "100-continue"}}));
+    second.Say(second.Post(kCreateDocument, "", {{"Content-Length", "60000"}, {"Expect", "100-continue"}}));
     answer = second.Read();
   } while (answer.status == 100);
   EXPECT_EQ(answer.status, 429);
   EXPECT_EQ(json::parse(answer.body)["code"], "resource_exhausted");
   // Answers count too.
   Browser third(*gateway_);
-  EXPECT_EQ(third.Ask(third.Post(kList, R"({"pageSize":20})")).status, 200);
-  EXPECT_EQ(third.Ask(third.Post(kList, R"({"pageSize":80})")).status, 429);
+  EXPECT_EQ(third.Ask(third.Post(kListDocuments, R"({"pageSize":20})")).status, 200);
+  EXPECT_EQ(third.Ask(third.Post(kListDocuments, R"({"pageSize":80})")).status, 429);
   first.Leave();
 }
 

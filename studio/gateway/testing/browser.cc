@@ -81,6 +81,11 @@ bool Browser::Say(std::string_view bytes) {
   return !error;
 }
 
+void Browser::FinishSaying() {
+  error_code ignored;
+  socket_.shutdown(tcp::socket::shutdown_send, ignored);
+}
+
 bool Browser::ReadUntil(std::string_view end) {
   error_code error;
   asio::read_until(socket_, asio::dynamic_buffer(buffer_), end, error);

@@ -46,6 +46,8 @@ class Browser {
 
   // False when the other side has closed.
   bool Say(std::string_view bytes);
+  // Nothing more will be said.
+  void FinishSaying();
   // The next answer.
   Answer Read(bool head_only = false);
   Answer Ask(std::string_view request) { return Say(request) ? Read() : Answer{}; }

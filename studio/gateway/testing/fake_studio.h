@@ -14,6 +14,12 @@
 
 namespace flair::studio::testing {
 
+inline constexpr char kService[] = "flair.v1.StudioService";
+inline constexpr char kGetDocument[] = "/flair.v1.StudioService/GetDocument";
+inline constexpr char kListDocuments[] = "/flair.v1.StudioService/ListDocuments";
+inline constexpr char kCreateDocument[] = "/flair.v1.StudioService/CreateDocument";
+inline constexpr char kWatchDocuments[] = "/flair.v1.StudioService/WatchDocuments";
+
 class FakeStudio final : public v1::StudioService::CallbackService {
  public:
   FakeStudio();
