@@ -1,50 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { useComputed } from "@preact/signals";
+import { memo } from "preact/compat";
 import { boxOf } from "../../geometry/polygon";
-import type { Vec } from "../../geometry/vec";
+import { vec } from "../../geometry/vec";
 import type { PlanPart } from "../../gen/flair/v1/renderer_service_pb";
 import { footprintOf, isSolid, nameOf, type Piece } from "../../state/pieces";
 import { usePlan } from "../context";
 import { toScreen } from "../view";
 
 const kLeading = 1.18;
+// Pixels: below, letters are not read; above, they are louder than the drawing.
 const kSmallest = 7.5;
 const kLargest = 15;
 const kPlainSize = 11.5;
 
-function Text({ lines, at, size, name }: { lines: readonly string[]; at: Vec; size: number; name: string }) {
-  const first = at.y + size * 0.35 - ((lines.length - 1) * size * kLeading) / 2;
+interface LabelProps {
+  piece: Piece;
+  text: string;
+  // Of the letters, and from the piece's middle, metres; 0 for letters of a size in pixels.
+  size: number;
+  shiftX: number;
+  shiftY: number;
+}
+
+// Only its transform changes while a piece is dragged.
+const Label = memo(function Label({ piece, text, size, shiftX, shiftY }: LabelProps) {
+  const { room, view } = usePlan();
+  const pixels = useComputed(() => (size > 0 ? Math.min(size * view.value.scale, kLargest) : kPlainSize));
+  const place = useComputed(() => {
+    const at = toScreen(view.value, room.poseOf(piece.id) ?? piece.pose), { scale } = view.value;
+    return `translate(${(at.x + shiftX * scale).toFixed(1)} ${(at.y + shiftY * scale).toFixed(1)})`;
+  });
+  const isShown = useComputed(() => pixels.value >= kSmallest);
+  const lines = text.split("\n");
+  if (!isShown.value) return null;
   return (
-    <text class={name} font-size={size}>
-      {lines.map((line, i) => <tspan key={i} x={at.x} y={first + i * size * kLeading}>{line}</tspan>)}
+    <text transform={place} font-size={pixels}>
+      {lines.map((line, i) => <tspan key={i} x="0" y={`${0.35 + (i - (lines.length - 1) / 2) * kLeading}em`}>{line}</tspan>)}
     </text>
   );
+}, (a, b) => a.piece.id === b.piece.id && a.text === b.text && a.size === b.size && a.shiftX === b.shiftX && a.shiftY === b.shiftY);
+
+function hasLabel(piece: Piece, part: PlanPart | undefined): boolean {
+  return part ? part.label !== "" : isSolid(piece);
 }
 
-// The name of a piece that is pointed at, above it where it has none on it.
-function pointed(piece: Piece, at: Vec, top: number) {
-  return <Text key={piece.id} lines={[nameOf(piece.object)]} at={{ x: at.x, y: top - 11 }} size={kPlainSize} name="is-pointed" />;
+// The name of what is pointed at, above it where nothing is written on it.
+function Pointed({ parts }: { parts: ReadonlyMap<string, PlanPart> }) {
+  const plan = usePlan(), { room } = plan;
+  const piece = plan.gesture.value ? undefined : room.pieces.value.get(room.hovered.value);
+  if (!piece || hasLabel(piece, parts.get(piece.id))) return null;
+  const box = boxOf(footprintOf(piece, room.poseOf(piece.id)));
+  const at = toScreen(plan.view.value, vec((box.min.x + box.max.x) / 2, box.max.y));
+  return <text class="is-pointed" font-size={kPlainSize} x={at.x} y={at.y - 8}>{nameOf(piece.object)}</text>;
 }
 
-// The renderer's labels, upright and no larger than reads well; without a drawing, the names of what stands on the floor.
+// The renderer's labels, upright; without a drawing, the names of what stands on the floor.
 export function Labels() {
-  const plan = usePlan(), { room } = plan, view = plan.view.value;
-  const parts = new Map<string, PlanPart>(room.parts.value?.parts.map((part) => [part.objectId, part]));
-  const hovered = plan.gesture.value ? "" : room.hovered.value;
+  const { room } = usePlan();
+  const parts = new Map(room.parts.value?.parts.map((part) => [part.objectId, part]));
+  const pieces = [...room.pieces.value.values()];
   return (
     <g class="labels" pointer-events="none">
-      {[...room.pieces.value.values()].map((piece) => {
-        const pose = room.poseOf(piece.id) ?? piece.pose, at = toScreen(view, pose);
+      {pieces.filter((piece) => hasLabel(piece, parts.get(piece.id))).map((piece) => {
         const part = parts.get(piece.id);
-        const label = part?.label ?? (isSolid(piece) ? piece.object.name : "");
-        const size = part?.label ? part.labelSizeM * view.scale : kPlainSize;
-        if (hovered === piece.id && (!label || size < kSmallest)) {
-          return pointed(piece, at, toScreen(view, boxOf(footprintOf(piece, pose)).max).y);
-        }
-        if (!label || size < kSmallest) return null;
-        const shift = { x: (part?.labelXM ?? 0) * view.scale, y: (part?.labelYM ?? 0) * view.scale };
-        return <Text key={piece.id} lines={label.split("\n")} at={{ x: at.x + shift.x, y: at.y + shift.y }}
-          size={Math.min(size, kLargest)} name="" />;
+        return <Label key={piece.id} piece={piece} text={part?.label ?? piece.object.name} size={part?.labelSizeM ?? 0}
+          shiftX={part?.labelXM ?? 0} shiftY={part?.labelYM ?? 0} />;
       })}
+      <Pointed parts={parts} />
     </g>
   );
 }
