@@ -3,6 +3,7 @@
 import { Code, ConnectError } from "@connectrpc/connect";
 
 export function sentenceOf(error: unknown): string {
+  if (isAway(error)) return "The server does not answer.";
   return ConnectError.from(error).rawMessage || "Something went wrong.";
 }
 
@@ -11,6 +12,12 @@ export function isAway(error: unknown): boolean {
   if (error instanceof TypeError) return true;
   const problem = ConnectError.from(error);
   return problem.code === Code.Unavailable || problem.cause instanceof TypeError;
+}
+
+// The server does not know this page: it was started anew.
+export function isRefused(error: unknown): boolean {
+  const { code } = ConnectError.from(error);
+  return code === Code.Unauthenticated || code === Code.PermissionDenied;
 }
 
 // Somebody else has changed the document.

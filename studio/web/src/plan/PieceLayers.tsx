@@ -49,8 +49,7 @@ const PieceElement = memo(function PieceElement({ id, svg, shadow, width, depth,
       </g>
     </>
   );
-}, (a, b) => a.id === b.id && a.svg === b.svg && a.width === b.width && a.depth === b.depth && a.name === b.name
-  && a.shadow?.svg === b.shadow?.svg && a.shadow?.x === b.shadow?.x && a.shadow?.y === b.shadow?.y);
+}, (a, b) => a.svg === b.svg && a.name === b.name && a.shadow?.svg === b.shadow?.svg);
 
 function shadowOf(part: PlanPart | undefined): Shadow | undefined {
   return part?.shadowSvg ? { svg: part.shadowSvg, x: part.shadowXM, y: part.shadowYM } : undefined;
@@ -70,12 +69,14 @@ export function PieceLayers() {
   const sorted = [...pieces.values()].sort((a, b) => (order.get(a.id)?.i ?? 1e6) - (order.get(b.id)?.i ?? 1e6));
   const layer = (which: "below" | "middle" | "above") => sorted
     .filter((piece) => layerOf(piece, order.get(piece.id)?.part) === which)
-    .map((piece) => (
-      <PieceElement key={piece.id} id={piece.id} svg={order.get(piece.id)?.part.svg ?? plainPiece(piece)}
-        shadow={shadowOf(order.get(piece.id)?.part)}
-        width={piece.size.width} depth={piece.size.depth} isCeiling={piece.object.kind === ObjectKind.CEILING}
-        name={nameOf(piece.object)} />
-    ));
+    .map((piece) => {
+      const { width, depth } = piece.size;
+      const shadow = shadowOf(order.get(piece.id)?.part);
+      // Computed signals keep what they have read of their component: what that depends on is in the key.
+      return <PieceElement key={[piece.id, width, depth, shadow?.x, shadow?.y].join(" ")} id={piece.id}
+        svg={order.get(piece.id)?.part.svg ?? plainPiece(piece)} shadow={shadow} width={width} depth={depth}
+        isCeiling={piece.object.kind === ObjectKind.CEILING} name={nameOf(piece.object)} />;
+    });
   const plain = parts ? undefined : plainFloor(room.floor.value);
   return (
     <>

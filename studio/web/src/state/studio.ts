@@ -6,7 +6,7 @@ import { useContext } from "preact/hooks";
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { Clients } from "../api/clients";
 import { newRequestId } from "../api/ids";
-import { isAway, sentenceOf } from "../api/problems";
+import { sentenceOf } from "../api/problems";
 import { watchDocuments, type Connection } from "../api/watch";
 import { JobState } from "../gen/flair/v1/job_pb";
 import type { CreateDocumentRequestSchema, Document, WatchDocumentsResponse } from "../gen/flair/v1/studio_service_pb";
@@ -63,7 +63,7 @@ export class Studio {
     try {
       return await call();
     } catch (error) {
-      this.toasts.error(isAway(error) ? "The server does not answer." : sentenceOf(error));
+      this.toasts.error(sentenceOf(error));
       return undefined;
     }
   }

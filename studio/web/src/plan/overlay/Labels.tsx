@@ -39,7 +39,7 @@ const Label = memo(function Label({ piece, text, size, shiftX, shiftY }: LabelPr
       {lines.map((line, i) => <tspan key={i} x="0" y={`${0.35 + (i - (lines.length - 1) / 2) * kLeading}em`}>{line}</tspan>)}
     </text>
   );
-}, (a, b) => a.piece.id === b.piece.id && a.text === b.text && a.size === b.size && a.shiftX === b.shiftX && a.shiftY === b.shiftY);
+}, (a, b) => a.text === b.text);
 
 function hasLabel(piece: Piece, part: PlanPart | undefined): boolean {
   return part ? part.label !== "" : isSolid(piece);
@@ -63,9 +63,9 @@ export function Labels() {
   return (
     <g class="labels" pointer-events="none">
       {pieces.filter((piece) => hasLabel(piece, parts.get(piece.id))).map((piece) => {
-        const part = parts.get(piece.id);
-        return <Label key={piece.id} piece={piece} text={part?.label ?? piece.object.name} size={part?.labelSizeM ?? 0}
-          shiftX={part?.labelXM ?? 0} shiftY={part?.labelYM ?? 0} />;
+        const { label = piece.object.name, labelSizeM: size = 0, labelXM: shiftX = 0, labelYM: shiftY = 0 } = parts.get(piece.id) ?? {};
+        // Computed signals keep what they have read of their component: what that depends on is in the key.
+        return <Label key={[piece.id, size, shiftX, shiftY].join(" ")} piece={piece} text={label} size={size} shiftX={shiftX} shiftY={shiftY} />;
       })}
       <Pointed parts={parts} />
     </g>

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { StudioPage } from "./studio_page.mjs";
+
+let studio;
+before(async () => {
+  studio = await StudioPage.open();
+  await studio.design("A bedroom that is 4m x 5m.");
+});
+after(() => studio.close());
+
+test("a brief becomes a plan with nothing to undo", async () => {
+  assert.equal(await studio.undoLabel(), "Undo: nothing");
+  assert.ok(await studio.page.locator(".piece").count() > 8);
+});
+
+test("a piece that is dragged is judged on its way, and stays there as one act", async () => {
+  const { page } = studio;
+  const before = await studio.box("wardrobe");
+  await studio.drag("wardrobe", 120, 150, () => page.waitForSelector(".sentence.is-live.is-missed"));
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  const after = await studio.box("wardrobe");
+  assert.ok(after.y - before.y > 100);
+  assert.equal(await page.locator(".sentence.is-live").count(), 0);
+  assert.ok(await page.locator(".sentence.is-missed").count() > 0);
+});
+
+test("undo puts it back, redo does it again", async () => {
+  const { page } = studio;
+  const moved = await studio.box("wardrobe");
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector("[aria-label='Undo: nothing']");
+  const back = await studio.box("wardrobe");
+  assert.ok(moved.y - back.y > 100);
+  await page.keyboard.press("Control+Shift+z");
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  assert.ok(Math.abs((await studio.box("wardrobe")).y - moved.y) < 0.5);
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector("[aria-label='Undo: nothing']");
+});
+
+test("escape ends a drag as if it had not begun", async () => {
+  const before = await studio.box("wardrobe");
+  await studio.drag("wardrobe", 90, 90, () => studio.page.keyboard.press("Escape"));
+  assert.deepEqual(await studio.box("wardrobe"), before);
+  assert.equal(await studio.undoLabel(), "Undo: nothing");
+});
+
+test("a typed distance moves the piece so that it has it", async () => {
+  const { page } = studio;
+  await studio.select("wardrobe");
+  await page.locator(".figure").first().click();
+  await page.locator(".clearance-field").fill("0.9");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  assert.equal(await page.locator(".figure text", { hasText: /^0\.90$/ }).count(), 1);
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector("[aria-label='Undo: nothing']");
+});
+
+test("arrows go one centimetre, with shift ten, and held keys are one act", async () => {
+  const { page } = studio;
+  await studio.select("double_bed");
+  const before = Number(await studio.field("North"));
+  await page.keyboard.down("ArrowUp");
+  await page.keyboard.down("ArrowUp");
+  await page.keyboard.up("ArrowUp");
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  assert.ok(Math.abs(Number(await studio.field("North")) - before - 0.02) < 0.006);
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector("[aria-label='Undo: nothing']");
+});
+
+test("R turns by 90 degrees clockwise", async () => {
+  const { page } = studio;
+  await studio.select("double_bed");
+  assert.equal(await studio.field("Heading"), "90°");
+  await page.keyboard.press("r");
+  await page.waitForSelector("[aria-label^='Undo: ']:not([aria-label='Undo: nothing'])");
+  assert.equal(await studio.field("Heading"), "0°");
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector("[aria-label='Undo: nothing']");
+});
+
+test("a piece is duplicated, locked and removed by keys", async () => {
+  const { page } = studio;
+  const count = await page.locator(".piece").count();
+  await studio.select("wardrobe");
+  await page.keyboard.press("Control+d");
+  await page.waitForFunction((n) => document.querySelectorAll(".piece").length === n + 1, count);
+  await page.waitForSelector(".outline.is-selected");
+  await page.keyboard.press("l");
+  await page.waitForSelector(".outline.is-locked");
+  await page.keyboard.press("Delete");
+  await page.waitForFunction((n) => document.querySelectorAll(".piece").length === n, count);
+});
+
+test("a reload shows the same room", async () => {
+  if (!process.env.FLAIR_STUDIO_URL) return;
+  await studio.page.reload();
+  await studio.page.waitForSelector(".piece");
+});
+
+test("nothing went wrong in the page", () => assert.deepEqual(studio.faults, []));
