@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What there is to say: of the piece that is selected, of several, or of the room.
 import type { OpenRoom } from "../state/open_room";
+import { EffectCard } from "./EffectCard";
 import { PiecePanel } from "./PiecePanel";
 import { RoomPanel } from "./RoomPanel";
 import { SayField } from "./SayField";
@@ -13,6 +14,7 @@ export function Inspector({ room }: { room: OpenRoom }) {
   return (
     <aside class="inspector" aria-label="Inspector">
       <div class="inspector-body" tabIndex={-1}>
+        <EffectCard room={room} />
         {!only && <RoomPanel room={room} />}
         {only && chosen.length === 1 && <PiecePanel key={only.id} room={room} piece={only} />}
         {chosen.length > 1 && <SeveralPanel room={room} pieces={chosen} />}

@@ -10,6 +10,7 @@ import type { PlanParts } from "../gen/flair/v1/renderer_service_pb";
 import { Severity } from "../gen/flair/v1/provenance_pb";
 import type { SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 import type { ActRequestSchema, ActResponse, Document } from "../gen/flair/v1/studio_service_pb";
+import { effectOf, type Effect } from "./effects";
 import { Judging } from "./judging";
 import { animate } from "./motion";
 import { floorOf, piecesOf, type Poses } from "./pieces";
@@ -38,6 +39,8 @@ export class OpenRoom {
   // Where pieces are seen while they are dragged or on their way; those that are not named are where the layout says.
   readonly draft = signal<Poses>(kNothing);
   readonly isBusy = signal(false);
+  // Of the last act; of undo and redo none is told.
+  readonly effect = signal<Effect | undefined>(undefined);
   readonly pieces = computed(() => piecesOf(this.layout.value));
   readonly floor = computed(() => floorOf(this.layout.value));
   readonly outcomes = computed(() => new Map(this.layout.value?.edgeOutcomes.map((one) => [one.edgeId, one])));
@@ -92,8 +95,11 @@ export class OpenRoom {
     try {
       const { revision } = this.document.peek();
       const response = await this.clients.studio.act({ documentId: this.id, revision, act });
-      const known = new Set(this.layout.peek()?.diagnostics.map((one) => one.message));
+      const before = this.layout.peek();
+      const known = new Set(before?.diagnostics.map((one) => one.message));
       if (response.document && !this.isClosed) this.show(response.document, response.layout);
+      const isStep = act.case === "undo" || act.case === "redo";
+      this.effect.value = response.layout && !isStep ? effectOf(before, response.layout) : undefined;
       for (const { severity, message } of response.diagnostics) {
         if (severity >= Severity.WARNING && !known.has(message)) this.toasts.error(message);
         else if (act.case === "room") this.toasts.note(message);

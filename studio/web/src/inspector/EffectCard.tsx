@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Icon } from "../app/Icon";
+import type { OpenRoom } from "../state/open_room";
+
+// What the last act has cost or brought elsewhere, until it is closed or the next act.
+export function EffectCard({ room }: { room: OpenRoom }) {
+  const effect = room.effect.value;
+  if (!effect || effect.gained.length + effect.lost.length === 0) return null;
+  return (
+    <section class="effect" aria-label="What the last change did">
+      <header>
+        <h3 class="eyebrow">The last change</h3>
+        <button class="icon-button" aria-label="Close" onClick={() => { room.effect.value = undefined; }}><Icon name="close" size={12} /></button>
+      </header>
+      <ul>
+        {effect.lost.map((text) => <li key={text} class="is-lost"><Icon name="cross" size={13} /><span>No longer: {text}</span></li>)}
+        {effect.gained.map((text) => <li key={text} class="is-gained"><Icon name="check" size={13} /><span>Now: {text}</span></li>)}
+      </ul>
+    </section>
+  );
+}
