@@ -8,7 +8,7 @@ const groups: Array<[string, Array<[string, string]>]> = [
   ["Select", [["Click", "one piece"], ["Double click", "what stands on it"], ["Shift click", "add or take away"], ["Drag on the floor", "all that is touched"],
     ["Ctrl A", "everything"], ["Tab", "the next piece"], ["Esc", "nothing"]]],
   ["Move", [["Drag", "snaps; with Alt it does not, with Shift along one axis"], ["Arrows", "1 cm"], ["Shift arrows", "10 cm"],
-    ["R, T", "turn by 90° clockwise, counter-clockwise"], ["Click a distance", "type another one"]]],
+    ["R, T", "turn by 90° clockwise, counter-clockwise"], ["Enter, click a distance", "type another one; Tab goes to the next"]]],
   ["Change", [["Ctrl D", "duplicate"], ["Ctrl C, Ctrl V", "copy, paste"], ["Delete", "remove"], ["L", "lock or unlock"],
     ["S", "settle what stands badly"], ["Ctrl Z, Ctrl Shift Z", "undo, redo"]]],
   ["Look", [["Scroll, space drag", "pan"], ["Ctrl scroll, + and -", "zoom"], ["0, double click", "the whole room"],

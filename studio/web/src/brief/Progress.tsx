@@ -8,7 +8,7 @@ import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
 
 const names: Record<string, string> = {
-  brief: "Read the brief", room: "Room", zones: "Zones", objects: "Furniture", style: "Style", constraints: "Wishes",
+  brief: "Brief", room: "Room", zones: "Zones", objects: "Furniture", style: "Style", constraints: "Wishes",
   cleaning: "Wishes, tidied", completion: "Wishes, completed", translation: "Constraints", solve: "Layout", render: "Drawing",
   report: "Report",
 };

@@ -41,10 +41,15 @@ export function ClearanceField() {
     }
   };
   return (
-    <input ref={input} class="clearance-field" defaultValue={figure(clearance.metres, units)} aria-label={`${edited.side} clearance`}
-      onBlur={close} onKeyDown={(event) => {
+    <input ref={input} key={edited.side} class="clearance-field" defaultValue={figure(clearance.metres, units)} aria-label={`${edited.side} clearance`}
+      onBlur={() => { if (editedClearance.peek() === edited) close(); }} onKeyDown={(event) => {
         event.stopPropagation();
         if (event.key === "Enter") take();
+        if (event.key === "Tab") {
+          event.preventDefault();
+          const sides = shown.list.map((one) => one.side), by = event.shiftKey ? sides.length - 1 : 1;
+          editedClearance.value = { pieceId: edited.pieceId, side: sides[(sides.indexOf(edited.side) + by) % sides.length]! };
+        }
         if (event.key === "Escape") close();
       }} />
   );

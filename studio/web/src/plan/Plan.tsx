@@ -2,6 +2,8 @@
 // The plan: the renderer's drawing in parts that are moved, and what is drawn above it in pixels.
 import { useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
+import { objectIn } from "../inspector/note";
+import { nameOf } from "../state/pieces";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import { PlanController } from "./controller";
@@ -26,6 +28,15 @@ function useSize(plan: PlanController, host: { current: HTMLDivElement | null })
     observer.observe(host.current!);
     return () => observer.disconnect();
   }, [plan]);
+}
+
+// For screen readers: what is selected.
+function Spoken({ room }: { room: OpenRoom }) {
+  const chosen = [...room.selection.value].flatMap((id) => room.pieces.value.get(id) ?? []);
+  const [only] = chosen;
+  const stands = only && objectIn(room.explanation.value?.note, only.id)?.stands;
+  const text = chosen.length > 1 ? `${chosen.length} pieces` : only ? `${nameOf(only.object)} ${stands ?? ""}` : "";
+  return <p class="only-spoken" aria-live="polite">{text}</p>;
 }
 
 export function Plan({ room }: { room: OpenRoom }) {
@@ -53,6 +64,7 @@ export function Plan({ room }: { room: OpenRoom }) {
           <Overlay />
         </svg>
         <ClearanceField />
+        <Spoken room={room} />
         <PlanTools />
       </div>
     </PlanContext.Provider>

@@ -6,6 +6,7 @@ import type { Guide } from "../geometry/snap";
 import { vec, type Vec } from "../geometry/vec";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece, Poses } from "../state/pieces";
+import { moveAndSettle } from "../state/commands";
 import { guestsOf, placementOf } from "../state/pieces";
 import { toObject, toRoom as fromObject, type Pose } from "../geometry/footprint";
 import type { Studio } from "../state/studio";
@@ -69,8 +70,8 @@ export class PlanController {
     this.guides.value = [];
     const pieces = this.room.pieces.peek();
     const placements = [...poses].map(([id, pose]) => placementOf(pieces.get(id)!, pose));
-    const moved = await this.room.act({ case: "move", value: { placements } });
-    if (moved && this.studio.settings.autoSettle.peek() === "on") await this.room.act({ case: "settle", value: {} });
+    if (this.studio.settings.autoSettle.peek() === "on") await moveAndSettle(this.room, placements);
+    else await this.room.act({ case: "move", value: { placements } });
   }
 
   abandon(): void {

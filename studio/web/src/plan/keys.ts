@@ -3,6 +3,8 @@
 import { useEffect, useMemo } from "preact/hooks";
 import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
 import { isSolid, type Piece } from "../state/pieces";
+import { editedClearance } from "./ClearanceField";
+import { shownClearances } from "./clearance_of";
 import type { PlanController } from "./controller";
 import { pivotOf, rotated } from "./gestures/rotate";
 import { Nudge } from "./nudge";
@@ -36,6 +38,15 @@ function escape(plan: PlanController): void {
   else plan.room.select([]);
 }
 
+// The first distance of the one piece that is selected, to be typed.
+function editClearance(plan: PlanController): boolean {
+  const shown = shownClearances(plan);
+  const first = shown?.list[0];
+  if (!shown || !first || shown.piece.pinned) return false;
+  editedClearance.value = { pieceId: shown.piece.id, side: first.side };
+  return true;
+}
+
 function onCommand(plan: PlanController, key: string): boolean {
   const chosen = plan.chosen.peek();
   if (key === "a") plan.room.select([...plan.room.pieces.peek().values()].filter(isSolid).map((piece) => piece.id));
@@ -56,6 +67,7 @@ function onPlain(plan: PlanController, event: KeyboardEvent): boolean {
     case "Delete": case "Backspace":
       if (chosen.length > 0) void removePieces(plan.room, chosen.map((piece) => piece.id));
       return true;
+    case "Enter": return editClearance(plan);
     case "0": plan.fit(); return true;
     case "+": case "=": zoom(plan, 1.25); return true;
     case "-": zoom(plan, 1 / 1.25); return true;

@@ -6,6 +6,7 @@ import type { Resized } from "../geometry/resize";
 import type { LayoutEditSchema } from "../gen/flair/v1/layout_edit_pb";
 import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/object_list_pb";
 import type { OpenRoom } from "./open_room";
+import type { Placements } from "./judging";
 import { placementOf, type Piece } from "./pieces";
 
 type Edit = MessageInitShape<typeof LayoutEditSchema>;
@@ -14,6 +15,11 @@ const kCopyOffset = 0.25;
 
 function edit(room: OpenRoom, edits: Edit[], withoutSolving: boolean) {
   return room.act({ case: "edit", value: { edits, withoutSolving } });
+}
+
+// Puts objects there and solves what that affects, as one act.
+export function moveAndSettle(room: OpenRoom, placements: Placements) {
+  return edit(room, placements.map((value): Edit => ({ edit: { case: "moveObject", value } })), false);
 }
 
 export function resizePiece(room: OpenRoom, piece: Piece, { pose, size }: Resized, heightM?: number) {
