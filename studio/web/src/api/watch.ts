@@ -29,11 +29,16 @@ export async function watchDocuments(clients: Clients, watcher: Watcher, signal:
   let seconds = kFirstPause;
   while (!signal.aborted) {
     try {
-      const stream = clients.studio.watchDocuments({}, { signal });
+      const events = clients.studio.watchDocuments({}, { signal })[Symbol.asyncIterator]();
+      let next = events.next();
+      // It is looked at only once the documents are there; until then nobody else would take its failure.
+      next.catch(() => {});
       await watcher.connected();
       watcher.state("online");
       seconds = kFirstPause;
-      for await (const { event } of stream) watcher.heard(event);
+      for (let { done, value } = await next; !done; { done, value } = await (next = events.next())) {
+        watcher.heard(value.event);
+      }
       watcher.state("away");
     } catch (error) {
       if (signal.aborted) return;
