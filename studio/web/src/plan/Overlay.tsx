@@ -8,10 +8,12 @@ import { Handles } from "./overlay/Handles";
 import { Labels } from "./overlay/Labels";
 import { Lines } from "./overlay/Lines";
 import { Outlines } from "./overlay/Outlines";
+import { WallSizes } from "./overlay/WallSizes";
 
 export function Overlay() {
   return (
     <g class="overlay">
+      <WallSizes />
       <ClearSpaces />
       <Findings />
       <Labels />

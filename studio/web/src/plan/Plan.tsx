@@ -14,6 +14,7 @@ import { PlanContext } from "./context";
 import { usePlanPointer } from "./pointer";
 import { usePlanWheel } from "./wheel";
 import { ClearanceField } from "./ClearanceField";
+import { FirstHint } from "./FirstHint";
 import { PlanTools } from "./PlanTools";
 import { usePlanDrop } from "./drop";
 
@@ -66,6 +67,7 @@ export function Plan({ room }: { room: OpenRoom }) {
         <ClearanceField />
         <Spoken room={room} />
         <PlanTools />
+        <FirstHint />
       </div>
     </PlanContext.Provider>
   );

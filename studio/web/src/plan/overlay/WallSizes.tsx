@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { figure } from "../../app/units";
+import { edgesOf } from "../../geometry/polygon";
+import { add, distance, left, middle, sub, times, unit, vec } from "../../geometry/vec";
+import { usePlan } from "../context";
+import { toScreen } from "../view";
+
+const kWall = 0.15;
+const kGap = 18;
+const kTick = 4;
+
+// Upright enough to be read: never upside down.
+function angleOf(along: { x: number; y: number }): number {
+  const degrees = (Math.atan2(along.y, along.x) * 180) / Math.PI;
+  return degrees > 90.01 || degrees < -89.99 ? degrees + 180 : degrees;
+}
+
+// How long the walls are, outside of them, as on the sheet.
+export function WallSizes() {
+  const plan = usePlan(), view = plan.view.value, units = plan.studio.settings.units.value;
+  return (
+    <g class="wall-sizes" pointer-events="none">
+      {edgesOf(plan.room.floor.value).map(({ a, b, inward }, i) => {
+        const metres = distance(a, b);
+        if (metres * view.scale < 34) return null;
+        const out = vec(-inward.x, inward.y);
+        const shift = times(out, kWall * view.scale + kGap);
+        const from = add(toScreen(view, a), shift), to = add(toScreen(view, b), shift), at = middle(from, to);
+        const tick = times(left(unit(sub(to, from))), kTick);
+        return (
+          <g key={i}>
+            <line x1={from.x} y1={from.y} x2={to.x} y2={to.y} />
+            {[from, to].map((end, j) => <line key={j} x1={end.x - tick.x} y1={end.y - tick.y} x2={end.x + tick.x} y2={end.y + tick.y} />)}
+            <text transform={`translate(${at.x} ${at.y}) rotate(${angleOf(sub(to, from))})`} y="4">{figure(metres, units)}</text>
+          </g>
+        );
+      })}
+    </g>
+  );
+}
