@@ -3,7 +3,7 @@ import { Icon } from "../app/Icon";
 import { duplicatePieces, lockPieces, removePieces, renamePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { nameOf, type Piece } from "../state/pieces";
-import { findingsOf } from "../plan/overlay/Findings";
+import { faultsOf } from "../plan/overlay/Findings";
 import { objectIn, type Demand } from "./note";
 import { PieceFields } from "./PieceFields";
 import { SentenceRow } from "./Sentence";
@@ -37,7 +37,7 @@ function PieceName({ room, piece }: { room: OpenRoom; piece: Piece }) {
 
 export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const about = objectIn(room.explanation.value?.note, piece.id);
-  const findings = findingsOf(room).filter((one) => one.objectId === piece.id || one.partnerId === piece.id);
+  const findings = faultsOf(room).filter((one) => one.objectId === piece.id || one.partnerId === piece.id);
   const demands = sorted(about?.demands ?? []);
   const asked = piece.object.requested ? "You asked for it." : "";
   return (
@@ -57,7 +57,7 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
       {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}
       <PieceFields room={room} piece={piece} />
       {findings.length > 0 && (
-        <ul class="notices">{findings.map((one) => <li key={one.message} class="notice is-bad">{withStop(one.message)}</li>)}</ul>
+        <ul class="notices">{findings.map((one) => <li key={one.message} class="notice is-bad">{withStop(capital(one.message))}</li>)}</ul>
       )}
       <h3 class="eyebrow">Why it stands there</h3>
       {demands.length === 0 && <p class="hint">Nothing is asked of it. Say a sentence below.</p>}

@@ -4,7 +4,7 @@ import { areaText } from "../app/units";
 import { area } from "../geometry/polygon";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
-import { findingsOf } from "../plan/overlay/Findings";
+import { faultsOf } from "../plan/overlay/Findings";
 import type { Demand, Note } from "./note";
 import { Furnish } from "./Furnish";
 import { Measures } from "./Measures";
@@ -37,7 +37,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
   const { units } = useStudio().settings;
   const explanation = room.explanation.value, note = explanation?.note ?? {};
   const layout = room.layout.value, shape = layout?.graph?.room;
-  const findings = findingsOf(room);
+  const findings = faultsOf(room);
   const missed = missedOf(note);
   return (
     <>
@@ -58,7 +58,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
           <ul class="notices">
             {findings.map((one) => (
               <li key={`${one.objectId} ${one.message}`} class="notice is-bad">
-                <button onClick={() => room.select([one.objectId])}>{withStop(one.message)}</button>
+                <button onClick={() => room.select([one.objectId])}>{withStop(capital(one.message))}</button>
               </li>
             ))}
           </ul>

@@ -24,6 +24,9 @@ export interface Explanation {
   readonly notAsAsked: readonly string[];
 }
 
+// Acts whose effects are plain to see: moves are judged on their way.
+const kUntold = new Set<string>(["move", "undo", "redo", "title", "room"]);
+
 const kNothing: Poses = new Map();
 
 export class OpenRoom {
@@ -39,7 +42,7 @@ export class OpenRoom {
   // Where pieces are seen while they are dragged or on their way; those that are not named are where the layout says.
   readonly draft = signal<Poses>(kNothing);
   readonly isBusy = signal(false);
-  // Of the last act; of undo and redo none is told.
+  // Of the last act.
   readonly effect = signal<Effect | undefined>(undefined);
   readonly pieces = computed(() => piecesOf(this.layout.value));
   readonly floor = computed(() => floorOf(this.layout.value));
@@ -98,8 +101,8 @@ export class OpenRoom {
       const before = this.layout.peek();
       const known = new Set(before?.diagnostics.map((one) => one.message));
       if (response.document && !this.isClosed) this.show(response.document, response.layout);
-      const isStep = act.case === "undo" || act.case === "redo";
-      this.effect.value = response.layout && !isStep ? effectOf(before, response.layout) : undefined;
+      const isTold = !kUntold.has(act.case ?? "");
+      this.effect.value = response.layout && isTold ? effectOf(before, response.layout) : undefined;
       for (const { severity, message } of response.diagnostics) {
         if (severity >= Severity.WARNING && !known.has(message)) this.toasts.error(message);
         else if (act.case === "room") this.toasts.note(message);

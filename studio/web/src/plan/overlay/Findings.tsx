@@ -8,13 +8,17 @@ import { usePlan } from "../context";
 import { pixelPoints } from "./pixels";
 
 // What is wrong as things stand; while something is dragged, as they would stand.
-export function findingsOf(room: OpenRoom): readonly Finding[] {
+function findingsOf(room: OpenRoom): readonly Finding[] {
   const stored = room.layout.value?.metrics?.findings ?? [];
   const verdict = room.judging.verdict.value;
   if (!verdict) return stored;
   const isAsked = (finding: Finding) => verdict.objectIds.has(finding.objectId) || verdict.objectIds.has(finding.partnerId);
   return [...stored.filter((finding) => !isAsked(finding)), ...verdict.findings];
 }
+
+// Faults of things in space; uses that are not met are sentences, and told there.
+export const faultsOf = (room: OpenRoom): Finding[] =>
+  findingsOf(room).filter(({ kind }) => kind !== FindingKind.USE_NOT_MET);
 
 const kShown = new Set([FindingKind.OVERLAP, FindingKind.DOOR_LEAF, FindingKind.OUTSIDE, FindingKind.COVERS_OPENING]);
 

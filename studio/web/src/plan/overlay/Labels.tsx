@@ -49,7 +49,7 @@ function hasLabel(piece: Piece, part: PlanPart | undefined): boolean {
 function Pointed({ parts }: { parts: ReadonlyMap<string, PlanPart> }) {
   const plan = usePlan(), { room } = plan;
   const piece = plan.gesture.value ? undefined : room.pieces.value.get(room.hovered.value);
-  if (!piece || hasLabel(piece, parts.get(piece.id))) return null;
+  if (!piece || room.selection.value.has(piece.id) || hasLabel(piece, parts.get(piece.id))) return null;
   const box = boxOf(footprintOf(piece, room.poseOf(piece.id)));
   const at = toScreen(plan.view.value, vec((box.min.x + box.max.x) / 2, box.max.y));
   return <text class="is-pointed" font-size={kPlainSize} x={at.x} y={at.y - 8}>{nameOf(piece.object)}</text>;

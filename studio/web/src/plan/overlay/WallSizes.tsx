@@ -9,10 +9,10 @@ const kWall = 0.15;
 const kGap = 18;
 const kTick = 4;
 
-// Upright enough to be read: never upside down.
+// To be read from below or from the right, as on drawings.
 function angleOf(along: { x: number; y: number }): number {
   const degrees = (Math.atan2(along.y, along.x) * 180) / Math.PI;
-  return degrees > 90.01 || degrees < -89.99 ? degrees + 180 : degrees;
+  return degrees > 89.9 || degrees < -90.1 ? degrees + 180 : degrees;
 }
 
 // How long the walls are, outside of them, as on the sheet.
