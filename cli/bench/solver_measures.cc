@@ -68,7 +68,6 @@ std::vector<std::string> EditsOf(const v1::SolvedLayout& layout, int per_kind) {
 }
 
 constexpr int64_t kAnyAnswer = int64_t{1} << 40;
-constexpr char kScene[] = "GLB";
 
 struct Picture {
   const char* name;
@@ -164,10 +163,16 @@ absl::StatusOr<Record> MeasureRenders(const std::string& room, const v1::SolvedL
                        return response.preview().image().size();
                      }));
   }
+  v1::DrawPlanPartsRequest parts;
+  *parts.mutable_solved_layout() = layout;
+  ASSIGN_OR_RETURN(record["plan parts"], Measure(bench.repeat_count, [&]() -> absl::StatusOr<size_t> {
+                     ASSIGN_OR_RETURN(const auto response, renderer::PlanPartsHandler(kAnyAnswer).Handle(parts, call));
+                     return response.ByteSizeLong();
+                   }));
   v1::ExportSceneRequest scene;
-  *scene.mutable_solved_layout() = layout;
+  scene.mutable_solved_layout()->Swap(parts.mutable_solved_layout());
   scene.set_format(v1::SCENE_FORMAT_GLB);
-  ASSIGN_OR_RETURN(record[kScene], Measure(bench.repeat_count, [&]() -> absl::StatusOr<size_t> {
+  ASSIGN_OR_RETURN(record["GLB"], Measure(bench.repeat_count, [&]() -> absl::StatusOr<size_t> {
                      ASSIGN_OR_RETURN(const auto response, export_scene.Handle(scene, call));
                      return response.scene().size();
                    }));

@@ -361,28 +361,13 @@ Action ActionNamed(const std::string& name) {
 }
 
 std::string ValidationFault(const Message& part, const Message& request) {
-  using Validation = absl::Status (*)(const Message& part, const Message& request);
-  const auto status = Named<Validation>(
-      {{"Room", [](const Message& part, const Message&) { return Validate(To<v1::Room>(part)); }},
-       {"ZonePlan", [](const Message& part, const Message&) { return Validate(To<v1::ZonePlan>(part)); }},
-       {"SolvedLayout", [](const Message& part, const Message&) { return Validate(To<v1::SolvedLayout>(part)); }},
-       {"ConstraintCatalog",
-        [](const Message& part, const Message&) { return Validate(To<v1::ConstraintCatalog>(part)); }},
-       {"Preview", [](const Message& part, const Message&) { return Validate(To<v1::Preview>(part)); }},
-       {"ObjectList",
-        [](const Message& part, const Message& request) {
-          return Validate(To<v1::ObjectList>(part), Field<v1::ZonePlan>(request, "zone_plan"));
-        }},
-       {"StyleSheet",
-        [](const Message& part, const Message& request) {
-          return Validate(To<v1::StyleSheet>(part), Field<v1::Room>(request, "room"),
-                          Field<v1::ObjectList>(request, "object_list"));
-        }},
-       {"ConstraintList",
-        [](const Message& part, const Message& request) {
-          return Validate(To<v1::ConstraintList>(part), Field<v1::ObjectList>(request, "object_list"));
-        }}},
-      part.GetDescriptor()->name())(part, request);
+  const std::string& type = part.GetDescriptor()->name();
+  const absl::Status status =
+      type == "ObjectList"       ? Validate(To<v1::ObjectList>(part), Field<v1::ZonePlan>(request, "zone_plan"))
+      : type == "StyleSheet"     ? Validate(To<v1::StyleSheet>(part), Field<v1::Room>(request, "room"),
+                                            Field<v1::ObjectList>(request, "object_list"))
+      : type == "ConstraintList" ? Validate(To<v1::ConstraintList>(part), Field<v1::ObjectList>(request, "object_list"))
+                                 : Validate(part);
   return std::string(status.message());
 }
 

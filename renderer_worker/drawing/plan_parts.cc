@@ -18,6 +18,7 @@ class PartDrawer {
  public:
   PartDrawer(Plan plan, const Sheet& sheet)
       : plan_(std::move(plan)),
+        plan_sheet_(sheet),
         sheet_(sheet),
         m_per_mm_(1 / sheet.mm_per_m()),
         svg_(m_per_mm_),
@@ -42,7 +43,7 @@ class PartDrawer {
   }
 
   void DrawObjects(const std::set<std::string_view>& ids, v1::PlanParts& parts) {
-    const std::vector<NameOnPiece> names = NamesOnPieces(*canvas_, plan_, sheet_);
+    const std::vector<NameOnPiece> names = NamesOnPieces(*canvas_, plan_, plan_sheet_);
     for (size_t i = 0; i < plan_.objects.size(); ++i) {
       const PlanObject& object = plan_.objects[i];
       if (!ids.empty() && !ids.contains(object.id)) continue;
@@ -75,7 +76,7 @@ class PartDrawer {
   }
 
   void SetLabel(const PlanObject& object, const NameOnPiece& name, v1::PlanPart& part) const {
-    const Point offset_m = (name.centre_mm - sheet_.ToSheet(object.centre_m)) * m_per_mm_;
+    const Point offset_m = (name.centre_mm - plan_sheet_.ToSheet(object.centre_m)) * m_per_mm_;
     part.set_label(absl::StrJoin(name.lines, "\n"));
     part.set_label_x_m(offset_m.x);
     part.set_label_y_m(offset_m.y);
@@ -83,7 +84,8 @@ class PartDrawer {
   }
 
   Plan plan_;
-  Sheet sheet_;
+  const Sheet plan_sheet_;  // of the plan
+  Sheet sheet_;             // of the parts
   const double m_per_mm_;
   SvgPaths svg_;
   SurfacePtr surface_;

@@ -85,7 +85,8 @@ void TraceWithin(const Polygon& clip, const Polygon& filled, cairo_t* cairo) {
   if (!cut.vertices.empty()) cairo_close_path(cairo);
 }
 
-void TraceWithin(const Polygon& clip, const Vector& from, const Vector& to, cairo_t* cairo) {
+// `at` is where the last line within ended: one that goes on from there needs no move.
+void TraceWithin(const Polygon& clip, const Vector& from, const Vector& to, Vector& at, cairo_t* cairo) {
   std::vector<double> shares = {0, 1};
   for (size_t i = 0; i < clip.vertices.size(); ++i) {
     const Segment edge = EdgeAt(clip, i);
@@ -94,11 +95,13 @@ void TraceWithin(const Polygon& clip, const Vector& from, const Vector& to, cair
     if (share > 0 && share < 1 && along >= 0 && along <= 1) shares.push_back(share);
   }
   std::ranges::sort(shares);
+  const auto point = [&](double share) { return share == 1 ? to : from + share * (to - from); };
   for (size_t i = 0; i + 1 < shares.size(); ++i) {
-    const Vector start = from + shares[i] * (to - from), end = from + shares[i + 1] * (to - from);
+    const Vector start = point(shares[i]), end = point(shares[i + 1]);
     if (!Contains(clip, Segment{start, end}.Middle())) continue;
-    cairo_move_to(cairo, start.x, start.y);
+    if (!(start == at)) cairo_move_to(cairo, start.x, start.y);
     cairo_line_to(cairo, end.x, end.y);
+    at = end;
   }
 }
 
@@ -118,8 +121,9 @@ std::string SvgPaths::Data(cairo_t* cairo, bool filled) const {
     const PathPtr whole = std::move(path);
     cairo_new_path(cairo);
     for (const Polyline& line : lines) {
+      Vector at{NAN, NAN};
       if (filled) TraceWithin(clip_, CounterClockwise(line), cairo);
-      for (size_t i = 0; i + 1 < line.size() && !filled; ++i) TraceWithin(clip_, line[i], line[i + 1], cairo);
+      for (size_t i = 0; i + 1 < line.size() && !filled; ++i) TraceWithin(clip_, line[i], line[i + 1], at, cairo);
     }
     path.reset(cairo_copy_path(cairo));
     cairo_new_path(cairo);

@@ -146,6 +146,7 @@ void Check(const v1::ContactSheetOptions& options, const Known& known, const Fie
 void Check(const v1::ContactSheetTile& tile, const Known& known, const Field& at);
 void Check(const v1::SolveRestartsRequest& request, const Known& known, const Field& at);
 void Check(const v1::RenderRequest& request, const Known& known, const Field& at);
+void Check(const v1::PlanParts& parts, const Known& known, const Field& at);
 void Check(const v1::CreateBatchRequest& request, const Known& known, const Field& at);
 
 // The ids of a list's elements, for looking up references.

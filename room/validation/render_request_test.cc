@@ -127,5 +127,50 @@ TEST(LayoutsBeside, AreForPlansFewAndNamedByTheirPlace) {
   EXPECT_EQ(std::string(Validate(request).message()).find("beside[1]"), std::string::npos) << "too many are not read";
 }
 
+// The problem of a plan whose floor is this; empty when there is none.
+std::string ProblemOfDrawing(const std::string& svg) {
+  v1::PlanParts parts;
+  parts.set_floor_svg(svg);
+  return std::string(Validate(parts, "parts").message());
+}
+
+TEST(PlanParts, AreElementsThatDoNothingButDraw) {
+  EXPECT_EQ(ProblemOfDrawing(""), "");
+  EXPECT_EQ(ProblemOfDrawing("<path d=\"m0 0l1 1\"/>\n"), "");
+  EXPECT_EQ(ProblemOfDrawing("<g fill=\"none\">\n<rect\n x=\"1\" /><g><circle r=\"1\"></circle></g> </g>"), "");
+}
+
+TEST(PlanParts, ThatDoMoreAreRefused) {
+  for (const char* svg : {"<script>alert(1)</script>",
+                          "<g><script/></g>",
+                          "<g onclick=\"alert(1)\"/>",
+                          "<g id=\"a\"/>",
+                          "<g style=\"fill:red\"/>",
+                          "<g href=\"x\"/>",
+                          "<g xlink:href=\"x\"/>",
+                          "<g fill=\"url(#a)\"/>",
+                          "<use/>",
+                          "<g><image/></g>",
+                          "<g>words</g>",
+                          "<g",
+                          "<g>",
+                          "<g></path>",
+                          "<g/",
+                          "<g fill=\"none/>",
+                          "<g fill=none/>",
+                          "words",
+                          "<!-- -->",
+                          "<g d=\"<\"/>",
+                          "</g>",
+                          "<G/>"}) {
+    EXPECT_THAT(ProblemOfDrawing(svg), ::testing::StartsWith("parts.floor_svg: \"")) << svg;
+  }
+  EXPECT_EQ(ProblemOfDrawing("<g/><g/>"), "parts.floor_svg: is more than one element");
+  v1::PlanParts parts;
+  parts.add_parts()->set_shadow_svg("<a/>");
+  EXPECT_THAT(std::string(Validate(parts, "").message()),
+              ::testing::AllOf(::testing::HasSubstr("parts[0].svg: "), ::testing::HasSubstr("parts[0].shadow_svg: ")));
+}
+
 }  // namespace
 }  // namespace flair

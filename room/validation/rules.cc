@@ -119,6 +119,7 @@ class Plans {
       CheckOf<v1::ContactSheetTile>(),
       CheckOf<v1::SolveRestartsRequest>(),
       CheckOf<v1::RenderRequest>(),
+      CheckOf<v1::PlanParts>(),
       CheckOf<v1::CreateBatchRequest>(),
   };
   std::mutex mutex_;
