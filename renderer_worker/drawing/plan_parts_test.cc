@@ -235,6 +235,26 @@ TEST_P(PlanPartsOf, StayInTheirFootprints) {
   }
 }
 
+TEST_P(PlanPartsOf, CarryTheNamesThatThePlanWritesOnThem) {
+  const v1::SolvedLayout layout = ReadSample(GetParam());
+  const PlanSheet made = *MakePlanSheet(layout, {});
+  const DrawnPlan plan = *DrawPlan(layout, {});
+  std::map<std::string, Point> names_mm;  // from the middles of their pieces
+  for (const PlacedLabel& label : plan.labels) {
+    if (label.form == kBadgeForm || label.leader || label.item >= static_cast<int>(made.plan.objects.size())) continue;
+    const PlanObject& object = made.plan.objects[label.item];
+    names_mm[object.id] = label.box_mm.centre() - made.sheet.ToSheet(object.centre_m);
+  }
+  const v1::PlanParts parts = PartsOf(layout);
+  for (const v1::PlanPart& part : parts.parts()) {
+    const auto name = names_mm.find(part.object_id());
+    ASSERT_EQ(part.label().empty(), name == names_mm.end()) << part.object_id();
+    if (name == names_mm.end()) continue;
+    EXPECT_NEAR(part.label_x_m() * made.sheet.mm_per_m(), name->second.x, 1e-6) << part.label();
+    EXPECT_NEAR(part.label_y_m() * made.sheet.mm_per_m(), name->second.y, 1e-6) << part.label();
+  }
+}
+
 std::vector<std::string> IdsOf(const v1::PlanParts& parts) {
   std::vector<std::string> ids;
   for (const v1::PlanPart& part : parts.parts()) ids.push_back(part.object_id());

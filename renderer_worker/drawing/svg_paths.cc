@@ -108,8 +108,7 @@ void TraceWithin(const Polygon& clip, const Vector& from, const Vector& to, Vect
 }  // namespace
 
 std::string SvgPaths::Data(cairo_t* cairo, bool filled) const {
-  cairo_matrix_t frame;
-  cairo_get_matrix(cairo, &frame);
+  cairo_save(cairo);  // all but the path
   cairo_identity_matrix(cairo);
   PathPtr path(cairo_copy_path(cairo));
   const std::vector<Polyline> lines = LinesOf(cairo);
@@ -129,7 +128,7 @@ std::string SvgPaths::Data(cairo_t* cairo, bool filled) const {
     cairo_new_path(cairo);
     cairo_append_path(cairo, whole.get());
   }
-  cairo_set_matrix(cairo, &frame);
+  cairo_restore(cairo);
   return DataOf(*path);
 }
 
@@ -159,12 +158,11 @@ void SvgPaths::Draw(cairo_t* cairo, const Stroke& stroke) {
 }
 
 void SvgPaths::Clip(cairo_t* cairo) {
-  cairo_matrix_t frame;
-  cairo_get_matrix(cairo, &frame);
+  cairo_save(cairo);
   cairo_identity_matrix(cairo);
   clip_ = CounterClockwise(LinesOf(cairo).front());
   clip_.vertices.pop_back();  // the first once more
-  cairo_set_matrix(cairo, &frame);
+  cairo_restore(cairo);
 }
 
 std::string SvgPaths::Take() {

@@ -51,6 +51,14 @@ class Renderer(Connection):
         request = v1.RenderRequest(request_id=str(uuid.uuid4()), solved_layout=_layout(layout), options=options)
         return self._call(self._stub.Render, request, _DRAWING_S).preview
 
+    def draw_plan_parts(
+        self, layout: v1.SolvedLayout | v1.Artifact, object_ids: Iterable[str] = ()
+    ) -> v1.PlanParts:
+        """The plan as SVG elements that can be moved, of these objects or of everything; optional for renderers."""
+        request = v1.DrawPlanPartsRequest(
+            request_id=str(uuid.uuid4()), solved_layout=_layout(layout), object_ids=object_ids)
+        return self._call(self._stub.DrawPlanParts, request, _DRAWING_S).parts
+
     def export_scene(
         self,
         layout: v1.SolvedLayout | v1.Artifact,
