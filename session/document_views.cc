@@ -183,6 +183,8 @@ absl::StatusOr<v1::ListFurnitureResponse> Documents::ListFurniture(const v1::Lis
     corner.set_y_m(y);
   }
   for (const char* name : {"south", "east", "north", "west"}) room.add_walls()->set_name(name);
+  room.set_room_type("room");
+  room.set_title("Furniture");
   room.set_height_m(3);
   v1::Zone& zone = *graph.mutable_zone_plan()->add_zones();
   zone.set_id("room");
@@ -203,7 +205,8 @@ absl::StatusOr<v1::ListFurnitureResponse> Documents::ListFurniture(const v1::Lis
   // Without symbols a name and a size are left: not every renderer draws parts.
   if (found.empty()) return response;
   absl::StatusOr<v1::DrawPlanPartsResponse> drawn = stages_.DrawPlanParts(draw, call);
-  if (!drawn.ok()) return response;
+  if (absl::IsUnimplemented(drawn.status())) return response;
+  RETURN_IF_ERROR(drawn.status());
   for (v1::PlanPart& part : *drawn->mutable_parts()->mutable_parts()) {
     int index = -1;
     if (!absl::SimpleAtoi(part.object_id().substr(std::min<size_t>(6, part.object_id().size())), &index)) continue;

@@ -46,7 +46,11 @@ class DocumentsTest : public ::testing::Test {
     parts.not_as_asked = cli::NotAsAsked;
     v1::FurnitureOffer& lamp = parts.furniture.emplace_back();
     lamp.mutable_object()->set_name("floor lamp");
+    lamp.mutable_object()->set_kind(v1::OBJECT_KIND_FLOOR);
+    lamp.mutable_object()->set_role(v1::OBJECT_ROLE_SECONDARY);
     lamp.mutable_object()->set_width_m(0.4);
+    lamp.mutable_object()->set_depth_m(0.4);
+    lamp.mutable_object()->set_height_m(1.6);
     documents_ = *Documents::Open(folder_.path() + "/documents",
                                   {.orchestrator = services_->orchestrator(),
                                    .translator = stages.translator.channel,
@@ -320,6 +324,22 @@ TEST_F(DocumentsTest, FilesAreOpenedAndBadOnesRefused) {
   gone.set_document_id(opened->document().id());
   EXPECT_TRUE(documents_->Delete(gone).ok());
   EXPECT_TRUE(absl::IsNotFound(documents_->Delete(gone).status()));
+}
+
+TEST_F(DocumentsTest, FurnitureIsFoundByItsWordsWithItsSymbol) {
+  v1::ListFurnitureRequest request;
+  request.set_query("Lamp");
+  const auto found = documents_->ListFurniture(request, call_);
+  ASSERT_TRUE(found.ok()) << found.status();
+  ASSERT_EQ(found->offers_size(), 1);
+  EXPECT_THAT(found->offers(0).svg(), HasSubstr("<path"));
+  request.set_query("throne");
+  EXPECT_EQ(documents_->ListFurniture(request, call_)->offers_size(), 0);
+}
+
+TEST_F(DocumentsTest, AModelIsChosenOnlyWhereTheProgramCan) {
+  EXPECT_FALSE(documents_->GetModel().can_choose());
+  EXPECT_TRUE(absl::IsUnimplemented(documents_->ChooseModel({}).status()));
 }
 
 TEST_F(DocumentsTest, WrongPlacesAreRefusedByField) {

@@ -5,6 +5,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <vector>
@@ -46,7 +47,7 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> Offers(const StageChoice& stages
   std::vector<v1::FurnitureOffer> offers;
   for (const language::hb::Furniture& furniture : handbook->contents().furniture()) {
     v1::FurnitureOffer& offer = offers.emplace_back();
-    offer.set_group(furniture.category());
+    offer.set_group(absl::StrReplaceAll(furniture.category(), {{"_", " "}}));
     v1::Object& object = *offer.mutable_object();
     object.set_name(furniture.name());
     object.set_category(furniture.category());
@@ -60,6 +61,8 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> Offers(const StageChoice& stages
     object.set_walk_over(furniture.walk_over());
     object.set_round(furniture.round());
   }
+  // What stands on the floor is what people look for first.
+  std::ranges::stable_sort(offers, {}, [](const v1::FurnitureOffer& offer) { return offer.object().kind(); });
   return offers;
 }
 
