@@ -4,7 +4,8 @@ import { Code, ConnectError } from "@connectrpc/connect";
 
 export function sentenceOf(error: unknown): string {
   if (isAway(error)) return "The server does not answer.";
-  return ConnectError.from(error).rawMessage || "Something went wrong.";
+  // The field's path is for programs.
+  return ConnectError.from(error).rawMessage.replace(/^[a-z_]+(\.[a-z_]+|\[\d+\])*: /, "") || "Something went wrong.";
 }
 
 // Nobody answered: the server is gone, or the network is.

@@ -3,6 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { boxOf } from "../geometry/polygon";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
 import { addPiece, replacePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
@@ -29,12 +30,21 @@ function useOffers(query: string): readonly FurnitureOffer[] | undefined {
   return offers;
 }
 
+// What stands on the floor first, then what goes on walls, tables and ceilings; a search keeps the order of its matches.
+function groupsOf(offers: readonly FurnitureOffer[]): Array<{ name: string; offers: FurnitureOffer[] }> {
+  const groups = new Map<string, FurnitureOffer[]>();
+  for (const offer of offers) groups.set(offer.group, [...(groups.get(offer.group) ?? []), offer]);
+  const isSmall = (list: readonly FurnitureOffer[]) => !list.some((one) => one.object?.kind === ObjectKind.FLOOR);
+  return [...groups].map(([name, list]) => ({ name: name.replace(/_/g, " "), offers: list }))
+    .sort((a, b) => Number(isSmall(a.offers)) - Number(isSmall(b.offers)));
+}
+
 export function Drawer({ room }: { room: OpenRoom }) {
   const [query, setQuery] = useState("");
   const offers = useOffers(query.trim());
   const chosen = [...room.selection.value].flatMap((id) => room.pieces.value.get(id) ?? []);
   const replaced = chosen.length === 1 ? chosen[0] : undefined;
-  const groups = [...new Set(offers?.map((offer) => offer.group))];
+  const groups = groupsOf(offers ?? []);
   const add = (offer: FurnitureOffer) => {
     const { min, max } = boxOf(room.floor.peek());
     void addPiece(room, offer.object!, { x: (min.x + max.x) / 2, y: (min.y + max.y) / 2, theta: 0 });
@@ -49,10 +59,10 @@ export function Drawer({ room }: { room: OpenRoom }) {
       {replaced && <p class="hint"><Icon name="swap" size={13} /> replaces the {nameOf(replaced.object)}.</p>}
       {offers?.length === 0 && <p class="hint">Nothing is called that.</p>}
       {groups.map((group) => (
-        <section key={group}>
-          <h3 class="eyebrow">{group}</h3>
+        <section key={group.name}>
+          <h3 class="eyebrow">{group.name}</h3>
           <ul class="offers">
-            {offers!.filter((offer) => offer.group === group && offer.object).map((offer) => (
+            {group.offers.filter((offer) => offer.object).map((offer) => (
               <OfferTile key={offer.object!.name} offer={offer} onAdd={() => add(offer)}
                 onReplace={replaced && (() => void replacePiece(room, replaced.id, offer.object!))} />
             ))}

@@ -3,6 +3,7 @@ import { Icon } from "../app/Icon";
 import { figure } from "../app/units";
 import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
 import { Drawn } from "../plan/Drawn";
+import { plainSymbol } from "../plan/plain";
 import { useStudio } from "../state/studio";
 import { carried } from "./carried";
 
@@ -26,7 +27,7 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
           event.dataTransfer?.setData("text/plain", object.name);
         }}
         onDragEnd={() => { carried.value = undefined; }}>
-        <svg viewBox={`${-size / 2} ${-size / 2} ${size} ${size}`} aria-hidden="true"><Drawn svg={offer.svg} /></svg>
+        <svg viewBox={`${-size / 2} ${-size / 2} ${size} ${size}`} aria-hidden="true"><Drawn svg={offer.svg || plainSymbol({ width: object.widthM, depth: object.depthM }, object.round)} /></svg>
         <span class="offer-name">{object.name}</span>
         <small>{sizes}</small>
       </button>

@@ -38,6 +38,7 @@ function PieceName({ room, piece }: { room: OpenRoom; piece: Piece }) {
 export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const about = objectIn(room.explanation.value?.note, piece.id);
   const findings = faultsOf(room).filter((one) => one.objectId === piece.id || one.partnerId === piece.id);
+  const told = new Set(findings.map((one) => one.message.replace(/\.$/, "")));
   const demands = sorted(about?.demands ?? []);
   const asked = piece.object.requested ? "You asked for it." : "";
   return (
@@ -67,7 +68,7 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
       {about?.followers && about.followers.length > 0 && (
         <p class="hint followers">Placed by it: {about.followers.join(", ")}.</p>
       )}
-      {about?.remarks?.map((remark) => <p key={remark} class="hint">{withStop(remark)}</p>)}
+      {about?.remarks?.filter((remark) => !told.has(remark.replace(/\.$/, ""))).map((remark) => <p key={remark} class="hint">{withStop(remark)}</p>)}
     </>
   );
 }

@@ -49,7 +49,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
       {explanation && explanation.notAsAsked.length > 0 && (
         <section>
           <h3 class="eyebrow">Not as asked</h3>
-          <ul class="notices">{explanation.notAsAsked.map((line) => <li key={line} class="notice is-warning">{withStop(line)}</li>)}</ul>
+          <ul class="notices">{explanation.notAsAsked.map((line) => <li key={line} class="notice is-warning">{withStop(capital(line))}</li>)}</ul>
         </section>
       )}
       {findings.length > 0 && (

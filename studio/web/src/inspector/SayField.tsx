@@ -14,10 +14,10 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
   const send = async () => {
     if (!text.trim() || isSent) return;
     setSent(true);
-    const answer = await say(room, text.trim());
+    setRemark("");
+    const answer = await say(room, text.trim(), (told) => setRemark((before) => [before, told].filter(Boolean).join(" ")));
     setSent(false);
-    setRemark(answer?.diagnostics.map((one) => one.message).join(" ") ?? "");
-    if (answer && answer.diagnostics.length === 0) setText("");
+    if (answer) setText("");
   };
   return (
     <form class="say" onSubmit={(event) => { event.preventDefault(); void send(); }}>

@@ -53,6 +53,8 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
   const text = (demand.about_it || demand.sentence || "").replace(/\.$/, "");
   const sentences = room.layout.value?.graph?.constraintList?.sentences;
   const origin = sentences?.find((one) => one.id === demand.sentence_id)?.origin ?? SentenceOrigin.UNSPECIFIED;
+  // What is dropped has no constraint left; saying it again makes one.
+  const isGone = fate === "dropped" || fate === "not understood";
   const point = () => {
     const own = objectId ? [objectId] : [];
     room.pointedAt.value = { ...demand, other_object_ids: [...own, ...(demand.other_object_ids ?? [])] };
@@ -71,10 +73,10 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
         <div class="sentence-more">
           {demand.reason && <p class="sentence-reason">{demand.reason}</p>}
           <p class="sentence-origin">{origins[origin]}</p>
-          {demand.sentence_id && fate !== "not understood" && (
+          {demand.sentence_id && (
             <div class="sentence-acts">
-              {fate !== "dropped" && <Weight room={room} demand={demand} text={text} />}
-              {fate === "dropped"
+              {!isGone && <Weight room={room} demand={demand} text={text} />}
+              {isGone
                 ? <button class="link-button" onClick={() => void say(room, demand.sentence || text)}>Ask for it again</button>
                 : <button class="link-button" onClick={() => void weigh(room, demand.sentence_id!, 0)}>Drop</button>}
             </div>

@@ -34,6 +34,7 @@ export function usePlanDrop(plan: PlanController, host: { current: HTMLElement |
       event.stopPropagation();
       const pose = poseOf(event);
       plan.guides.value = [];
+      element.focus({ preventScroll: true });
       void addPiece(plan.room, object, pose);
     };
     const onLeave = () => { plan.guides.value = []; };

@@ -11,6 +11,8 @@ import { Nudge } from "./nudge";
 import { vec } from "../geometry/vec";
 import { zoomedAt } from "./view";
 
+const kOfButtons = /^(Enter| |Tab|Escape|Arrow.*|Home|End)$/;
+
 let copied: readonly Piece[] = [];
 
 function turn(plan: PlanController, angle: number): void {
@@ -81,7 +83,8 @@ export function usePlanKeys(plan: PlanController) {
   const nudge = useMemo(() => new Nudge(plan), [plan]);
   const keys = useMemo(() => ({
     onKeyDown(event: KeyboardEvent) {
-      if (event.target instanceof HTMLInputElement || event.target instanceof HTMLButtonElement) return;
+      if (event.target instanceof HTMLInputElement) return;
+      if (event.target instanceof HTMLButtonElement && kOfButtons.test(event.key)) return;
       const isCommand = event.ctrlKey || event.metaKey;
       const taken = nudge.down(event)
         || (isCommand ? onCommand(plan, event.key.toLowerCase()) : !event.altKey && onPlain(plan, event));
@@ -93,8 +96,13 @@ export function usePlanKeys(plan: PlanController) {
     onBlur: () => nudge.finish(),
   }), [plan, nudge]);
   useEffect(() => {
-    // With the focus nowhere, keys are for the plan.
-    const down = (event: KeyboardEvent) => { if (event.target === document.body && event.key !== "Tab") keys.onKeyDown(event); };
+    // With the focus nowhere, keys are for the plan; with it on a button, those that mean nothing to buttons.
+    const down = (event: KeyboardEvent) => {
+      const target = event.target as HTMLElement;
+      const isNowhere = target === document.body && event.key !== "Tab";
+      const isOnButton = target.closest("button, a") && !target.closest("dialog, [role=menu]") && !kOfButtons.test(event.key);
+      if ((isNowhere || isOnButton) && !event.defaultPrevented) keys.onKeyDown(event);
+    };
     const up = (event: KeyboardEvent) => {
       if (event.key === " ") plan.isSpaceDown.value = false;
       if (event.target === document.body) keys.onKeyUp(event);

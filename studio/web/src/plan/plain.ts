@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines for what the server has not drawn, or not yet.
+import type { Size } from "../geometry/footprint";
 import type { Vec } from "../geometry/vec";
 import type { Piece } from "../state/pieces";
 
@@ -13,8 +14,10 @@ export function plainFloor(floor: readonly Vec[]): { floor: string; walls: strin
   };
 }
 
-export function plainPiece({ size: { width, depth }, object }: Piece): string {
+export function plainSymbol({ width, depth }: Size, isRound: boolean): string {
   const line = 'fill="#f1ece3" stroke="#57534c" stroke-width="0.012"';
-  if (object.round) return `<ellipse rx="${width / 2}" ry="${depth / 2}" ${line}/>`;
+  if (isRound) return `<ellipse rx="${width / 2}" ry="${depth / 2}" ${line}/>`;
   return `<rect x="${-width / 2}" y="${-depth / 2}" width="${width}" height="${depth}" ${line}/>`;
 }
+
+export const plainPiece = ({ size, object }: Piece): string => plainSymbol(size, object.round);

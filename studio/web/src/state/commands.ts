@@ -89,7 +89,9 @@ export const settle = (room: OpenRoom) => room.act({ case: "settle", value: {} }
 export const undo = (room: OpenRoom) => room.act({ case: "undo", value: {} });
 export const redo = (room: OpenRoom) => room.act({ case: "redo", value: {} });
 export const rename = (room: OpenRoom, title: string) => room.act({ case: "title", value: title });
-export const say = (room: OpenRoom, text: string) => room.act({ case: "say", value: { text } });
+
+export const say = (room: OpenRoom, text: string, tell?: (text: string) => void) =>
+  room.act({ case: "say", value: { text } }, tell);
 
 export const weigh = (room: OpenRoom, sentenceId: string, weight: number) =>
   room.act({ case: "weigh", value: { sentenceId, weight } });

@@ -86,14 +86,15 @@ export class OpenRoom {
     if (document && !this.isClosed) this.show(document, layout);
   }
 
-  // Changes the document; one act after the other. Errors are told to the user; then the answer is undefined.
-  act(act: Act): Promise<ActResponse | undefined> {
-    const answer = this.queue.then(() => this.send(act));
+  // Changes the document; one act after the other. Errors and remarks are told to the user, by a toast unless `tell` does;
+  // after an error the answer is undefined.
+  act(act: Act, tell?: (text: string) => void): Promise<ActResponse | undefined> {
+    const answer = this.queue.then(() => this.send(act, tell));
     this.queue = answer;
     return answer;
   }
 
-  private async send(act: Act): Promise<ActResponse | undefined> {
+  private async send(act: Act, tell = (text: string) => this.toasts.error(text)): Promise<ActResponse | undefined> {
     this.isBusy.value = true;
     try {
       const { revision } = this.document.peek();
@@ -104,7 +105,7 @@ export class OpenRoom {
       const isTold = !kUntold.has(act.case ?? "");
       this.effect.value = response.layout && isTold ? effectOf(before, response.layout) : undefined;
       for (const { severity, message } of response.diagnostics) {
-        if (severity >= Severity.WARNING && !known.has(message)) this.toasts.error(message);
+        if (severity >= Severity.WARNING && !known.has(message)) tell(message);
         else if (act.case === "room") this.toasts.note(message);
       }
       return response;
@@ -116,7 +117,7 @@ export class OpenRoom {
       } else if (isNothingToDo(error)) {
         this.toasts.note(sentenceOf(error));
       } else {
-        this.toasts.error(sentenceOf(error));
+        tell(sentenceOf(error));
       }
       return undefined;
     } finally {

@@ -13,6 +13,8 @@ import { Walk } from "./walk";
 export type Mode = "orbit" | "walk";
 
 const kEyeHeight = 1.6;
+const kOrbitAngle = 50;
+const kWalkAngle = 72;
 
 // Pictures in the file are read by <img>: the page's policy lets nothing else read them.
 function makeLoader(): GLTFLoader {
@@ -43,7 +45,7 @@ function pieceOf(node: Object3D | null): string {
 
 export class View3d {
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(50, 1, 0.05, 200);
+  private readonly camera = new PerspectiveCamera(kOrbitAngle, 1, 0.05, 200);
   private readonly renderer: WebGLRenderer;
   private readonly orbit: OrbitControls;
   private readonly walk: Walk;
@@ -102,6 +104,8 @@ export class View3d {
     this.orbit.enabled = mode === "orbit";
     const ceiling = this.model?.getObjectByName("ceiling");
     if (ceiling) ceiling.visible = mode === "walk";
+    this.camera.fov = mode === "walk" ? kWalkAngle : kOrbitAngle;
+    this.camera.updateProjectionMatrix();
     if (mode === "orbit") {
       this.walk.stop();
       this.lookFromAbove();
@@ -164,9 +168,9 @@ export class View3d {
     const box = this.boxOfRoom(), middle = box.getCenter(new Vector3());
     const door = this.model?.getObjectByName("door_1");
     const at = door ? new Box3().setFromObject(door).getCenter(new Vector3()) : new Vector3(middle.x, 0, box.max.z);
-    const step = middle.clone().sub(at).setY(0).normalize().multiplyScalar(0.7);
+    const step = middle.clone().sub(at).setY(0).normalize().multiplyScalar(0.4);
     this.camera.position.copy(at.add(step)).setY(kEyeHeight);
-    this.camera.lookAt(middle.x, 1.1, middle.z);
+    this.camera.lookAt(middle.x, kEyeHeight - 0.25, middle.z);
     this.walk.bounds = box;
   }
 
