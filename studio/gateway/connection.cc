@@ -221,7 +221,7 @@ void Connection::Linger() {
 
 void Connection::SetDeadline(absl::Duration patience) {
   if (patience == absl::InfiniteDuration()) {
-    deadline_.cancel();
+    deadline_.expires_at(std::chrono::steady_clock::time_point::max());
     return;
   }
   deadline_.expires_after(absl::ToChronoNanoseconds(patience));

@@ -144,7 +144,8 @@ void Connection::OnChunkSent(bool last) {
   held_answer_ = {};
   if (last) {
     stream_end_.reset();
-    return OnSent(stopping_ || !parser_->get().keep_alive());
+    // A call that was ended from here may still tell its end, which must not meet the next.
+    return OnSent(stopping_ || stream_ != nullptr || !parser_->get().keep_alive());
   }
   if (stream_end_.has_value()) return SendChunk("");
   SetDeadline(absl::InfiniteDuration());

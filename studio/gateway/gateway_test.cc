@@ -242,6 +242,29 @@ TEST_F(GatewayTest, TakesOnlySoManyStreams) {
   EXPECT_EQ(browsers[2]->Ask(browsers[2]->Post(kGetDocument, "{}")).status, 0);
 }
 
+// The call of the first still tells its end while the second is under way.
+TEST_F(GatewayTest, AStreamThatTheGatewayEndsDoesNotEndTheNext) {
+  Start({.held_bytes = 1000});
+  for (int i = 0; i < 20; ++i) {
+    Browser browser(*gateway_);
+    browser.Say(browser.PostStream(kWatchDocuments, "{}"));
+    EXPECT_EQ(browser.ReadStreamHead().status, 200);
+    studio_.AwaitWaiting(2 * i + 1);
+    studio_.Say(std::string(2000, 'a'));
+    EXPECT_EQ(json::parse(browser.ReadMessage()->json)["error"]["code"], "resource_exhausted");
+    EXPECT_FALSE(browser.ReadMessage().has_value());
+    std::optional<Browser> next;
+    if (!browser.Say(browser.PostStream(kWatchDocuments, "{}")) || browser.ReadStreamHead().status == 0) {
+      next.emplace(*gateway_);
+      next->Say(next->PostStream(kWatchDocuments, "{}"));
+      EXPECT_EQ(next->ReadStreamHead().status, 200);
+    }
+    studio_.AwaitWaiting(2 * i + 2);
+    studio_.Say("b");
+    EXPECT_EQ((next.has_value() ? *next : browser).ReadMessage()->json, R"({"deletedDocumentId":"b"})");
+  }
+}
+
 TEST_F(GatewayTest, StopEndsStreamsAndWaitsForAnswers) {
   Start();
   Browser listener(*gateway_);

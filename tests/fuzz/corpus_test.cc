@@ -23,7 +23,7 @@ constexpr Target kTargets[] = {
     {"read_graph", ReadGraph},          {"solve_problem", SolveProblem},        {"edit_layout", EditLayout},
     {"read_scene_text", ReadSceneText}, {"read_model_answer", ReadModelAnswer}, {"read_reply", ReadReply},
     {"model_step", ModelStep},          {"read_artifact", ReadArtifact},        {"select_field", SelectField},
-    {"read_asset", ReadAsset},          {"read_manifest", ReadManifest}};
+    {"read_asset", ReadAsset},          {"read_manifest", ReadManifest},        {"studio_request", StudioRequest}};
 
 std::vector<std::filesystem::path> FilesOf(std::string_view target) {
   std::vector<std::filesystem::path> files;

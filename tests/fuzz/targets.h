@@ -48,6 +48,9 @@ void ReadAsset(std::string_view bytes);
 // A manifest of models.
 void ReadManifest(std::string_view bytes);
 
+// A request to the studio, head and body. See studio_request.cc for what must hold.
+void StudioRequest(std::string_view bytes);
+
 // Aborts with `promise` unless it holds.
 inline void Require(bool holds, std::string_view promise) {
   if (holds) return;
