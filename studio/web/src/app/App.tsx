@@ -18,6 +18,8 @@ import { ToastList } from "./ToastList";
 import { TopBar } from "./TopBar";
 
 const Scene = lazy(() => import("../three/Scene"));
+const RoomEditor = lazy(() => import("../room/RoomEditor"));
+const JobsPage = lazy(() => import("../jobs/JobsPage"));
 
 function Panes({ room }: { room: OpenRoom }) {
   const panes = useStudio().settings.panes.value;
@@ -47,6 +49,9 @@ function RoomPage({ room }: { room: OpenRoom }) {
 function Middle() {
   const room = useStudio().open.value;
   if (route.value.page === "document") return room ? <RoomPage room={room} /> : <main class="stage" aria-busy="true" />;
+  const { page, id } = route.value;
+  if (page === "draw") return <Suspense fallback={<main class="stage" aria-busy="true" />}><RoomEditor key={id} id={id} /></Suspense>;
+  if (page === "jobs") return <Suspense fallback={<main class="stage" aria-busy="true" />}><JobsPage id={id} /></Suspense>;
   return <main class="stage is-start"><Start /></main>;
 }
 

@@ -8,7 +8,10 @@ import { panned, zoomedAt } from "./view";
 const kPixelsPerLine = 16;
 const kZoomPerPixel = 0.0022;
 
-export function usePlanWheel(plan: PlanController, host: { current: HTMLElement | null }): void {
+// What is panned and zoomed: the plan, or a room that is drawn.
+type Viewed = Pick<PlanController, "view" | "setView" | "pixelOf">;
+
+export function usePlanWheel(plan: Viewed, host: { current: HTMLElement | null }): void {
   useEffect(() => {
     const element = host.current!;
     const onWheel = (event: WheelEvent) => {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From presses to gestures, by what is under the pointer and the tool in hand.
+import { useMemo } from "preact/hooks";
+import type { Vec } from "../geometry/vec";
+import { kSnapPixels, type Gesture } from "../plan/gesture";
+import { dot, sub } from "../geometry/vec";
+import { addCornerOn } from "./acts";
+import type { RoomDrawing, Selection, Tool } from "./controller";
+import { newFixture, withFixture } from "./fixtures";
+import { dragCorner, dragEnd, dragFixture, dragWall, ghostAt, panGesture } from "./gestures";
+import { penAt, type PenPoint } from "./pen";
+
+const kPenStep = 0.05;
+const kMiddleButton = 1;
+
+function attribute(event: Event, name: string): string | undefined {
+  return (event.target as Element).closest<SVGElement>(`[data-${name}]`)?.dataset[name];
+}
+
+function penOf(drawing: RoomDrawing, event: PointerEvent): PenPoint {
+  const options = { within: drawing.metresOf(kSnapPixels * 1.25), isFree: event.altKey, step: kPenStep };
+  return penAt(drawing.sketch.peek().corners, drawing.pointOf(event), options);
+}
+
+// Follows the pointer until it is released: a finger has no hover.
+function penGesture(drawing: RoomDrawing, start: PointerEvent): Gesture {
+  drawing.pen.value = penOf(drawing, start);
+  return {
+    cursor: "crosshair",
+    move(event) { drawing.pen.value = penOf(drawing, event); },
+    end(event) { drawing.addCorner(penOf(drawing, event)); },
+    cancel() { drawing.pen.value = undefined; },
+  };
+}
+
+function scaleGesture(drawing: RoomDrawing): Gesture {
+  return {
+    cursor: "crosshair",
+    move() {},
+    end(event) {
+      const points: readonly Vec[] = drawing.scaling.peek() ?? [];
+      drawing.scaling.value = points.length >= 2 ? [drawing.pointOf(event)] : [...points, drawing.pointOf(event)];
+    },
+    cancel() {},
+  };
+}
+
+function placeGesture(drawing: RoomDrawing, start: PointerEvent, kind: Exclude<Tool, "select">): Gesture {
+  const show = (event: PointerEvent) => {
+    drawing.ghost.value = ghostAt(drawing, newFixture(drawing.sketch.peek(), kind, "", 0), event);
+  };
+  show(start);
+  return {
+    cursor: "copy",
+    move: show,
+    end() {
+      const placed = drawing.ghost.peek();
+      if (!placed) return drawing.studio.toasts.note("Put it on a wall.");
+      drawing.take("select");
+      drawing.commit(withFixture(drawing.sketch.peek(), placed), `add a ${kind}`);
+      drawing.select({ kind: "fixture", id: placed.id });
+    },
+    cancel() { drawing.ghost.value = undefined; },
+  };
+}
+
+function gestureFor(drawing: RoomDrawing, event: PointerEvent): Gesture | undefined {
+  if (event.button === kMiddleButton || (event.button === 0 && drawing.isSpaceDown.peek())) return panGesture(drawing, event);
+  if (event.button !== 0) return undefined;
+  const mode = drawing.mode.peek();
+  if (mode === "scale") return scaleGesture(drawing);
+  if (mode === "pen") return penGesture(drawing, event);
+  if (mode !== "select") return placeGesture(drawing, event, mode);
+  const one = drawing.selection.peek(), end = attribute(event, "end");
+  if (one?.kind === "fixture" && (end === "start" || end === "end")) return dragEnd(drawing, event, one.id, end);
+  const corner = attribute(event, "corner"), fixture = attribute(event, "fixture"), wall = attribute(event, "wall");
+  if (corner) return dragCorner(drawing, event, corner);
+  if (fixture) return dragFixture(drawing, event, fixture);
+  if (wall) return dragWall(drawing, event, wall);
+  return panGesture(drawing, event, () => drawing.select(undefined));
+}
+
+function under(event: PointerEvent): Selection | undefined {
+  const corner = attribute(event, "corner"), fixture = attribute(event, "fixture"), wall = attribute(event, "wall");
+  if (corner) return { kind: "corner", key: corner };
+  if (fixture) return { kind: "fixture", id: fixture };
+  return wall ? { kind: "wall", key: wall } : undefined;
+}
+
+function hover(drawing: RoomDrawing, event: PointerEvent): void {
+  const mode = drawing.mode.peek();
+  if (mode === "pen" && !drawing.typed.peek()) drawing.pen.value = penOf(drawing, event);
+  if (mode === "door" || mode === "window" || mode === "socket") {
+    drawing.ghost.value = ghostAt(drawing, newFixture(drawing.sketch.peek(), mode, "", 0), event);
+  }
+  drawing.hovered.value = mode === "select" ? under(event) : undefined;
+}
+
+export function useDrawingPointer(drawing: RoomDrawing) {
+  return useMemo(() => ({
+    onPointerDown(event: PointerEvent) {
+      if (drawing.gesture.peek() || attribute(event, "field") !== undefined) return;
+      const gesture = gestureFor(drawing, event);
+      if (!gesture) return;
+      event.preventDefault();
+      drawing.element?.parentElement?.focus({ preventScroll: true });
+      drawing.element?.setPointerCapture(event.pointerId);
+      drawing.gesture.value = gesture;
+    },
+    onPointerMove(event: PointerEvent) {
+      const gesture = drawing.gesture.peek();
+      if (gesture) gesture.move(event);
+      else hover(drawing, event);
+    },
+    onPointerUp(event: PointerEvent) {
+      const gesture = drawing.gesture.peek();
+      drawing.gesture.value = undefined;
+      gesture?.end(event);
+    },
+    onPointerCancel() {
+      const gesture = drawing.gesture.peek();
+      drawing.gesture.value = undefined;
+      gesture?.cancel();
+    },
+    onPointerLeave() {
+      drawing.hovered.value = undefined;
+      drawing.ghost.value = undefined;
+      if (!drawing.typed.peek()) drawing.pen.value = undefined;
+    },
+    onDblClick(event: MouseEvent) {
+      const key = drawing.mode.peek() === "select" ? attribute(event, "wall") : undefined;
+      const wall = drawing.walls.peek().find((one) => one.key === key);
+      if (!wall || attribute(event, "field") !== undefined) return;
+      const along = dot(sub(drawing.pointOf(event), wall.a), wall.along);
+      addCornerOn(drawing, wall.index, Math.round(along / kPenStep) * kPenStep);
+    },
+  }), [drawing]);
+}

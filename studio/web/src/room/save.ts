@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Done": a new document of a drawn room, or a change of the room of one that is there.
+import { isConflict, sentenceOf } from "../api/problems";
+import { length } from "../geometry/vec";
+import { capital } from "../inspector/words";
+import type { GetDocumentResponse } from "../gen/flair/v1/studio_service_pb";
+import { goTo } from "../state/route";
+import type { Studio } from "../state/studio";
+import type { Sketch } from "./sketch";
+import { roomOf } from "./to_room";
+
+export async function saveNew(studio: Studio, sketch: Sketch): Promise<boolean> {
+  const { room } = roomOf(sketch, capital(`my ${sketch.roomType}`.trim()));
+  return (await studio.create({ case: "room", value: room })) !== undefined;
+}
+
+// What stands in the room stays where it is also when the room's lower left corner, from which all is measured, moves.
+export async function saveChanged(studio: Studio, sketch: Sketch, shown: GetDocumentResponse): Promise<boolean> {
+  const before = shown.layout!.graph!.room!, document = shown.document!;
+  const { room, shift } = roomOf(sketch, before.title, before);
+  const call = studio.clients.studio;
+  try {
+    const changed = await call.act({ documentId: document.id, revision: document.revision, act: { case: "room", value: room } });
+    changed.diagnostics.forEach(({ message }) => studio.toasts.note(message));
+    const placements = (changed.layout?.placements ?? []).map((one) => (
+      { objectId: one.objectId, xM: one.xM + shift.x, yM: one.yM + shift.y, zM: one.zM, thetaRad: one.thetaRad }));
+    if (length(shift) > 1e-6 && placements.length > 0) {
+      await call.act({ documentId: document.id, revision: changed.document!.revision, act: { case: "move", value: { placements } } });
+    }
+  } catch (error) {
+    studio.toasts.error(isConflict(error)
+      ? "The room was changed in another window meanwhile. Cancel, and edit its newest state." : sentenceOf(error));
+    return false;
+  }
+  goTo({ page: "document", id: document.id });
+  return true;
+}
