@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { JobState } from "../gen/flair/v1/job_pb";
 import type { Document } from "../gen/flair/v1/studio_service_pb";
-import { goTo, hashOf } from "../state/route";
+import { goTo, hashOf, route } from "../state/route";
 import { useStudio } from "../state/studio";
 import { Icon } from "./Icon";
 import { Menu } from "./Menu";
@@ -45,6 +45,8 @@ export function Documents() {
     <>
       <button class="button is-wide" onClick={() => goTo({ page: "start" })}><Icon name="plus" />New room</button>
       {documents.length === 0 && studio.isListed.value && <p class="hint">Rooms that you make are listed here.</p>}
+      <button class="sidebar-link" aria-current={route.value.page === "jobs" ? "page" : undefined} onClick={() => goTo({ page: "jobs" })}>
+        <Icon name="queue" />Jobs and batches</button>
       <ul class="documents">{documents.map((one) => <Entry key={one.id} document={one} now={now} />)}</ul>
     </>
   );
