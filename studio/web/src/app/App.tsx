@@ -9,6 +9,7 @@ import { Plan } from "../plan/Plan";
 import type { OpenRoom } from "../state/open_room";
 import { route } from "../state/route";
 import { useStudio } from "../state/studio";
+import { VariantStrip } from "../variants/VariantStrip";
 import { Banner } from "./Banner";
 import { FileDrop } from "./FileDrop";
 import { KeysDialog } from "./KeysDialog";
@@ -40,7 +41,10 @@ function RoomPage({ room }: { room: OpenRoom }) {
   if (!hasRoom || (isWorking && room.pieces.value.size === 0)) return <main class="stage"><Progress room={room} /></main>;
   return (
     <>
-      <main class="stage" aria-label="Room"><Panes room={room} /></main>
+      <main class="stage has-variants" aria-label="Room">
+        <Panes room={room} />
+        <VariantStrip key={room.id} room={room} />
+      </main>
       <Inspector room={room} />
     </>
   );

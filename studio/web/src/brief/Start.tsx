@@ -8,16 +8,19 @@ import { useStudio } from "../state/studio";
 import examples from "./examples.json";
 
 const kLongest = 4000;
+const kVariants = 3;
 
 export function Start() {
   const studio = useStudio();
   const field = useRef<HTMLTextAreaElement>(null);
   const [text, setText] = useState("");
   const [isSent, setSent] = useState(false);
+  const [hasVariants, setVariants] = useState(false);
   const send = async (brief: string) => {
     if (!brief.trim() || isSent) return;
     setSent(true);
-    await studio.create({ case: "design", value: { brief: { text: brief.trim() } } });
+    const solveOptions = hasVariants ? { variantCount: kVariants } : undefined;
+    await studio.create({ case: "design", value: { brief: { text: brief.trim() }, solveOptions } });
     setSent(false);
   };
   return (
@@ -34,7 +37,11 @@ export function Start() {
           }} />
         <div class="brief-foot">
           <span class="hint">Say sizes, furniture, wishes. Enter designs it.</span>
-          <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>Design</button>
+          <div class="brief-options">
+            <button type="button" class="chip" aria-pressed={hasVariants} title="Three layouts of the room, side by side; take one"
+              onClick={() => setVariants(!hasVariants)}>{kVariants} variants</button>
+            <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>Design</button>
+          </div>
         </div>
       </form>
       <h2 class="eyebrow">Or try one of these</h2>

@@ -12,7 +12,6 @@ import { Furnish } from "./Furnish";
 import { Measures } from "./Measures";
 import { PieceList } from "./PieceList";
 import { SentenceRow } from "./Sentence";
-import { Variants } from "./Variants";
 import { capital, withStop } from "./words";
 
 function missedOf(note: Note): Array<{ demand: Demand; objectId: string }> {
@@ -69,7 +68,6 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
         </section>
       )}
       {room.pieces.value.size === 0 ? <Furnish room={room} /> : <Measures note={note} metrics={layout?.metrics} />}
-      <Variants room={room} />
       {missed.length > 0 && (
         <section>
           <h3 class="eyebrow">Wishes that do not hold</h3>

@@ -148,6 +148,29 @@ function Guides() {
   );
 }
 
+// What a click would do.
+function Advice() {
+  const drawing = useDrawing(), mode = drawing.mode.value, { corners } = drawing.sketch.value;
+  const texts = {
+    scale: "", select: "",
+    pen: corners.length === 0 ? "Click where the first corner is." : corners.length < 3 ? "Click the next corner, or type how far it is."
+      : "Click the next corner. The first one closes the room.",
+    door: "Click a wall to place the door.", window: "Click a wall to place the window.", socket: "Click a wall to place the socket.",
+  };
+  return <p class="room-advice" aria-live="polite">{texts[mode]}</p>;
+}
+
+const kSteps = { m: [0.1, 0.5, 1, 2, 5, 10], ft: [0.3048, 0.9144, 1.524, 3.048, 6.096, 15.24] };
+
+function ScaleBar() {
+  const drawing = useDrawing(), units = drawing.studio.settings.units.value, { scale } = drawing.view.value;
+  const bar = useRef<HTMLDivElement>(null);
+  const metres = [...kSteps[units]].reverse().find((step) => step * scale <= 130) ?? kSteps[units][0]!;
+  useEffect(() => { bar.current!.style.width = `${metres * scale}px`; }, [metres, scale]);
+  const text = units === "m" ? `${metres} m` : `${Math.round(metres / 0.3048)} ft`;
+  return <div class="scale-bar" aria-label={`Scale: this bar is ${text} long`}><div ref={bar} /><span>{text}</span></div>;
+}
+
 function useSize(drawing: RoomDrawing, host: { current: HTMLDivElement | null }): void {
   useEffect(() => {
     const observer = new ResizeObserver(([entry]) => {
@@ -188,7 +211,9 @@ export function Canvas({ below }: { below: ReadonlyArray<readonly Vec[]> }) {
       <LengthField />
       <ScaleField />
       <Toolbar />
+      <Advice />
       <div class="plan-tools">
+        <ScaleBar />
         <div class="button-group">
           <button class="icon-button" aria-label="Zoom out" title="Zoom out (-)" onClick={() => zoom(0.8)}><Icon name="minus" /></button>
           <button class="icon-button" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}><Icon name="plus" /></button>

@@ -34,7 +34,7 @@ function Figure({ at, text, label, name = "", open }: FigureProps) {
 
 // Where the length of a wall is written: outside of it.
 export function wallFigureAt(a: Vec, b: Vec, outward: Vec, scale: number): Vec {
-  return add(middle(a, b), times(outward, kWallThickness + 17 / scale));
+  return add(middle(a, b), times(outward, kWallThickness + (16 + 12 * Math.abs(outward.x)) / scale));
 }
 
 function WallFigures() {
@@ -61,7 +61,7 @@ export function PenFigure() {
   const metres = distance(last, pen.at);
   if (metres * view.scale < kShortestPixels && !typed) return null;
   const d = unit(sub(pen.at, last)), aside = { x: -d.y, y: d.x };
-  const at = toScreen(view, add(middle(last, pen.at), times(aside, 18 / view.scale)));
+  const at = toScreen(view, add(middle(last, pen.at), times(aside, (18 + 10 * Math.abs(aside.x)) / view.scale)));
   return typed ? <Figure at={at} text={`${typed}▏`} label="Typed length" name="is-typed" />
     : <Figure at={at} text={figure(metres, units)} label="Length" name="is-selected" />;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page on which one draws a room of one's own, or changes the room of a document.
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import type { Vec } from "../geometry/vec";
 import type { GetDocumentResponse } from "../gen/flair/v1/studio_service_pb";
@@ -59,11 +59,14 @@ function Editor({ shown }: { shown: GetDocumentResponse | undefined }) {
   const keys = useDrawingKeys(drawing);
   const below: Vec[][] = useMemo(() => [...piecesOf(shown?.layout).values()].filter(isOnFloor).map((piece) => footprintOf(piece)), [shown]);
   const isClosed = drawing.sketch.value.isClosed;
+  const body = useRef<HTMLDivElement>(null);
+  // The button that was pressed is gone: keys are still meant for the panel.
+  useEffect(() => { if (document.activeElement === document.body) body.current?.focus({ preventScroll: true }); });
   return (
     <DrawingContext.Provider value={drawing}>
       <main class="stage" aria-label="Room drawing"><Canvas below={below} /></main>
       <aside class="inspector room-panel" aria-label="Room" {...keys}>
-        <div class="inspector-body" tabIndex={-1}>
+        <div class="inspector-body" tabIndex={-1} ref={body}>
           {!isClosed && <BeginPanel />}
           {isClosed && !drawing.selection.value && <ShapePanel isNew={!shown} />}
           {isClosed && <ChosenPanel />}

@@ -4,7 +4,7 @@ import { computed, signal } from "@preact/signals";
 import { boxOf } from "../geometry/polygon";
 import { add, sub, times, vec, type Vec } from "../geometry/vec";
 import type { Gesture } from "../plan/gesture";
-import { fitted, toRoom, type View } from "../plan/view";
+import { fitted, toRoom, toScreen, type View } from "../plan/view";
 import type { Studio } from "../state/studio";
 import { begun, pushed, redone, undone } from "./history";
 import { nearestDirection, type PenPoint } from "./pen";
@@ -12,6 +12,9 @@ import { scaled, type Picture } from "./picture";
 import { problemsOf } from "./problems";
 import { emptySketch, freeKey, wallsOf, type Fixture, type Sketch, type WallLine } from "./sketch";
 import { tidied } from "./walls";
+
+// A corner nearer to the edge of the view than this many pixels makes it show more.
+const kEdge = 48;
 
 export type Tool = "select" | "door" | "window" | "socket";
 
@@ -109,6 +112,8 @@ export class RoomDrawing {
     const corner = { x: point.at.x, y: point.at.y, wall: freeKey(sketch.corners) };
     this.commit({ ...sketch, corners: [...sketch.corners, corner] }, "draw a wall");
     this.pen.value = undefined;
+    const { x, y } = toScreen(this.view.peek(), corner);
+    if (x < kEdge || y < kEdge || x > this.width.peek() - kEdge || y > this.height.peek() - kEdge) this.fit();
   }
 
   close(): void {
