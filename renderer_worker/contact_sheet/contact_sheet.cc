@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "renderer_worker/drawing/canvas.h"
+#include "renderer_worker/drawing/sheet.h"
 #include "renderer_worker/drawing/text.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -51,32 +52,11 @@ class SheetBand {
     }
     cairo_surface_mark_dirty(surface_.get());
   }
-  // Below what `pixels` holds already; it must have the room.
-  void AppendTo(Pixels& pixels) const {
-    cairo_surface_flush(surface_.get());
-    const unsigned char* rows = cairo_image_surface_get_data(surface_.get());
-    const int stride = cairo_image_surface_get_stride(surface_.get());
-    const int width = cairo_image_surface_get_width(surface_.get());
-    const int height = cairo_image_surface_get_height(surface_.get());
-    for (int y = 0; y < height; ++y) {
-      const unsigned char* from = rows + static_cast<ptrdiff_t>(y) * stride;
-      for (int x = 0; x < width; ++x, from += 4) {
-        uint32_t pixel = 0;
-        std::memcpy(&pixel, from, 4);
-        for (const int shift : {16, 8, 0}) pixels.rgb.push_back(static_cast<uint8_t>(pixel >> shift));
-      }
-    }
-    pixels.width_px = width;
-    pixels.height_px += height;
-  }
+  cairo_surface_t* surface() const { return surface_.get(); }
 
  private:
-  struct Free {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-  };
-  std::unique_ptr<cairo_surface_t, Free> surface_;
-  std::unique_ptr<cairo_t, Free> cairo_;
+  SurfacePtr surface_;
+  CairoPtr cairo_;
   std::unique_ptr<Canvas> canvas_;
 };
 
@@ -173,7 +153,7 @@ absl::StatusOr<std::unique_ptr<ContactSheet>> ContactSheet::Make(const SheetGrid
   SheetBand heading(grid.width_px(), grid.gap_px + grid.heading_px);
   RETURN_IF_ERROR(heading.status());
   if (grid.heading_px > 0) DrawHeading(heading, grid, title);
-  heading.AppendTo(sheet->pixels_);
+  AppendPixels(heading.surface(), sheet->pixels_);
   return sheet;
 }
 
@@ -236,7 +216,7 @@ absl::Status ContactSheet::AddBroken(const std::string& reason, const TileText& 
 
 absl::Status ContactSheet::EndBand() {
   if (band_ == nullptr) return absl::OkStatus();
-  band_->AppendTo(pixels_);
+  AppendPixels(band_->surface(), pixels_);
   band_.reset();
   return absl::OkStatus();
 }

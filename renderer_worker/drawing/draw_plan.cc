@@ -26,24 +26,6 @@ namespace {
 
 constexpr double kMmPerInch = 25.4;
 
-Pixels ReadPixels(cairo_surface_t* surface) {
-  cairo_surface_flush(surface);
-  Pixels pixels{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  pixels.rgb.resize(static_cast<size_t>(pixels.width_px) * pixels.height_px * 3);
-  const unsigned char* data = cairo_image_surface_get_data(surface);
-  const int stride = cairo_image_surface_get_stride(surface);
-  uint8_t* to = pixels.rgb.data();
-  for (int y = 0; y < pixels.height_px; ++y) {
-    const auto* row = reinterpret_cast<const uint32_t*>(data + static_cast<ptrdiff_t>(y) * stride);
-    for (int x = 0; x < pixels.width_px; ++x, to += 3) {
-      to[0] = static_cast<uint8_t>(row[x] >> 16);
-      to[1] = static_cast<uint8_t>(row[x] >> 8);
-      to[2] = static_cast<uint8_t>(row[x]);
-    }
-  }
-  return pixels;
-}
-
 absl::StatusOr<SurfacePtr> MakeImage(int width, int height) {
   SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
@@ -241,6 +223,26 @@ absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& 
   return options.dpi() / kMmPerInch;
 }
 
+void AppendPixels(cairo_surface_t* surface, Pixels& pixels) {
+  cairo_surface_flush(surface);
+  const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
+  pixels.width_px = width;
+  pixels.height_px += height;
+  const size_t before = pixels.rgb.size();
+  pixels.rgb.resize(static_cast<size_t>(width) * pixels.height_px * 3);
+  const unsigned char* data = cairo_image_surface_get_data(surface);
+  const int stride = cairo_image_surface_get_stride(surface);
+  uint8_t* to = pixels.rgb.data() + before;
+  for (int y = 0; y < height; ++y) {
+    const auto* row = reinterpret_cast<const uint32_t*>(data + static_cast<ptrdiff_t>(y) * stride);
+    for (int x = 0; x < width; ++x, to += 3) {
+      to[0] = static_cast<uint8_t>(row[x] >> 16);
+      to[1] = static_cast<uint8_t>(row[x] >> 8);
+      to[2] = static_cast<uint8_t>(row[x]);
+    }
+  }
+}
+
 absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_mm, const Drawing& draw) {
   ASSIGN_OR_RETURN(const SurfacePtr surface, MakeImage(width_px, height_px));
   const CairoPtr cairo(cairo_create(surface.get()));
@@ -248,7 +250,9 @@ absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_m
   Canvas canvas(cairo.get());
   draw(canvas);
   RETURN_IF_ERROR(StatusOf(cairo_status(cairo.get())));
-  return ReadPixels(surface.get());
+  Pixels pixels;
+  AppendPixels(surface.get(), pixels);
+  return pixels;
 }
 
 absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const Drawing& draw) {

@@ -236,6 +236,4 @@ absl::Status DrawSymbol(Canvas& canvas, const Ink& ink, double width_m, double d
   return drawn;
 }
 
-bool HasSymbol(std::string_view name) { return Symbols().Has("plan", name); }
-
 }  // namespace flair::renderer

@@ -38,9 +38,6 @@ struct Ink {
 // wood, metal, fire. Lines: none, outline, detail, faint, dashed.
 absl::Status DrawSymbol(Canvas& canvas, const Ink& ink, double width_m, double depth_m, std::string_view name);
 
-// Whether there is a symbol of that name.
-bool HasSymbol(std::string_view name);
-
 // What is drawn beside walls and openings; as it is when nothing is asked for.
 struct PlanLayers {
   bool floor_pieces = true;

@@ -81,6 +81,8 @@ absl::StatusOr<double> PixelsPerMm(const Sheet& sheet, const v1::RenderOptions& 
 
 // A picture of so many pixels, of which `px_per_mm` are a millimetre of paper.
 absl::StatusOr<Pixels> DrawOnPixels(int width_px, int height_px, double px_per_mm, const Drawing& draw);
+// Puts those of an RGB24 surface below what `pixels` holds already, which must be as wide.
+void AppendPixels(cairo_surface_t* surface, Pixels& pixels);
 // The whole paper.
 absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const Drawing& draw);
 
