@@ -10,6 +10,7 @@
 #include "absl/strings/str_split.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
+#include "room/validation/validate.h"
 #include "session/documents.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -119,6 +120,8 @@ absl::StatusOr<v1::DrawDocumentResponse> Documents::Draw(const v1::DrawDocumentR
   draw.mutable_solved_layout()->clear_runner_ups();
   *draw.mutable_object_ids() = request.object_ids();
   ASSIGN_OR_RETURN(v1::DrawPlanPartsResponse drawn, stages_.DrawPlanParts(draw, call));
+  // Another renderer's drawing goes into the page: it may only draw.
+  RETURN_IF_ERROR(Validate(drawn.parts(), "parts"));
   v1::DrawDocumentResponse response;
   response.set_revision(record.document().revision());
   response.mutable_parts()->Swap(drawn.mutable_parts());
@@ -207,6 +210,7 @@ absl::StatusOr<v1::ListFurnitureResponse> Documents::ListFurniture(const v1::Lis
   absl::StatusOr<v1::DrawPlanPartsResponse> drawn = stages_.DrawPlanParts(draw, call);
   if (absl::IsUnimplemented(drawn.status())) return response;
   RETURN_IF_ERROR(drawn.status());
+  RETURN_IF_ERROR(Validate(drawn->parts(), "parts"));
   for (v1::PlanPart& part : *drawn->mutable_parts()->mutable_parts()) {
     int index = -1;
     if (!absl::SimpleAtoi(part.object_id().substr(std::min<size_t>(6, part.object_id().size())), &index)) continue;

@@ -2,6 +2,7 @@
 // The stages of a job as they come.
 import { Icon } from "../app/Icon";
 import { JobState } from "../gen/flair/v1/job_pb";
+import { spentInWords, useSpent } from "../model/spent";
 import { stagesOf } from "../state/jobs";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
@@ -16,7 +17,9 @@ const names: Record<string, string> = {
 export function Progress({ room }: { room: OpenRoom }) {
   const studio = useStudio();
   const { jobId, jobState, jobError, title } = room.document.value;
-  const stages = stagesOf(studio.jobs.events.value.get(jobId) ?? []);
+  const events = studio.jobs.events.value.get(jobId) ?? [];
+  const stages = stagesOf(events);
+  const spent = useSpent(studio.clients, events);
   const isFailed = jobState === JobState.FAILED || jobState === JobState.CANCELLED;
   return (
     <div class="progress" aria-live="polite">
@@ -34,6 +37,7 @@ export function Progress({ room }: { room: OpenRoom }) {
           <li class="is-running"><span class="stage-mark"><span class="spinner" /></span><span class="stage-name">Starting</span></li>
         )}
       </ol>
+      {spent.calls > 0 && <p class="hint spent">The model: {spentInWords(spent)}</p>}
       {isFailed && (
         <div class="notice is-bad" role="alert">
           <p>{jobError || "The design was ended."}</p>

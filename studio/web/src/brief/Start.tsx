@@ -2,6 +2,7 @@
 // Where a room begins: a sentence, a drawing of one's own, or a file.
 import { useRef, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
+import { ModelChip } from "../model/ModelChip";
 import { chooseFile } from "../app/files";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
@@ -38,6 +39,7 @@ export function Start() {
         <div class="brief-foot">
           <span class="hint">Say sizes, furniture, wishes. Enter designs it.</span>
           <div class="brief-options">
+            <ModelChip />
             <button type="button" class="chip" aria-pressed={hasVariants} title="Three layouts of the room, side by side; take one"
               onClick={() => setVariants(!hasVariants)}>{kVariants} variants</button>
             <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>Design</button>
