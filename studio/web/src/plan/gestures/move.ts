@@ -3,6 +3,8 @@ import { moved } from "../../geometry/footprint";
 import { boxOf } from "../../geometry/polygon";
 import { snapped, type Moving, type Target } from "../../geometry/snap";
 import { add, sub, vec, type Vec } from "../../geometry/vec";
+import { mounted } from "../../geometry/wall_mount";
+import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
 import { footprintOf, guestsOf, isSolid, nameOf, type Piece, type Poses } from "../../state/pieces";
 import type { PlanController } from "../controller";
 import { kDragStart, kSnapPixels, type Gesture } from "../gesture";
@@ -21,6 +23,13 @@ export function snapTargets(plan: PlanController, moving: readonly Piece[]): Tar
   const own = new Set([...ids, ...guestsOf(all, ids)]);
   return [...all.values()].filter((piece) => !own.has(piece.id) && isSolid(piece))
     .map((piece) => ({ id: piece.id, polygon: footprintOf(piece), theta: piece.pose.theta }));
+}
+
+// A lone piece that hangs on a wall goes along the walls.
+function hungAt(plan: PlanController, pieces: readonly Piece[], by: Vec) {
+  const [only, ...others] = pieces;
+  if (!only || others.length > 0 || only.object.kind !== ObjectKind.WALL) return undefined;
+  return mounted(add(only.pose, by), only.object.widthM, only.object.depthM, plan.room.floor.peek());
 }
 
 // Drags the selected pieces; alt lets them go anywhere, shift keeps to one axis. A press without a move is a click.
@@ -46,6 +55,12 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
       if (!poses && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart) return;
       if (movable.length === 0) return;
       let by = byOf(event);
+      const hung = event.altKey ? undefined : hungAt(plan, movable, by);
+      if (hung) {
+        plan.guides.value = [{ a: hung.a, b: hung.b, kind: "wall" }];
+        poses = new Map([[movable[0]!.id, { ...movable[0]!.pose, ...hung.pose }]]);
+        return plan.preview(poses);
+      }
       if (event.altKey) {
         plan.guides.value = [];
       } else {
