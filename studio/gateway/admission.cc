@@ -2,9 +2,10 @@
 #include "studio/gateway/admission.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <openssl/crypto.h>
 
-#include <array>
+#include <algorithm>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
@@ -16,7 +17,6 @@ namespace {
 
 namespace http = boost::beast::http;
 
-constexpr std::array<std::string_view, 3> kHosts = {"127.0.0.1", "localhost", "[::1]"};
 constexpr std::string_view kTokenQuery = "token=";
 
 absl::string_view AsAbsl(std::string_view text) { return {text.data(), text.size()}; }
@@ -50,25 +50,6 @@ Reply NoCookieReply(const RequestHead& head) {
   return reply;
 }
 
-bool IsOurHost(std::string_view host, std::string_view port) {
-  for (const std::string_view name : kHosts) {
-    if (absl::EqualsIgnoreCase(AsAbsl(host), fmt::format("{}:{}", name, port))) return true;
-  }
-  return false;
-}
-
-// Whether a browser says that a page of another origin is behind the request. Links to "/" may come from anywhere.
-bool IsForeign(const RequestHead& head) {
-  const std::string_view site = HeaderOf(head, "Sec-Fetch-Site");
-  if (head.count("Origin") > 0) {
-    const std::string own = fmt::format("http://{}", HeaderOf(head, "Host"));
-    return !absl::EqualsIgnoreCase(AsAbsl(HeaderOf(head, "Origin")), own);
-  }
-  if (head.method() == http::verb::post) return site != "same-origin";
-  if (head.count("Sec-Fetch-Site") == 0 || site == "same-origin" || site == "none") return false;
-  return PathOf(head) != "/" || HeaderOf(head, "Sec-Fetch-Dest") != "document";
-}
-
 }  // namespace
 
 std::string_view HeaderOf(const RequestHead& head, std::string_view name) {
@@ -82,8 +63,29 @@ std::string_view PathOf(const RequestHead& head) {
   return target.substr(0, target.find('?'));
 }
 
-Admission::Admission(std::string token, int port)
-    : token_(std::move(token)), port_(std::to_string(port)), cookie_("flair_studio_" + port_) {}
+Admission::Admission(std::string token, std::string_view scheme, const std::vector<std::string>& hosts, int port)
+    : token_(std::move(token)), scheme_(scheme), cookie_(fmt::format("flair_studio_{}", port)) {
+  // Browsers leave out the usual port.
+  const bool is_usual = port == (scheme == "https" ? 443 : 80);
+  for (const std::string& host : hosts) hosts_.push_back(is_usual ? host : fmt::format("{}:{}", host, port));
+}
+
+bool Admission::IsOurHost(std::string_view host) const {
+  return std::ranges::any_of(hosts_,
+                             [host](const std::string& own) { return absl::EqualsIgnoreCase(AsAbsl(host), own); });
+}
+
+// Whether a browser says that a page of another origin is behind the request. Links to "/" may come from anywhere.
+bool Admission::IsForeign(const RequestHead& head) const {
+  const std::string_view site = HeaderOf(head, "Sec-Fetch-Site");
+  if (head.count("Origin") > 0) {
+    const std::string own = fmt::format("{}://{}", scheme_, HeaderOf(head, "Host"));
+    return !absl::EqualsIgnoreCase(AsAbsl(HeaderOf(head, "Origin")), own);
+  }
+  if (head.method() == http::verb::post) return site != "same-origin";
+  if (head.count("Sec-Fetch-Site") == 0 || site == "same-origin" || site == "none") return false;
+  return PathOf(head) != "/" || HeaderOf(head, "Sec-Fetch-Dest") != "document";
+}
 
 bool Admission::IsToken(std::string_view value) const {
   return value.size() == token_.size() && CRYPTO_memcmp(value.data(), token_.data(), token_.size()) == 0;
@@ -100,9 +102,9 @@ bool Admission::HasCookie(const RequestHead& head) const {
 }
 
 std::optional<Reply> Admission::Answer(const RequestHead& head) const {
-  if (!IsOurHost(HeaderOf(head, "Host"), port_)) {
+  if (!IsOurHost(HeaderOf(head, "Host"))) {
     return Refused(head, absl::StatusCode::kPermissionDenied,
-                   fmt::format("The studio answers as 127.0.0.1:{} and localhost:{} only.", port_, port_));
+                   fmt::format("The studio answers as {} only.", fmt::join(hosts_, ", ")));
   }
   if (IsForeign(head)) {
     return Refused(head, absl::StatusCode::kPermissionDenied, "The studio answers its own pages only.");
@@ -112,7 +114,8 @@ std::optional<Reply> Admission::Answer(const RequestHead& head) const {
       IsToken(query.substr(kTokenQuery.size()))) {
     Reply reply = TextReply(303, "");
     reply.headers.emplace_back("Location", "/");
-    reply.headers.emplace_back("Set-Cookie", fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict", cookie_, token_));
+    reply.headers.emplace_back("Set-Cookie", fmt::format("{}={}; Path=/; HttpOnly; SameSite=Strict{}", cookie_, token_,
+                                                         scheme_ == "https" ? "; Secure" : ""));
     return reply;
   }
   if (!HasCookie(head)) return NoCookieReply(head);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "studio/gateway/reply.h"
 
@@ -19,7 +20,7 @@ std::string_view HeaderOf(const RequestHead& head, std::string_view name);
 std::string_view PathOf(const RequestHead& head);
 
 // Who may ask for anything. In this order:
-//   Host     127.0.0.1, localhost or [::1] with our port: otherwise a name of another site's leads here (DNS rebinding)
+//   Host     one of ours with our port: otherwise a name of another site's leads here (DNS rebinding)
 //   Origin   ours, where the browser sends it; a POST needs it, or the browser's word that it comes from us
 //   token    GET /?token=TOKEN with the right token sets the cookie and leads to "/", out of history and address bar
 //   cookie   everything else needs it. Its name has the port: all ports of a host share their cookies
@@ -27,17 +28,22 @@ std::string_view PathOf(const RequestHead& head);
 // other programs of this machine are.
 class Admission {
  public:
-  Admission(std::string token, int port);
+  // `scheme` is "http" or "https"; `hosts` without port.
+  Admission(std::string token, std::string_view scheme, const std::vector<std::string>& hosts, int port);
 
   // The answer to a request that may not go on, mostly the last one of its connection; nothing when it may.
   std::optional<Reply> Answer(const RequestHead& head) const;
 
  private:
+  bool IsOurHost(std::string_view host) const;
+  bool IsForeign(const RequestHead& head) const;
   bool HasCookie(const RequestHead& head) const;
   bool IsToken(std::string_view value) const;
 
   const std::string token_;
-  const std::string port_;
+  const std::string scheme_;
+  // With port.
+  std::vector<std::string> hosts_;
   const std::string cookie_;
 };
 

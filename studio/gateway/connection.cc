@@ -39,18 +39,24 @@ std::optional<Reply> ReplyTo(const boost::system::error_code& error) {
 
 }  // namespace
 
-Connection::Connection(Socket socket, Shared& shared)
-    : socket_(std::move(socket)),
+Connection::Connection(asio::ip::tcp::socket socket, Shared& shared)
+    : socket_(std::move(socket), shared.tls.get()),
       deadline_(socket_.get_executor()),
       shared_(shared),
       buffer_(shared.limits.header_bytes + kReadBytes) {
   Error ignored;
-  socket_.set_option(asio::ip::tcp::no_delay(true), ignored);
+  socket_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
 }
 
 void Connection::Start() {
-  asio::dispatch(socket_.get_executor(),
-                 [self = shared_from_this()] { self->AwaitRequest(self->shared_.limits.header_timeout); });
+  asio::dispatch(socket_.get_executor(), [self = shared_from_this()] {
+    if (!self->socket_.has_tls()) return self->AwaitRequest(self->shared_.limits.header_timeout);
+    self->SetDeadline(self->shared_.limits.header_timeout);
+    self->socket_.AsyncHandshake([self](Error error) {
+      if (error || self->state_ == State::kClosed) return self->Close();
+      self->AwaitRequest(self->shared_.limits.header_timeout);
+    });
+  });
 }
 
 void Connection::Stop() {
@@ -173,7 +179,7 @@ void Connection::ReadBody() {
   if (HeaderOf(parser_->get().base(), "Expect") == "100-continue") {
     constexpr std::string_view kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
     Error ignored;
-    socket_.write_some(asio::buffer(kContinue), ignored);
+    socket_.WriteSome(asio::buffer(kContinue), ignored);
   }
   http::async_read(socket_, buffer_, *parser_, [self = shared_from_this()](Error error, size_t) {
     if (self->state_ == State::kClosed) return;
@@ -213,7 +219,7 @@ void Connection::Linger() {
   held_answer_ = {};
   state_ = State::kLingering;
   Error ignored;
-  socket_.shutdown(Socket::shutdown_send, ignored);
+  socket_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   SetDeadline(kLinger);
   buffer_.clear();
   if (!watching_) Watch();
@@ -237,7 +243,7 @@ void Connection::Close() {
   CancelCall();
   deadline_.cancel();
   Error ignored;
-  socket_.close(ignored);
+  socket_.socket().close(ignored);
 }
 
 }  // namespace flair::studio

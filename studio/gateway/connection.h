@@ -12,6 +12,7 @@
 #include <string>
 
 #include "studio/gateway/admission.h"
+#include "studio/gateway/browser_socket.h"
 #include "studio/gateway/byte_budget.h"
 #include "studio/gateway/calls.h"
 #include "studio/gateway/method_table.h"
@@ -25,6 +26,8 @@ struct Shared {
   Site site;
   MethodTable methods;
   std::unique_ptr<Admission> admission;
+  // nullptr: plain HTTP.
+  std::unique_ptr<boost::asio::ssl::context> tls;
   ByteBudget budget;
   std::atomic<int> streams = 0;
 };
@@ -34,11 +37,9 @@ struct Shared {
 // Lives as long as anything of it is under way.
 class Connection final : public std::enable_shared_from_this<Connection> {
  public:
-  using Socket = boost::asio::ip::tcp::socket;
+  Connection(boost::asio::ip::tcp::socket socket, Shared& shared);
 
-  Connection(Socket socket, Shared& shared);
-
-  // Reads the first request.
+  // Reads the first request, after the handshake of TLS.
   void Start();
   // From any thread: ends a stream with UNAVAILABLE; otherwise ends after the answer that is awaited, or at once.
   void Stop();
@@ -76,7 +77,7 @@ class Connection final : public std::enable_shared_from_this<Connection> {
 
   enum class State { kIdle, kReading, kUnary, kStream, kSending, kLingering, kClosed };
 
-  Socket socket_;
+  BrowserSocket socket_;
   boost::asio::steady_timer deadline_;
   Shared& shared_;
   boost::beast::flat_buffer buffer_;

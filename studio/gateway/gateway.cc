@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "studio/gateway/connection.h"
-#include "worker_runtime/security/security.h"
+#include "studio/gateway/listening.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::studio {
@@ -38,20 +38,6 @@ absl::StatusOr<std::string> MakeToken() {
   return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 
-absl::StatusOr<tcp::endpoint> EndpointOf(const std::string& address) {
-  const std::string host = address.substr(0, address.rfind(':'));
-  const std::optional<int> port = runtime::PortOf(address);
-  if (!port.has_value() || (host != "127.0.0.1" && host != "localhost" && host != "[::1]")) {
-    return InvalidArgument(
-        "listen address \"{}\": the studio serves this machine only: expected 127.0.0.1:PORT, localhost:PORT or "
-        "[::1]:PORT",
-        address);
-  }
-  const asio::ip::address at = host == "[::1]" ? asio::ip::address(asio::ip::address_v6::loopback())
-                                               : asio::ip::address(asio::ip::address_v4::loopback());
-  return tcp::endpoint(at, static_cast<uint16_t>(*port));
-}
-
 }  // namespace
 
 // Accepts connections, and ends them. Its acceptor has a strand; connections_ is guarded.
@@ -62,6 +48,7 @@ class Gateway::Server {
                 .site = std::move(site),
                 .methods = std::move(methods),
                 .admission = nullptr,
+                .tls = nullptr,
                 .budget = ByteBudget(limits.held_bytes)} {}
   ~Server() { Stop(); }
 
@@ -78,8 +65,9 @@ class Gateway::Server {
     return acceptor_.local_endpoint(error).port();
   }
 
-  void Run(std::string token, int port) {
-    shared_.admission = std::make_unique<Admission>(std::move(token), port);
+  void Run(std::string token, Listening listening, int port) {
+    shared_.admission = std::make_unique<Admission>(std::move(token), listening.scheme(), listening.hosts, port);
+    shared_.tls = std::move(listening.tls);
     asio::post(acceptor_.get_executor(), [this] { Accept(); });
     for (int i = 0; i < kThreads; ++i) threads_.emplace_back([this] { context_.run(); });
   }
@@ -199,7 +187,7 @@ Gateway::~Gateway() = default;
 void Gateway::Stop() { server_->Stop(); }
 
 absl::StatusOr<std::unique_ptr<Gateway>> Gateway::Start(GatewayOptions options) {
-  ASSIGN_OR_RETURN(const tcp::endpoint endpoint, EndpointOf(options.listen_address));
+  ASSIGN_OR_RETURN(Listening listening, ReadListening(options));
   ASSIGN_OR_RETURN(MethodTable methods, MethodTable::Make(options.services, options.limits));
   ASSIGN_OR_RETURN(Site site, Site::Read(options.page_folder));
   std::string token = options.token;
@@ -207,12 +195,12 @@ absl::StatusOr<std::unique_ptr<Gateway>> Gateway::Start(GatewayOptions options) 
     ASSIGN_OR_RETURN(token, MakeToken());
   }
   auto server = std::make_unique<Server>(options.limits, std::move(site), std::move(methods));
-  ASSIGN_OR_RETURN(const int port, server->Listen(endpoint, options.listen_address));
-  server->Run(token, port);
+  ASSIGN_OR_RETURN(const int port, server->Listen(listening.endpoint, options.listen_address));
+  std::string address = fmt::format("{}://{}:{}/", listening.scheme(), listening.hosts[0], port);
+  server->Run(token, std::move(listening), port);
   std::unique_ptr<Gateway> gateway(new Gateway(std::move(server)));
   gateway->port_ = port;
-  gateway->address_ =
-      fmt::format("http://{}:{}/", options.listen_address.substr(0, options.listen_address.rfind(':')), port);
+  gateway->address_ = std::move(address);
   gateway->url_ = fmt::format("{}?token={}", gateway->address_, token);
   return gateway;
 }

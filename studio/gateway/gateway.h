@@ -4,8 +4,8 @@
 //   GET  /                        the page and its files, see site.h
 //   POST /flair.v1.Service/Method a call after the Connect protocol with JSON, see connect_protocol.h
 //
-// HTTP/1.1, this machine only. Whoever wants anything needs the token of url(): GET /?token=... exchanges it for a
-// cookie, see admission.h. What it holds at most, whoever calls: GatewayLimits.
+// HTTP/1.1; other machines need TLS. Whoever wants anything needs the token of url(): GET /?token=... exchanges it for
+// a cookie, see admission.h. What it holds at most, whoever calls: GatewayLimits.
 #pragma once
 
 #include <grpcpp/channel.h>
@@ -13,11 +13,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
 #include "absl/time/time.h"
+#include "flair/config/v1/runtime_config.pb.h"
 
 namespace flair::studio {
 
@@ -64,14 +66,20 @@ struct GatewayLimits {
 };
 
 struct GatewayOptions {
-  // 127.0.0.1, localhost or [::1] with a port; 0 takes a free one.
+  // 127.0.0.1, localhost or [::1] with a port; 0 takes a free one. With `tls`, any IP address of this machine, or all
+  // of them (0.0.0.0, [::]).
   std::string listen_address = "127.0.0.1:0";
+  // Certificate and key, read once; with require_client_certificate and an authority, of browsers too.
+  std::optional<config::v1::TlsConfig> tls = {};
+  // What browsers may call this machine beside 127.0.0.1, localhost and [::1], such as "studio.example"; the first is
+  // for url(). The host of listen_address when empty.
+  std::vector<std::string> host_names = {};
   // The built page; see site.h. Without it, "/" says how to build it.
-  std::filesystem::path page_folder;
-  std::vector<ExposedService> services;
+  std::filesystem::path page_folder = {};
+  std::vector<ExposedService> services = {};
   // 64 hexadecimal digits; 32 random bytes when empty.
   std::string token = "";
-  GatewayLimits limits;
+  GatewayLimits limits = {};
 };
 
 // Serves on two threads of its own. Thread-safe.

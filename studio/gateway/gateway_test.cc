@@ -350,7 +350,9 @@ TEST(GatewayStart, RefusesWhatItCannotServe) {
   };
   for (const std::string address :
        {"0.0.0.0:0", "[::]:0", "192.168.1.5:80", "studio.example:0", "127.0.0.1", "", ":0"}) {
-    EXPECT_THAT(start({.listen_address = address}), HasSubstr("this machine only")) << address;
+    EXPECT_THAT(start({.listen_address = address}),
+                HasSubstr("expected 127.0.0.1:PORT, localhost:PORT or [::1]:PORT; to serve other machines"))
+        << address;
   }
   EXPECT_EQ(start({.services = {{.full_name = "flair.v1.No", .channel = studio.channel()}}}),
             "this program knows no service flair.v1.No");

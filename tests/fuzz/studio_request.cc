@@ -31,7 +31,7 @@ void CheckHead(std::string_view bytes) {
   boost::system::error_code error;
   parser.put(boost::asio::buffer(bytes), error);
   if (error || !parser.is_header_done()) return;
-  const studio::Admission admission(kToken, kPort);
+  const studio::Admission admission(kToken, "http", {"127.0.0.1", "localhost"}, kPort);
   const auto& head = parser.get().base();
   const std::optional<studio::Reply> reply = admission.Answer(head);
   const bool has_token = bytes.find(kToken) != std::string_view::npos;
