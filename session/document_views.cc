@@ -57,11 +57,27 @@ constexpr Format kFormats[] = {
     {v1::DOCUMENT_FORMAT_LAYOUT_PB, ".pb", "application/x-protobuf"},
     {v1::DOCUMENT_FORMAT_LAYOUT_JSON, ".json", "application/json"}};
 
+// What the renderer is asked to draw. It wants a piece: an empty room gets one that stands nowhere, which is left out.
+v1::SolvedLayout Drawable(const v1::SolvedLayout& layout) {
+  v1::SolvedLayout drawable = layout;
+  drawable.clear_runner_ups();
+  v1::LayoutGraph& graph = *drawable.mutable_graph();
+  if (!graph.object_list().objects().empty()) return drawable;
+  v1::Object& nothing = *graph.mutable_object_list()->add_objects();
+  nothing.set_id("nothing");
+  nothing.set_name("nothing");
+  nothing.set_kind(v1::OBJECT_KIND_FLOOR);
+  nothing.set_role(v1::OBJECT_ROLE_TERTIARY);
+  nothing.set_zone_id(graph.zone_plan().zones().empty() ? "" : graph.zone_plan().zones(0).id());
+  for (const auto set : {&v1::Object::set_width_m, &v1::Object::set_depth_m, &v1::Object::set_height_m})
+    (nothing.*set)(0.1);
+  return drawable;
+}
+
 template <typename Request>
 void SetOrigin(const v1::Artifact& layout, const v1::Document& document, Request& request) {
   request.set_request_id("flair-session");
-  *request.mutable_solved_layout() = layout.solved_layout();
-  request.mutable_solved_layout()->clear_runner_ups();
+  *request.mutable_solved_layout() = Drawable(layout.solved_layout());
   request.set_job_id(layout.id());
   if (!document.has_brief()) return;
   request.set_brief_text(document.brief().text());
@@ -116,8 +132,7 @@ absl::StatusOr<v1::DrawDocumentResponse> Documents::Draw(const v1::DrawDocumentR
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));
   v1::DrawPlanPartsRequest draw;
   draw.set_request_id("flair-session");
-  *draw.mutable_solved_layout() = layout->solved_layout();
-  draw.mutable_solved_layout()->clear_runner_ups();
+  *draw.mutable_solved_layout() = Drawable(layout->solved_layout());
   *draw.mutable_object_ids() = request.object_ids();
   ASSIGN_OR_RETURN(v1::DrawPlanPartsResponse drawn, stages_.DrawPlanParts(draw, call));
   // Another renderer's drawing goes into the page: it may only draw.

@@ -288,6 +288,12 @@ TEST_F(DocumentsTest, AnOwnRoomIsDrawnChangedAndFurnished) {
   const auto made = documents_->Create(request, call_);
   ASSERT_TRUE(made.ok()) << made.status();
   EXPECT_EQ(Get(made->document().id()).layout().placements_size(), 0);
+  v1::DrawDocumentRequest draw;
+  draw.set_document_id(made->document().id());
+  const auto drawn = documents_->Draw(draw, call_);
+  ASSERT_TRUE(drawn.ok()) << drawn.status();
+  EXPECT_NE(drawn->parts().walls_svg(), "");
+  EXPECT_EQ(drawn->parts().parts_size(), 0);
   room.set_height_m(2.6);
   const auto changed = Act(made->document(), [&](v1::ActRequest& act) { *act.mutable_room() = room; });
   ASSERT_TRUE(changed.ok()) << changed.status();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The room as a whole: what was not done of the brief, what is wrong, how well it can be used, what stands in it.
-import { Icon } from "../app/Icon";
 import { areaText } from "../app/units";
 import { area } from "../geometry/polygon";
 import type { OpenRoom } from "../state/open_room";
@@ -45,8 +44,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
       <header class="panel-head">
         <h2>{capital(shape?.roomType || "room")}</h2>
         <span class="hint">{areaText(area(room.floor.value), units.value)}</span>
-        <button class="icon-button" aria-label="Edit room" title="Edit walls, doors and windows" onClick={() => goTo({ page: "draw", id: room.id })}>
-          <Icon name="draw" /></button>
+        <button class="link-button room-edit" title="Change walls, doors and windows" onClick={() => goTo({ page: "draw", id: room.id })}>Edit room</button>
       </header>
       {note.room && <p class="stands">{note.room}</p>}
       {explanation && explanation.notAsAsked.length > 0 && (

@@ -49,7 +49,7 @@ export function BeginPanel() {
         )}
       </section>
       {!isBegun && <section><h3 class="eyebrow">Or begin with a rectangle</h3><Rectangle /></section>}
-      <PicturePanel />
+      <PicturePanel title="Or trace a picture of a plan" />
     </>
   );
 }

@@ -7,7 +7,7 @@ import { addCornerOn, addToWall, cornerIndex, fixtureOf, nameOfWall, removeSelec
 import { useDrawing } from "./context";
 import { Choice, MetresField, TextField } from "./fields";
 import { gapsOf } from "./fixtures";
-import { spokenFixture } from "./names";
+import { endsOf, spokenFixture } from "./names";
 import { widthOf, type Door, type Fixture, type WallLine } from "./sketch";
 import { withCornerAt, withWallLength } from "./walls";
 
@@ -66,15 +66,18 @@ function CornerPanel({ index }: { index: number }) {
   );
 }
 
-function DoorFields({ door }: { door: Door }) {
-  const drawing = useDrawing();
+function DoorFields({ door, wall }: { door: Door; wall: WallLine }) {
+  const drawing = useDrawing(), ends = endsOf(wall.along);
+  const hinges = [["start", capital(ends.start)], ["end", capital(ends.end)]] as const;
+  // As on the plan, from left to right.
+  const isTurned = ends.start === "right" || ends.start === "lower";
   const set = (part: Partial<Door>) => setFixture(drawing, { ...door, ...part });
   const swings = door.swing === "inward" || door.swing === "outward";
   return (
     <>
       <Choice label="Opens" value={door.swing} take={(swing) => set({ swing })}
         choices={[["inward", "Inward"], ["outward", "Outward"], ["sliding", "Slides"], ["none", "No leaf"]]} />
-      {swings && <Choice label="Hinges" value={door.hinge} take={(hinge) => set({ hinge })} choices={[["start", "At its start"], ["end", "At its end"]]} />}
+      {swings && <Choice label="Hinges at the end" value={door.hinge} take={(hinge) => set({ hinge })} choices={isTurned ? [hinges[1], hinges[0]] : hinges} />}
       {swings && (
         <div class="fields">
           <TextField label="Opens by" text={`${Math.round((door.angle * 180) / Math.PI)}°`} take={(text) => {
@@ -92,7 +95,11 @@ function DoorFields({ door }: { door: Door }) {
 function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | undefined }) {
   const drawing = useDrawing(), sketch = drawing.sketch.value;
   const set = (part: Partial<Fixture>) => setFixture(drawing, { ...fixture, ...part } as Fixture);
-  const gaps = wall && gapsOf(fixture, wall);
+  const gaps = wall && gapsOf(fixture, wall), ends = endsOf(wall?.along ?? { x: 1, y: 0 });
+  const isTurned = ends.start === "right" || ends.start === "lower";
+  const before = gaps && <MetresField key="before" label={`From the ${ends.start} end`} metres={gaps.before} take={(offset) => set({ offset })} />;
+  const behind = gaps && <MetresField key="behind" label={`From the ${ends.end} end`} metres={Math.max(0, gaps.behind)}
+    take={(rest) => set({ offset: wall!.length - widthOf(fixture) - rest })} />;
   return (
     <>
       <Head title={capital(spokenFixture(fixture.id))} remove={`Remove ${spokenFixture(fixture.id)}`} />
@@ -103,13 +110,8 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
         {fixture.kind !== "socket" && <MetresField label={fixture.kind === "door" ? "Height" : "Head"} metres={fixture.head} least={0.1} take={(head) => set({ head })} />}
         {fixture.kind === "socket" && <MetresField label="Height" metres={fixture.height} take={(height) => set({ height })} />}
       </div>
-      {gaps && wall && (
-        <div class="fields is-two">
-          <MetresField label="From the wall's start" metres={gaps.before} take={(offset) => set({ offset })} />
-          <MetresField label="To its end" metres={Math.max(0, gaps.behind)} take={(rest) => set({ offset: wall.length - widthOf(fixture) - rest })} />
-        </div>
-      )}
-      {fixture.kind === "door" && <DoorFields door={fixture} />}
+      {gaps && wall && <div class="fields is-two">{isTurned ? [behind, before] : [before, behind]}</div>}
+      {fixture.kind === "door" && wall && <DoorFields door={fixture} wall={wall} />}
     </>
   );
 }

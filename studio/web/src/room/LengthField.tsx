@@ -9,6 +9,7 @@ import { useDrawing } from "./context";
 import type { RoomDrawing } from "./controller";
 import { gapsOf } from "./fixtures";
 import { wallFigureAt } from "./Lengths";
+import { endsOf } from "./names";
 import { widthOf } from "./sketch";
 import { withWallLength } from "./walls";
 
@@ -34,7 +35,7 @@ function askedOf(drawing: RoomDrawing): Asked | undefined {
   const spot = typed.side === "before" ? fixture.offset / 2 : wall.length - gaps.behind / 2;
   return {
     at: add(add(wall.a, times(wall.along, spot)), times(wall.inward, 24 / scale)), metres: gaps[typed.side],
-    label: typed.side === "before" ? "From the start of the wall" : "To the end of the wall",
+    label: `From the ${endsOf(wall.along)[typed.side === "before" ? "start" : "end"]} end of the wall`,
     take: (metres) => setFixture(drawing, { ...fixture, offset: typed.side === "before" ? metres : wall.length - width - metres }),
   };
 }

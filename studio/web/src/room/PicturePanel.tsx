@@ -4,7 +4,7 @@ import { Icon } from "../app/Icon";
 import { useDrawing } from "./context";
 import { readPicture } from "./picture";
 
-export function PicturePanel() {
+export function PicturePanel({ title = "Picture of a plan" }: { title?: string }) {
   const drawing = useDrawing(), input = useRef<HTMLInputElement>(null), picture = drawing.picture.value;
   const take = async (file: File | undefined) => {
     if (!file) return;
@@ -25,7 +25,7 @@ export function PicturePanel() {
   };
   return (
     <section class="picture">
-      <h3 class="eyebrow">{picture ? "Picture below" : "Or trace a picture of a plan"}</h3>
+      <h3 class="eyebrow">{picture ? "Picture below" : title}</h3>
       <input ref={input} type="file" accept="image/png,image/jpeg,image/webp,image/gif" hidden aria-label="Picture of a plan"
         onChange={(event) => { void take(event.currentTarget.files?.[0]); event.currentTarget.value = ""; }} />
       {picture ? (

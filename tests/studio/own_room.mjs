@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A room of one's own: an L is drawn by clicks and typed lengths, gets a door and a window, and is furnished.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { shown, until, withStudio } from './studio.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+async function seriousFaults(page) {
+  const found = await page.evaluate(`${axe}; axe.run(document, { resultTypes: ['violations'] })`);
+  return found.violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
+}
+
+const corners = (room) => room.floor.vertices.map(({ xM, yM }) => [xM ?? 0, yM ?? 0]);
+
+await withStudio(async ({ page }) => {
+  await page.getByText('Draw your own room').click();
+  const canvas = page.getByRole('application');
+  await canvas.waitFor();
+  assert.deepEqual(await seriousFaults(page), [], 'the empty page');
+  const box = await canvas.boundingBox();
+  const click = async (x, y) => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.up();
+  };
+
+  // The first corner is clicked, the first wall's way pointed at, all lengths typed.
+  await click(box.x + box.width * 0.25, box.y + box.height * 0.75);
+  await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.74);
+  await page.keyboard.type('6');
+  await page.keyboard.press('Enter');
+  for (const [key, metres] of [['ArrowUp', '3'], ['ArrowLeft', '2.5'], ['ArrowUp', '250 cm'], ['ArrowLeft', '3.5']]) {
+    await page.keyboard.press(key);
+    await page.keyboard.type(metres);
+    await page.keyboard.press('Enter');
+  }
+  await page.keyboard.press('Enter');
+  await page.locator('.room-floor').waitFor();
+
+  // Undo takes one wall's end back at a time, and redo gives it again.
+  await page.keyboard.press('Control+z');
+  await page.locator('.room-floor').waitFor({ state: 'detached' });
+  await page.keyboard.press('Control+Shift+z');
+  await page.locator('.room-floor').waitFor();
+
+  // A door in the north wall, a window in the south wall.
+  const onWall = async (number, share) => {
+    const wall = await page.locator('.room-wall .hit-line').nth(number - 1).boundingBox();
+    await click(wall.x + wall.width * share, wall.y + wall.height * share);
+  };
+  await page.keyboard.press('d');
+  await onWall(5, 0.3);
+  await page.getByRole('heading', { name: 'Door 1' }).waitFor();
+  await page.keyboard.press('w');
+  await onWall(1, 0.5);
+  await page.getByRole('heading', { name: 'Window 1' }).waitFor();
+
+  // What cannot be is said, and nothing is sent.
+  const done = page.getByRole('button', { name: 'Done' });
+  await page.getByLabel('Width', { exact: true }).fill('7');
+  await page.keyboard.press('Enter');
+  await page.getByText('Window 1 is wider than wall 1').waitFor();
+  assert.ok(await done.isDisabled());
+  assert.deepEqual(await seriousFaults(page), [], 'the drawing');
+  await page.getByLabel('Width', { exact: true }).fill('1.8');
+  await page.keyboard.press('Enter');
+  await page.getByLabel('From the left end').fill('2');
+  await page.keyboard.press('Enter');
+  await until(page, () => done.isEnabled(), 'a room without faults');
+  await done.click();
+
+  // The empty room, as the renderer draws it.
+  const brief = page.getByRole('textbox', { name: 'Furnish it' });
+  await brief.waitFor();
+  const { layout: empty } = await shown(page);
+  const room = empty.graph.room;
+  assert.deepEqual(corners(room), [[0, 0], [6, 0], [6, 3], [3.5, 3], [3.5, 5.5], [0, 5.5]]);
+  assert.deepEqual(room.walls.map(({ name }) => name), [1, 2, 3, 4, 5, 6].map((number) => `wall_${number}`));
+  const [door, window] = room.openings;
+  assert.equal(door.wall, 'wall_5');
+  assert.deepEqual([window.wall, window.offsetM, window.widthM], ['wall_1', 2, 1.8]);
+
+  await brief.fill('A living room with a sofa, a tv stand, a bookshelf and a dining table for four.');
+  await page.keyboard.press('Enter');
+  await page.locator('[data-piece]').first().waitFor();
+  const { layout } = await shown(page);
+  assert.deepEqual(corners(layout.graph.room), corners(room));
+  assert.ok(layout.placements.length > 5);
+  assert.ok((layout.metrics.deepestOverlapM ?? 0) < 1e-6, 'nothing overlaps');
+
+  // The west wall goes 40 cm out: furniture stays where it is in the room, also as its origin moves.
+  const sofa = layout.graph.objectList.objects.find(({ name }) => name === 'sofa').id;
+  const placeOf = (from) => from.placements.find(({ objectId }) => objectId === sofa);
+  await page.getByRole('button', { name: 'Edit room' }).click();
+  await page.getByRole('button', { name: /^Wall 6/ }).click();
+  for (let i = 0; i < 4; ++i) await page.keyboard.press('Shift+ArrowLeft');
+  await page.getByRole('button', { name: 'Done' }).click();
+  await page.locator('[data-piece]').first().waitFor();
+  const wider = await until(page, async () => {
+    const now = await shown(page);
+    return corners(now.layout.graph.room)[1][0] === 6.4 && placeOf(now.layout).xM !== placeOf(layout).xM && now;
+  }, 'the wider room');
+  assert.ok(Math.abs(placeOf(wider.layout).xM - placeOf(layout).xM - 0.4) < 1e-6);
+});
+console.log('drawn, furnished, changed');
