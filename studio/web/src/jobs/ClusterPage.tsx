@@ -9,10 +9,11 @@ import { usePolling } from "./polling";
 import { Rates, rateText } from "./rates";
 import { age, count, lastingText, workerText } from "./words";
 
-function Table({ name, heads, children }: { name: string; heads: readonly string[]; children: ComponentChildren }) {
+// The first `texts` columns are set to the left.
+function Table({ name, heads, texts = 1, children }: { name: string; heads: readonly string[]; texts?: number; children: ComponentChildren }) {
   return (
     <table class="figures" aria-label={name}>
-      <thead><tr>{heads.map((head, i) => <th key={head} scope="col" class={i < 1 ? "is-text" : ""}>{head}</th>)}</tr></thead>
+      <thead><tr>{heads.map((head, i) => <th key={head} scope="col" class={i < texts ? "is-text" : ""}>{head}</th>)}</tr></thead>
       <tbody>{children}</tbody>
     </table>
   );
@@ -52,10 +53,10 @@ export function ClusterPage() {
         </Table>
       )}
       {workers.length > 0 && (
-        <Table name="Workers" heads={["Worker", "Address", "State", "Busy", "Calls", "Failed", "Latency", "Calls/s"]}>
+        <Table name="Workers" texts={2} heads={["Worker", "Address", "State", "Busy", "Calls", "Failed", "Latency", "Calls/s"]}>
           {workers.map((worker) => (
             <tr key={`${worker.stage} ${worker.address}`}>
-              <td class="is-text">{worker.stage}</td><td title={worker.address}>{worker.address}</td><td class={`is-${workerText(worker.state)}`}>{workerText(worker.state)}</td>
+              <td class="is-text">{worker.stage}</td><td class="is-text is-soft" title={worker.address}>{worker.address}</td><td class={`is-${workerText(worker.state)}`}>{workerText(worker.state)}</td>
               <td>{worker.busy}</td><td>{count(worker.calls)}</td><td class={bad(worker.failures)}>{count(worker.failures)}</td>
               <td>{worker.latency > 0 ? lastingText(worker.latency) : "–"}</td><td>{rateText(rates.see(`w ${worker.stage} ${worker.address}`, now, worker.calls))}</td>
             </tr>

@@ -3,11 +3,14 @@ import { useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { whenText } from "../app/when";
 import { JobState, type Job } from "../gen/flair/v1/job_pb";
+import { goTo, hashOf } from "../state/route";
 import { useStudio, type Studio } from "../state/studio";
 import { failureText, isOpen, stateText, tookText } from "./words";
 
 // The job's room as a document: the one that it was made for, or a new one.
 export async function openJob(studio: Studio, job: Job): Promise<void> {
+  const known = studio.documents.peek().find(({ jobId }) => jobId === job.id);
+  if (known) return goTo({ page: "document", id: known.id });
   await studio.create({ case: "jobId", value: job.id });
 }
 
@@ -35,7 +38,8 @@ export function JobRow({ job, now, changed }: { job: Job; now: Date; changed(): 
       <div class="job-text">
         <p class="job-brief" title={briefOf(job)}>{briefOf(job)}</p>
         <p class={job.state === JobState.FAILED ? "job-about is-bad" : "job-about"}>
-          {[aboutOf(job), whenText(job.createTime, now), tookText(job), job.batchId && `no. ${Number(job.batchIndex) + 1} of a batch`].filter(Boolean).join(" · ")}
+          {[aboutOf(job), whenText(job.createTime, now), tookText(job)].filter(Boolean).join(" · ")}
+          {job.batchId && <> · <a href={hashOf({ page: "jobs", id: job.batchId })}>no. {Number(job.batchIndex) + 1} of a batch</a></>}
         </p>
         {job.error && <p class="job-error">{job.error}</p>}
       </div>

@@ -9,8 +9,9 @@ import type { JobPictures } from "./pictures";
 import { failureText, stateText } from "./words";
 
 function figures(measures: Measures | undefined): string {
-  const share = (name: string, value: number | undefined) => (value === undefined ? "" : `${Math.round(value * 100)} % ${name}`);
-  return [share("held", measures?.held), share("uses", measures?.uses), share("floor", measures?.floor)].filter(Boolean).join(" · ");
+  const share = (name: string, value: number | undefined) => (value === undefined ? "" : `${name} ${Math.round(value * 100)}`);
+  const texts = [share("held", measures?.held), share("uses", measures?.uses), share("floor", measures?.floor)].filter(Boolean);
+  return texts.length > 0 ? `${texts.join(" · ")} %` : "";
 }
 
 export function JobTile({ job, pictures }: { job: Job; pictures: JobPictures }) {
