@@ -30,8 +30,7 @@ absl::Status Documents::StartJob(Record& record, const v1::JobSpec& spec, const 
 
 absl::StatusOr<v1::ActResponse> Documents::Furnish(Record record, const v1::ActRequest& request, CallContext& call) {
   ASSIGN_OR_RETURN(const Layout before, Shown(record));
-  const v1::JobState state = record.document().job_state();
-  if (state == v1::JOB_STATE_QUEUED || state == v1::JOB_STATE_RUNNING) {
+  if (IsRunning(record.document().job_state())) {
     return absl::FailedPreconditionError("furnish: the document's job has not ended; wait for it or cancel it");
   }
   v1::JobSpec spec;
@@ -52,11 +51,32 @@ absl::StatusOr<v1::Artifact> Documents::LayoutOfJob(const v1::Job& job, CallCont
   return FailedPrecondition("job_id: the job {} has no layout", job.id());
 }
 
+absl::StatusOr<v1::Document> Documents::AwaitJob(const std::string& document_id,
+                                                 const std::function<void(const v1::JobEvent&)>& see,
+                                                 CallContext& call) {
+  ASSIGN_OR_RETURN(const Record record, store_->Get(document_id));
+  const std::string& job_id = record.document().job_id();
+  if (job_id.empty()) return absl::FailedPreconditionError("the document was made by no job");
+  RETURN_IF_ERROR(stages_.WatchJob(job_id, 0, see, call));
+  ASSIGN_OR_RETURN(const v1::Job job, stages_.GetJob(job_id, call));
+  RETURN_IF_ERROR(Adopt(document_id, job, record.states().empty() ? kDesign : kFurnish));
+  v1::GetDocumentRequest get;
+  get.set_document_id(document_id);
+  ASSIGN_OR_RETURN(v1::GetDocumentResponse now, Get(get));
+  return std::move(*now.mutable_document());
+}
+
+absl::Status Documents::CancelJob(const std::string& document_id, CallContext& call) {
+  ASSIGN_OR_RETURN(const Record record, store_->Get(document_id));
+  if (!IsRunning(record.document().job_state())) return absl::OkStatus();
+  return stages_.CancelJob(record.document().job_id(), call);
+}
+
 void Documents::GoOn(const Record& record) {
   CallContext call;
   const v1::Document& document = record.document();
   const absl::StatusOr<v1::Job> job = stages_.GetJob(document.job_id(), call);
-  if (job.ok() && (job->state() == v1::JOB_STATE_QUEUED || job->state() == v1::JOB_STATE_RUNNING)) {
+  if (job.ok() && IsRunning(job->state())) {
     v1::CreateJobRequest request;
     request.set_request_id(record.job_request_id());
     *request.mutable_spec() = job->spec();
@@ -98,18 +118,24 @@ void Documents::FollowToEnd(const std::string& document_id, const std::string& j
     job.set_error(std::string(status.message()));
   }
   if (!call->cancelled()) {
-    // Somebody may change the document at the same moment.
-    constexpr int kMostTries = 20;
-    for (int i = 0; i < kMostTries && absl::IsAborted(Adopt(document_id, job, label)); ++i) continue;
+    Adopt(document_id, job, label).IgnoreError();
   }
   const std::lock_guard lock(mutex_);
   followed_.remove(call);
 }
 
 absl::Status Documents::Adopt(const std::string& document_id, const v1::Job& job, const std::string& label) {
+  // Somebody may change the document at the same moment.
+  constexpr int kMostTries = 20;
+  absl::Status adopted = absl::AbortedError("");
+  for (int i = 0; i < kMostTries && absl::IsAborted(adopted); ++i) adopted = AdoptOnce(document_id, job, label);
+  return adopted;
+}
+
+absl::Status Documents::AdoptOnce(const std::string& document_id, const v1::Job& job, const std::string& label) {
   ASSIGN_OR_RETURN(Record record, store_->Get(document_id));
   v1::Document& document = *record.mutable_document();
-  if (document.job_id() != job.id()) return absl::OkStatus();
+  if (document.job_id() != job.id() || !IsRunning(document.job_state())) return absl::OkStatus();
   document.set_job_state(job.state());
   document.set_job_error(job.error());
   if (job.state() != v1::JOB_STATE_SUCCEEDED) return Commit(record, {});

@@ -97,6 +97,14 @@ absl::StatusOr<v1::Artifact> DocumentStore::GetLayout(const std::string& documen
   return orchestrator::ParseArtifact(select.Text(0), artifact_id, "documents.db");
 }
 
+absl::StatusOr<v1::Artifact> DocumentStore::FindLayout(const std::string& artifact_id) {
+  const auto lock = database_->lock();
+  Statement select = database_->Prepare("SELECT bytes FROM layouts WHERE artifact_id = ? LIMIT 1", artifact_id);
+  ASSIGN_OR_RETURN(const bool found, select.Step());
+  if (!found) return NotFound("no document has a layout {}", artifact_id);
+  return orchestrator::ParseArtifact(select.Text(0), artifact_id, "documents.db");
+}
+
 absl::Status DocumentStore::Replace(const DocumentRecord& record) {
   const std::string& id = record.document().id();
   ASSIGN_OR_RETURN(const int64_t revision, database_->FirstInt("SELECT revision FROM documents WHERE id = ?", id));

@@ -31,6 +31,9 @@ class DocumentStore {
   // NOT_FOUND when the document has no such layout, DATA_LOSS when it is damaged.
   absl::StatusOr<v1::Artifact> GetLayout(const std::string& document_id, const std::string& artifact_id);
 
+  // Of whichever document; NOT_FOUND when none has it.
+  absl::StatusOr<v1::Artifact> FindLayout(const std::string& artifact_id);
+
   // Stores a record whose revision has been counted up, with its new layouts, and forgets those that it does not name
   // any more; all or nothing. ABORTED when the stored one is not the revision before, NOT_FOUND when it is gone. A
   // record of revision 1 is a new document.

@@ -127,6 +127,12 @@ absl::StatusOr<v1::ExplainResponse> Documents::Explain(const v1::ExplainRequest&
   return response;
 }
 
+absl::StatusOr<v1::Artifact> Documents::GetArtifact(const std::string& artifact_id, CallContext& call) {
+  absl::StatusOr<v1::Artifact> layout = store_->FindLayout(artifact_id);
+  if (!absl::IsNotFound(layout.status())) return layout;
+  return stages_.GetArtifact(artifact_id, call);
+}
+
 absl::StatusOr<v1::DrawDocumentResponse> Documents::Draw(const v1::DrawDocumentRequest& request, CallContext& call) {
   ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));

@@ -54,8 +54,6 @@ v1::Document DocumentOf(const DocumentRecord& record) {
   return document;
 }
 
-bool IsRunning(v1::JobState state) { return state == v1::JOB_STATE_QUEUED || state == v1::JOB_STATE_RUNNING; }
-
 int CompleteRunnerUps(const v1::SolvedLayout& layout) {
   return static_cast<int>(std::ranges::count_if(layout.runner_ups(), cli::IsComplete));
 }
@@ -359,6 +357,26 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::
   ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
   for (const std::string& id : acted.moved_ids) response.add_moved_object_ids(id);
   for (v1::Diagnostic& diagnostic : acted.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
+  return response;
+}
+
+absl::StatusOr<v1::GetDocumentResponse> Documents::FindAlternatives(const std::string& document_id, int64_t revision,
+                                                                    int count, int64_t seed, CallContext& call) {
+  ASSIGN_OR_RETURN(Record record, GetAt(document_id, revision));
+  ASSIGN_OR_RETURN(const Layout shown, Shown(record));
+  ASSIGN_OR_RETURN(v1::SolvedLayout all, acts_.WithAlternatives(shown->solved_layout(), count, seed, call));
+  v1::GetDocumentResponse response;
+  *response.mutable_layout() = all;
+  record.mutable_document()->set_variant_count(all.runner_ups_size());
+  std::vector<SealedArtifact> added;
+  record.clear_variants_layout_id();
+  if (!all.runner_ups().empty()) {
+    v1::Artifact artifact = ArtifactOf(std::move(all), shown->producer(), shown->id());
+    added.push_back(orchestrator::SealArtifact(artifact));
+    record.set_variants_layout_id(added.front().ref.id());
+  }
+  RETURN_IF_ERROR(Commit(record, added));
+  *response.mutable_document() = DocumentOf(record);
   return response;
 }
 

@@ -65,11 +65,29 @@ class Documents {
   absl::StatusOr<v1::ChooseModelResponse> ChooseModel(const v1::ChooseModelRequest& request);
   DocumentEvents& events() { return events_; }
 
+  // Beyond StudioService.
+
+  // Waits until the document's job has ended and what came of it is the document's, and tells every step, also those
+  // before the call. FAILED_PRECONDITION when it has no job; CANCELLED when the caller gives up: the job goes on.
+  absl::StatusOr<v1::Document> AwaitJob(const std::string& document_id,
+                                        const std::function<void(const v1::JobEvent&)>& see,
+                                        runtime::CallContext& call);
+  // Ends the document's job, if it has not ended by itself.
+  absl::Status CancelJob(const std::string& document_id, runtime::CallContext& call);
+  // Solves what is shown again for up to `count`, [1, 16], layouts that differ from it visibly, which TakeVariant then
+  // takes; another seed finds others. What is shown stays. Returns what is shown with them as runner-ups.
+  absl::StatusOr<v1::GetDocumentResponse> FindAlternatives(const std::string& document_id, int64_t revision, int count,
+                                                           int64_t seed, runtime::CallContext& call);
+  // An artifact of a document or of a job. NOT_FOUND when nobody has it.
+  absl::StatusOr<v1::Artifact> GetArtifact(const std::string& artifact_id, runtime::CallContext& call);
+
  private:
   // What jobs do, in the history.
   static constexpr char kDesign[] = "design the room", kFurnish[] = "furnish the room";
   using Record = store::v1::DocumentRecord;
   using Layout = std::shared_ptr<const v1::Artifact>;
+
+  static bool IsRunning(v1::JobState state) { return state == v1::JOB_STATE_QUEUED || state == v1::JOB_STATE_RUNNING; }
 
   Documents(std::unique_ptr<DocumentStore> store, const Channels& channels, DocumentParts parts);
 
@@ -95,7 +113,9 @@ class Documents {
   void GoOn(const Record& record);
   void Follow(const std::string& document_id, const std::string& job_id, const std::string& label);
   void FollowToEnd(const std::string& document_id, const std::string& job_id, const std::string& label);
+  // Makes what came of a job that has ended the document's, unless somebody has done it before.
   absl::Status Adopt(const std::string& document_id, const v1::Job& job, const std::string& label);
+  absl::Status AdoptOnce(const std::string& document_id, const v1::Job& job, const std::string& label);
   absl::StatusOr<v1::Artifact> LayoutOfJob(const v1::Job& job, runtime::CallContext& call);
 
   const std::unique_ptr<DocumentStore> store_;

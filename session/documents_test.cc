@@ -280,6 +280,30 @@ TEST_F(DocumentsTest, APieceIsAddedWhereItIsDroppedAndGoesAgain) {
   EXPECT_EQ(IdOf(removed->layout(), "floor lamp"), "");
 }
 
+TEST_F(DocumentsTest, APieceIsAddedNearAnotherWithoutKnowingItsId) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string bed = IdOf(made.layout(), "bed");
+  const auto added = Act(made.document(), [&](v1::ActRequest& act) {
+    v1::AddObject& add = *act.mutable_edit()->add_edits()->mutable_add_object();
+    add.mutable_object()->set_name("floor lamp");
+    add.mutable_object()->set_width_m(0.4);
+    add.mutable_object()->set_depth_m(0.4);
+    add.mutable_object()->set_height_m(1.6);
+    v1::ConstraintEdge& near = *add.add_edges();
+    near.set_type("near");
+    near.set_weight(1);
+    for (const auto& [name, id] : {std::pair("object", std::string()), {"target", bed}}) {
+      v1::Argument& argument = *near.add_arguments();
+      argument.set_name(name);
+      argument.mutable_value()->set_text(id);
+    }
+  });
+  ASSERT_TRUE(added.ok()) << added.status();
+  const v1::ConstraintEdge& near = *added->layout().graph().edges().rbegin();
+  EXPECT_EQ(near.arguments(0).value().text(), "floor_lamp");
+  EXPECT_EQ(added->layout().edge_outcomes().rbegin()->status(), v1::OUTCOME_STATUS_SATISFIED);
+}
+
 TEST_F(DocumentsTest, AnOwnRoomIsDrawnChangedAndFurnished) {
   v1::CreateDocumentRequest request;
   request.set_request_id("own");
@@ -346,6 +370,65 @@ TEST_F(DocumentsTest, FurnitureIsFoundByItsWordsWithItsSymbol) {
 TEST_F(DocumentsTest, AModelIsChosenOnlyWhereTheProgramCan) {
   EXPECT_FALSE(documents_->GetModel().can_choose());
   EXPECT_TRUE(absl::IsUnimplemented(documents_->ChooseModel({}).status()));
+}
+
+TEST_F(DocumentsTest, WhoAwaitsAJobSeesItsStepsAndTheLayoutIsAdoptedOnce) {
+  v1::CreateDocumentRequest request;
+  request.set_request_id("awaited");
+  request.mutable_design()->mutable_brief()->set_text("A study that is 3m x 4m.");
+  const auto made = documents_->Create(request, call_);
+  ASSERT_TRUE(made.ok()) << made.status();
+  std::vector<std::string> stages;
+  const auto see = [&](const v1::JobEvent& event) {
+    if (event.kind() == v1::JOB_EVENT_KIND_STAGE_FINISHED) stages.push_back(event.stage());
+  };
+  const auto awaited = documents_->AwaitJob(made->document().id(), see, call_);
+  ASSERT_TRUE(awaited.ok()) << awaited.status();
+  EXPECT_THAT(stages, ::testing::IsSupersetOf({"brief", "solve", "report"}));
+  EXPECT_EQ(awaited->job_state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(documents_->AwaitJob(made->document().id(), see, call_)->revision(), awaited->revision());
+  Reopen();
+  EXPECT_EQ(Get(made->document().id()).document().revision(), awaited->revision());
+}
+
+TEST_F(DocumentsTest, WhoGivesUpMayCancelTheJob) {
+  v1::CreateDocumentRequest request;
+  request.set_request_id("given up");
+  request.mutable_design()->mutable_brief()->set_text("A bedroom that is 4m x 5m.");
+  request.mutable_design()->mutable_solve_options()->set_max_restart_count(10000);
+  const auto made = documents_->Create(request, call_);
+  ASSERT_TRUE(made.ok()) << made.status();
+  runtime::CallContext waiting;
+  const auto awaited = documents_->AwaitJob(
+      made->document().id(), [&](const v1::JobEvent&) { waiting.cancellation().Cancel(); }, waiting);
+  EXPECT_TRUE(absl::IsCancelled(awaited.status())) << awaited.status();
+  ASSERT_TRUE(documents_->CancelJob(made->document().id(), call_).ok());
+  const auto ended = documents_->AwaitJob(
+      made->document().id(), [](const v1::JobEvent&) {}, call_);
+  ASSERT_TRUE(ended.ok()) << ended.status();
+  EXPECT_EQ(ended->job_state(), v1::JOB_STATE_CANCELLED);
+}
+
+TEST_F(DocumentsTest, AlternativesAreOtherLayoutsOfWhatIsShown) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string id = made.document().id();
+  const auto found = documents_->FindAlternatives(id, made.document().revision(), 2, 0, call_);
+  ASSERT_TRUE(found.ok()) << found.status();
+  ASSERT_EQ(found->layout().runner_ups_size(), 2);
+  EXPECT_EQ(found->document().variant_count(), 2);
+  EXPECT_EQ(found->document().layout_id(), made.document().layout_id());
+  const auto taken = Act(found->document(), [](v1::ActRequest& act) { act.mutable_take_variant()->set_index(1); });
+  ASSERT_TRUE(taken.ok()) << taken.status();
+  EXPECT_EQ(PlacementOf(taken->layout(), "double_bed").SerializeAsString(), [&] {
+    v1::SolvedLayout other;
+    *other.mutable_placements() = found->layout().runner_ups(1).placements();
+    return PlacementOf(other, "double_bed").SerializeAsString();
+  }());
+  const auto artifact = documents_->GetArtifact(taken->document().layout_id(), call_);
+  ASSERT_TRUE(artifact.ok()) << artifact.status();
+  EXPECT_EQ(artifact->solved_layout().placements_size(), taken->layout().placements_size());
+  EXPECT_TRUE(documents_->GetArtifact(made.document().layout_id(), call_).ok());
+  EXPECT_TRUE(absl::IsNotFound(documents_->GetArtifact(std::string(64, '0'), call_).status()));
 }
 
 TEST_F(DocumentsTest, WrongPlacesAreRefusedByField) {

@@ -51,6 +51,13 @@ std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::Solv
   return ids;
 }
 
+// To the eye.
+bool SamePlace(const v1::Placement& a, const v1::Placement& b) {
+  constexpr double kSeen_m = 0.01, kSeen_rad = 0.02;
+  return a.object_id() == b.object_id() && std::hypot(a.x_m() - b.x_m(), a.y_m() - b.y_m()) < kSeen_m &&
+         std::abs(std::remainder(a.theta_rad() - b.theta_rad(), 2 * M_PI)) < kSeen_rad;
+}
+
 absl::Status CheckPlacement(const v1::Placement& placement, std::string_view path) {
   constexpr double kFar_m = 1000;
   for (const auto& [name, value] :
@@ -187,7 +194,7 @@ std::string NearestZone(const v1::SolvedLayout& layout, const v1::Placement* at)
 }
 
 // Added objects with an id, a role and a zone where the caller has left them out. An edit with an empty object_id that
-// follows is about the object added last.
+// follows is about the object added last, and so is an empty argument of its own edges.
 EditList Completed(const v1::SolvedLayout& layout, const EditList& edits) {
   std::set<std::string> taken;
   for (const v1::Object& object : layout.graph().object_list().objects()) taken.insert(object.id());
@@ -196,6 +203,13 @@ EditList Completed(const v1::SolvedLayout& layout, const EditList& edits) {
     if (!completed[i].has_add_object()) continue;
     v1::Object& object = *completed[i].mutable_add_object()->mutable_object();
     if (object.id().empty()) object.set_id(FreeObjectId(object.name(), taken));
+    for (v1::ConstraintEdge& edge : *completed[i].mutable_add_object()->mutable_edges()) {
+      for (v1::Argument& argument : *edge.mutable_arguments()) {
+        if (argument.value().has_text() && argument.value().text().empty()) {
+          argument.mutable_value()->set_text(object.id());
+        }
+      }
+    }
     v1::Placement* at = nullptr;
     if (i + 1 < completed.size() && completed[i + 1].has_move_object()) {
       v1::Placement& next = *completed[i + 1].mutable_move_object();
@@ -531,6 +545,40 @@ absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActReq
     default:
       return absl::InvalidArgumentError("act: is not set; say what to do");
   }
+}
+
+absl::StatusOr<v1::SolvedLayout> LayoutActs::WithAlternatives(const v1::SolvedLayout& shown, int count, int64_t seed,
+                                                              CallContext& call) const {
+  constexpr int kMost = 16;
+  if (count < 1 || count > kMost) return InvalidArgument("count: {}; must be in [1, {}]", count, kMost);
+  if (shown.graph().object_list().objects().empty()) {
+    return absl::FailedPreconditionError("the room is empty: there is nothing to place otherwise");
+  }
+  v1::SolveRequest request;
+  request.set_request_id("flair-session");
+  *request.mutable_layout_graph() = shown.graph();
+  request.mutable_options()->set_seed(seed);
+  // One of them may be what is shown.
+  request.mutable_options()->set_variant_count(count + 1);
+  ASSIGN_OR_RETURN(v1::SolveResponse response, stages_.Solve(request, call));
+  v1::SolvedLayout& best = *response.mutable_solved_layout();
+  v1::SolvedLayout all = shown;
+  all.clear_runner_ups();
+  const auto add = [&](v1::RunnerUp other) {
+    const bool same = std::ranges::equal(other.placements(), shown.placements(), SamePlace);
+    if (!same && !other.edge_outcomes().empty() && all.runner_ups_size() < count)
+      *all.add_runner_ups() = std::move(other);
+  };
+  v1::RunnerUp first;
+  first.set_cost(best.total_cost());
+  *first.mutable_placements() = best.placements();
+  *first.mutable_edge_outcomes() = best.edge_outcomes();
+  *first.mutable_zone_regions() = best.zone_regions();
+  *first.mutable_metrics() = best.metrics();
+  *first.mutable_diagnostics() = best.diagnostics();
+  add(std::move(first));
+  for (v1::RunnerUp& other : *best.mutable_runner_ups()) add(std::move(other));
+  return all;
 }
 
 absl::StatusOr<v1::JudgeResponse> LayoutActs::Judge(const v1::SolvedLayout& layout, const v1::JudgeRequest& request,

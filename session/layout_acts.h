@@ -57,6 +57,10 @@ class LayoutActs {
   absl::StatusOr<v1::JudgeResponse> Judge(const v1::SolvedLayout& layout, const v1::JudgeRequest& request,
                                           runtime::CallContext& call) const;
 
+  // What is shown with up to `count` other layouts of the same problem as complete runner-ups, best first.
+  absl::StatusOr<v1::SolvedLayout> WithAlternatives(const v1::SolvedLayout& shown, int count, int64_t seed,
+                                                    runtime::CallContext& call) const;
+
   // The same graph with other places: verdicts and measures anew, nothing moved.
   absl::StatusOr<v1::SolvedLayout> Evaluated(v1::SolvedLayout layout, runtime::CallContext& call) const;
 

@@ -50,6 +50,7 @@ class Stages {
 
   absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::Job> GetJob(const std::string& id, runtime::CallContext& call);
+  absl::Status CancelJob(const std::string& id, runtime::CallContext& call);
   absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id, runtime::CallContext& call);
   // Calls `see` for every event after a sequence number until the job ends.
   absl::Status WatchJob(const std::string& id, int64_t after_sequence,
