@@ -36,6 +36,7 @@ void AddCommands(const Commands& program, const std::vector<CommandGroup>& group
 
 void AddDesign(const Commands& program);
 void AddStudio(const Commands& program);
+void AddMcp(const Commands& program);
 void AddBatch(const Commands& program);
 void AddJobs(const Commands& program);
 void AddReplay(const Commands& program);
@@ -75,7 +76,7 @@ void UseOurModels();  // embedded/embedded_services.h
 inline Program FlairCommands() {
   return {.name = "flair",
           .description = "From a sentence to a furnished, explained, editable room.",
-          .groups = {{"Design", {AddDesign, AddStudio, AddBatch, AddJobs, AddReplay}},
+          .groups = {{"Design", {AddDesign, AddStudio, AddMcp, AddBatch, AddJobs, AddReplay}},
                      {"Look at what was made", {AddInspect, AddExplain, AddDiff, AddGraph, AddRender, AddContactSheet}},
                      {"Place the furniture again", {AddSolve, AddResolve, AddCompare}},
                      {"Exchange with other programs", {AddExport}},
