@@ -96,7 +96,7 @@ absl::StatusOr<v1::Job> Stages::GetJob(const std::string& id, CallContext& call)
 absl::Status Stages::CancelJob(const std::string& id, CallContext& call) {
   v1::CancelJobRequest request;
   request.set_job_id(id);
-  return UnaryRequest(*stubs_->orchestrator, &v1::OrchestratorService::StubInterface::CancelJob, request, call)
+  return UnaryRequest(*DesignerNow()->orchestrator, &v1::OrchestratorService::StubInterface::CancelJob, request, call)
       .status();
 }
 absl::StatusOr<v1::Artifact> Stages::GetArtifact(const std::string& id, CallContext& call) {

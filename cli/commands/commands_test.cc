@@ -107,7 +107,7 @@ TEST_F(CommandsTest, SlipsOfThePenAreRecognized) {
 }
 
 TEST_F(CommandsTest, WhatIsMissingOrTooMuchIsNamed) {
-  EXPECT_THAT(ErrorOf({}), StartsWith("which command? flair --help describes them: design, batch, jobs, "));
+  EXPECT_THAT(ErrorOf({}), StartsWith("which command? flair --help describes them: design, studio, mcp, batch, "));
   EXPECT_EQ(ErrorOf({"token"}), "which command? flair token --help describes them: new");
   EXPECT_EQ(ErrorOf({"design", "A room."}), "--out: missing; flair design --help says more");
   EXPECT_EQ(ErrorOf({"render"}), "LAYOUT: missing; flair render --help says more");

@@ -24,7 +24,7 @@ namespace {
 
 struct StudioArguments : Options {
   using Options::Options;
-  int& port = Whole("--port N", 0, 65535, 0, "Port of 127.0.0.1 to serve on; 0 takes a free one (0)");
+  int& port = Whole("--port N", 0, 65535, 0, "Port of 127.0.0.1 to serve on, 1 to 65535; 0 takes a free one (0)");
   std::string& orchestrator =
       Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
   StageFlags stages{command()};

@@ -2,6 +2,7 @@
 #include "cli/mcp/schema.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
@@ -24,7 +25,9 @@ bool HasType(const Json& value, const std::string& type) {
   if (type == "string") return value.is_string();
   if (type == "boolean") return value.is_boolean();
   if (type == "number") return value.is_number();
-  if (type == "integer") return value.is_number_integer();
+  if (type == "integer") {
+    return value.is_number_integer() || (value.is_number() && value.get<double>() == std::trunc(value.get<double>()));
+  }
   return type == "null" && value.is_null();
 }
 

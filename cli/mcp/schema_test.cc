@@ -26,6 +26,7 @@ TEST(Schema, SaysWhereAValueIsWrongAndWhatWouldBeRight) {
       "s":{"type":"string","minLength":1,"maxLength":3}, "p":{"type":"number","exclusiveMinimum":0},
       "l":{"type":"array","maxItems":2,"items":{"type":"boolean"}}}})";
   EXPECT_EQ(FaultIn(kMove, R"({"x":5,"n":2,"w":"b","s":"äöü","p":0.1,"l":[true]})"), "");
+  EXPECT_EQ(FaultIn(kMove, R"({"x":5,"n":2.0})"), "");
   EXPECT_EQ(FaultIn(kMove, "{}"), "x: is missing");
   EXPECT_EQ(FaultIn(kMove, "[]"), "arguments: []; must be an object");
   EXPECT_EQ(FaultIn(kMove, R"({"x":"1"})"), "x: \"1\"; must be a number");

@@ -281,7 +281,9 @@ bool Server::Finish(const Call& call) {
 
 Json Server::RunTool(Call& call) const {
   const Json& params = call.request().params;
-  const Json arguments = params.value("arguments", Json::object());
+  Json arguments = params.value("arguments", Json::object());
+  // Models write null for what they leave out.
+  std::erase_if(arguments.get_ref<Json::object_t&>(), [](const auto& member) { return member.second.is_null(); });
   const auto tool =
       std::ranges::find_if(offer_.tools, [&](const Tool& each) { return each.listed.at("name") == params.at("name"); });
   const auto run = [&]() -> absl::StatusOr<ToolResult> {

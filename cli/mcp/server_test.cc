@@ -150,6 +150,7 @@ TEST_F(ServerTest, CallsToolsAndToldOfTheirFaultsAsResults) {
   EXPECT_EQ(done["content"][0]["text"], R"({"word":"chair"})");
   EXPECT_EQ(done["isError"], false);
   EXPECT_FALSE(done.contains("resultType"));
+  EXPECT_EQ(Ask(Request(9, "tools/call", R"({"name":"echo","arguments":{"word":null}})"))["result"]["isError"], false);
   const Json failed = Ask(Request(2, "tools/call", R"({"name":"fail"})"))["result"];
   EXPECT_EQ(failed["isError"], true);
   EXPECT_EQ(failed["content"][0]["text"], "no desk");

@@ -28,7 +28,7 @@ void Lines::Read(size_t most, const std::function<void(std::string_view)>& see,
   std::string line;
   bool skipping = false;
   std::array<char, 64 << 10> chunk;
-  while (true) {
+  while (!broken) {
     std::array<pollfd, 2> waited = {pollfd{.fd = in, .events = POLLIN, .revents = 0},
                                     pollfd{.fd = stop, .events = POLLIN, .revents = 0}};
     if (::poll(waited.data(), waited.size(), -1) < 0) continue;

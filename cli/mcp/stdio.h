@@ -2,6 +2,7 @@
 // Lines from and to a client at the other end of standard input and output.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,7 @@ struct Lines {
   // Readable once the program is to end.
   int stop;
   // Set once nothing can be written any more.
-  bool broken = false;
+  std::atomic<bool> broken = false;
 
   // Calls `see` for every line of at most `most` bytes, without its end, and `see_too_long` for every longer one, whose
   // bytes are not kept; until the input ends, `stop` can be read, or the client reads no more.
