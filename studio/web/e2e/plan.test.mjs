@@ -40,6 +40,25 @@ test("undo puts it back, redo does it again", async () => {
   await page.waitForSelector("[aria-label='Undo: nothing']");
 });
 
+test("a press beside a piece is not on it", async () => {
+  const { page } = studio;
+  await studio.select("wardrobe");
+  const { x, y, width, height } = await studio.box("wardrobe");
+  await page.mouse.click(x + width + 14, y + height / 2);
+  assert.equal(await page.locator(".piece-name").count(), 0);
+});
+
+test("a marquee selects what it touches", async () => {
+  const { page } = studio;
+  const { x, y, width, height } = await studio.box("wardrobe");
+  await page.mouse.move(x + width + 40, y + height + 40);
+  await page.mouse.down();
+  await page.mouse.move(x + width - 20, y + height - 10, { steps: 4 });
+  await page.mouse.up();
+  assert.equal(await page.locator(".piece-name input").inputValue(), "Wardrobe");
+  await page.keyboard.press("Escape");
+});
+
 test("escape ends a drag as if it had not begun", async () => {
   const before = await studio.box("wardrobe");
   await studio.drag("wardrobe", 90, 90, () => studio.page.keyboard.press("Escape"));
@@ -94,6 +113,28 @@ test("a piece is duplicated, locked and removed by keys", async () => {
   await page.waitForSelector(".outline.is-locked");
   await page.keyboard.press("Delete");
   await page.waitForFunction((n) => document.querySelectorAll(".piece").length === n, count);
+});
+
+test("settling is one act", async () => {
+  const { page } = studio;
+  await studio.drag("double_bed", -60, 20);
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  await page.keyboard.press("s");
+  await page.waitForSelector("[aria-label='Undo: settle']");
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  await page.keyboard.press("Control+z");
+});
+
+test("furniture is found and added", async () => {
+  const { page } = studio;
+  await page.keyboard.press("f");
+  await page.fill(".search input", "armchair");
+  await page.waitForFunction(() => document.querySelector(".offer-name")?.textContent === "armchair");
+  await page.locator(".offer > button").first().click();
+  await page.waitForFunction(() => document.querySelector(".piece-name input")?.value.startsWith("Armchair"));
+  await page.keyboard.press("Delete");
+  await page.waitForSelector(".piece-name", { state: "detached" });
 });
 
 test("a reload shows the same room", async () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plan: the renderer's drawing in parts that are moved, and what is drawn above it in pixels.
-import { useComputed } from "@preact/signals";
+import { batch, useComputed } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { objectIn } from "../inspector/note";
 import { nameOf } from "../state/pieces";
@@ -22,9 +22,11 @@ function useSize(plan: PlanController, host: { current: HTMLDivElement | null })
   useEffect(() => {
     const observer = new ResizeObserver(([entry]) => {
       const { width, height } = entry!.contentRect;
-      plan.width.value = width;
-      plan.height.value = height;
-      if (!plan.isViewOwn) plan.fit();
+      batch(() => {
+        plan.width.value = width;
+        plan.height.value = height;
+        if (!plan.isViewOwn) plan.fit();
+      });
     });
     observer.observe(host.current!);
     return () => observer.disconnect();
@@ -46,6 +48,7 @@ export function Plan({ room }: { room: OpenRoom }) {
   const host = useRef<HTMLDivElement>(null);
   useSize(plan, host);
   useEffect(() => room.floor.subscribe(() => { if (!plan.isViewOwn) plan.fit(); }), [plan]);
+  useEffect(() => plan.gesture.subscribe((gesture) => { room.isHeld.value = gesture !== undefined; }), [plan]);
   const pointer = usePlanPointer(plan);
   usePlanWheel(plan, host);
   usePlanDrop(plan, host);
@@ -54,6 +57,7 @@ export function Plan({ room }: { room: OpenRoom }) {
     const { scale, left, top } = plan.view.value;
     return `matrix(${scale} 0 0 ${scale} ${left} ${top})`;
   });
+  const isMeasured = useComputed(() => plan.width.value > 0);
   const cursor = useComputed(() => plan.gesture.value?.cursor ?? (plan.isSpaceDown.value ? "grab" : "default"));
   useEffect(() => cursor.subscribe((value) => { host.current!.style.cursor = value; }), [cursor]);
   return (
@@ -61,8 +65,7 @@ export function Plan({ room }: { room: OpenRoom }) {
       <div class="plan" ref={host} tabIndex={0} role="application" aria-label="Plan of the room. Tab goes to the pieces, arrows move what is selected."
         {...keys}>
         <svg class="plan-drawing" ref={(element) => { plan.element = element; }} {...pointer}>
-          <g transform={world}><PieceLayers /></g>
-          <Overlay />
+          {isMeasured.value && <><g transform={world}><PieceLayers /></g><Overlay /></>}
         </svg>
         <ClearanceField />
         <Spoken room={room} />

@@ -25,6 +25,7 @@ export class Nudge {
     if (!direction || event.ctrlKey || event.metaKey || event.altKey) return false;
     if (!this.by) this.pieces = this.plan.chosen.peek().filter((piece) => !piece.pinned);
     if (this.pieces.length === 0) return false;
+    this.plan.room.isHeld.value = true;
     const step = event.shiftKey ? kLarge : kSmall;
     this.by = add(this.by ?? vec(0, 0), vec(direction.x * step, direction.y * step));
     const by = this.by;
@@ -41,5 +42,6 @@ export class Nudge {
     if (!this.by) return;
     this.by = undefined;
     void this.plan.drop(this.poses);
+    this.plan.room.isHeld.value = false;
   }
 }

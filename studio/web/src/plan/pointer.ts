@@ -65,9 +65,8 @@ function handlers(plan: PlanController) {
     },
     onPointerUp(event: PointerEvent) {
       pinch.up(event);
-      const gesture = plan.gesture.peek();
+      plan.gesture.peek()?.end(event);
       plan.gesture.value = undefined;
-      gesture?.end(event);
     },
     onPointerCancel(event: PointerEvent) {
       pinch.up(event);

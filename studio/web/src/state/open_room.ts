@@ -41,7 +41,10 @@ export class OpenRoom {
   readonly pointedAt = signal<Demand | undefined>(undefined);
   // Where pieces are seen while they are dragged or on their way; those that are not named are where the layout says.
   readonly draft = signal<Poses>(kNothing);
+  // An act is on its way.
   readonly isBusy = signal(false);
+  // Pieces are in hand; what others do meanwhile is shown afterwards.
+  readonly isHeld = signal(false);
   // Of the last act.
   readonly effect = signal<Effect | undefined>(undefined);
   readonly pieces = computed(() => piecesOf(this.layout.value));
@@ -83,7 +86,8 @@ export class OpenRoom {
   // Fetches the document anew, as after a change by somebody else.
   async reload(): Promise<void> {
     const { document, layout } = await this.clients.studio.getDocument({ documentId: this.id });
-    if (document && !this.isClosed) this.show(document, layout);
+    const isOld = document && document.revision < this.document.peek().revision;
+    if (document && !isOld && !this.isClosed) this.show(document, layout);
   }
 
   // Changes the document; one act after the other. Errors and remarks are told to the user, by a toast unless `tell` does;
@@ -94,7 +98,7 @@ export class OpenRoom {
     return answer;
   }
 
-  private async send(act: Act, tell = (text: string) => this.toasts.error(text)): Promise<ActResponse | undefined> {
+  private async send(act: Act, tell = (text: string) => this.toasts.error(text), isAgain = false): Promise<ActResponse | undefined> {
     this.isBusy.value = true;
     try {
       const { revision } = this.document.peek();
@@ -110,14 +114,16 @@ export class OpenRoom {
       }
       return response;
     } catch (error) {
-      this.show(this.document.peek(), this.layout.peek());
       if (isConflict(error)) {
+        const { layoutId } = this.document.peek();
         await this.reload().catch(() => {});
+        // Only its title or its job has changed: nothing is in the way.
+        if (!isAgain && layoutId === this.document.peek().layoutId) return await this.send(act, tell, true);
         this.toasts.error("The room was changed in another window meanwhile. Here is its newest state; please try again.");
-      } else if (isNothingToDo(error)) {
-        this.toasts.note(sentenceOf(error));
       } else {
-        tell(sentenceOf(error));
+        this.show(this.document.peek(), this.layout.peek());
+        if (isNothingToDo(error)) this.toasts.note(sentenceOf(error));
+        else tell(sentenceOf(error));
       }
       return undefined;
     } finally {

@@ -33,6 +33,10 @@ export class Studio {
       const { page, id } = route.value;
       void this.openDocument(page === "document" ? id : "");
     });
+    effect(() => {
+      const open = this.open.value;
+      if (open && !open.isBusy.value && !open.isHeld.value) this.catchUp();
+    });
     void watchDocuments(clients, {
       connected: () => this.refresh(),
       heard: (event) => this.heard(event),
@@ -80,15 +84,21 @@ export class Studio {
     const room = new OpenRoom(answer.document, this.clients, this.toasts);
     this.open.value = room;
     room.start(answer.layout);
+    this.catchUp();
   }
 
   private async refresh(): Promise<void> {
     const { documents } = await this.clients.studio.listDocuments({ pageSize: 200 });
     this.documents.value = documents;
     this.isListed.value = true;
+    this.catchUp();
+  }
+
+  // Shows what became of the open document while it was fetched or changed here.
+  private catchUp(): void {
     const open = this.open.peek();
-    const newest = documents.find((one) => one.id === open?.id);
-    if (open && newest && newest.revision > open.document.peek().revision) await open.reload();
+    const newest = this.documents.peek().find((one) => one.id === open?.id);
+    if (open && newest) this.follow(open, newest);
   }
 
   private heard(event: WatchDocumentsResponse["event"]): void {
@@ -96,13 +106,12 @@ export class Studio {
     if (event.case === "deletedDocumentId") this.drop(event.value);
     if (event.case !== "document") return;
     this.put(event.value);
-    const open = this.open.peek();
-    if (open?.id === event.value.id) this.follow(open, event.value);
+    this.catchUp();
   }
 
   // Somebody else changed the open document, or its job went on.
   private follow(open: OpenRoom, newest: Document): void {
-    if (open.isBusy.peek() || newest.revision <= open.document.peek().revision) return;
+    if (open.isBusy.peek() || open.isHeld.peek() || newest.revision <= open.document.peek().revision) return;
     const ended = newest.jobState !== JobState.QUEUED && newest.jobState !== JobState.RUNNING;
     if (ended || newest.layoutId !== open.document.peek().layoutId) void open.reload().catch(() => {});
     else open.document.value = newest;
