@@ -23,7 +23,8 @@ constexpr char kNoPage[] =
     "The page of the studio has not been built.\n\n"
     "In a checkout, ./flair studio builds it; it needs Node.js 18 or later. Then open this address again.\n";
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kMediaTypes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kMediaTypes = {{
+    {"", "text/plain; charset=utf-8"},
     {".html", "text/html; charset=utf-8"},
     {".js", "text/javascript; charset=utf-8"},
     {".mjs", "text/javascript; charset=utf-8"},

@@ -26,6 +26,7 @@ class SiteTest : public ::testing::Test {
     Write("page/.hidden", "hidden");
     Write("page/.git/config", "hidden");
     Write("page/empty.css", "");
+    Write("page/NOTICES", "all");
     Write("page/alone.gz", "gz");
     std::filesystem::create_symlink(root_ / "secret.txt", root_ / "page/link.txt");
     std::filesystem::create_directory_symlink(root_, root_ / "page/up");
@@ -59,6 +60,7 @@ TEST_F(SiteTest, GivesFilesTheirTypesAndAges) {
                          Row{"/app-3FQ2XYZA.js", "text/javascript; charset=utf-8", "let a;", true},
                          Row{"/pictures/desk.svg", "image/svg+xml", "<svg/>", false},
                          Row{"/empty.css", "text/css; charset=utf-8", "", false},
+                         Row{"/NOTICES", "text/plain; charset=utf-8", "all", false},
                          Row{"/alone.gz", "application/octet-stream", "gz", false}}) {
     const Reply reply = site.Get(row.path, "", "");
     EXPECT_EQ(reply.status, 200) << row.path;
