@@ -69,7 +69,10 @@ export class PlanController {
   async drop(poses: Poses): Promise<void> {
     this.guides.value = [];
     const pieces = this.room.pieces.peek();
-    const placements = [...poses].map(([id, pose]) => placementOf(pieces.get(id)!, pose));
+    const all = this.withGuests(poses);
+    // The server takes along what it knows to stand on them; what was merely put there is named.
+    const isNamed = (id: string) => poses.has(id) || !all.has(pieces.get(id)!.object.hostId);
+    const placements = [...all].filter(([id]) => isNamed(id)).map(([id, pose]) => placementOf(pieces.get(id)!, pose));
     if (this.studio.settings.autoSettle.peek() === "on") await moveAndSettle(this.room, placements);
     else await this.room.act({ case: "move", value: { placements } });
   }
