@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <future>
+#include <map>
+#include <set>
 
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/artifact_file.h"
@@ -172,6 +174,32 @@ TEST_F(DocumentsTest, WhatIsMovedStaysJustThereUntilItIsSettled) {
   EXPECT_THAT(Get(made.document().id()).layout().graph().pinned_placements(), IsEmpty());
   const auto again = Act(settled->document(), [](v1::ActRequest& act) { act.mutable_settle(); });
   EXPECT_TRUE(absl::IsFailedPrecondition(again.status())) << again.status();
+}
+
+TEST_F(DocumentsTest, OnlyWhatStandsOnAPieceGoesWithIt) {
+  const v1::GetDocumentResponse made = Designed();
+  std::map<std::string, v1::Object> objects;
+  for (const v1::Object& object : made.layout().graph().object_list().objects()) objects[object.id()] = object;
+  std::set<std::string> hosts;
+  for (const v1::Placement& at : made.layout().placements()) hosts.insert(objects[at.object_id()].host_id());
+  hosts.erase("");
+  v1::Document document = made.document();
+  int carried = 0, left = 0;
+  for (const std::string& host : hosts) {
+    const v1::Placement to = Inward(PlacementOf(made.layout(), host));
+    const auto moved = Act(document, [&](v1::ActRequest& act) { *act.mutable_move()->add_placements() = to; });
+    ASSERT_TRUE(moved.ok()) << moved.status();
+    document = moved->document();
+    for (const v1::Placement& at : made.layout().placements()) {
+      const v1::Object& object = objects[at.object_id()];
+      if (object.host_id() != host) continue;
+      const bool stands = object.kind() == v1::OBJECT_KIND_SURFACE;
+      EXPECT_EQ(PlacementOf(moved->layout(), object.id()).x_m() != at.x_m(), stands) << object.id();
+      ++(stands ? carried : left);
+    }
+  }
+  EXPECT_GT(carried, 0);
+  EXPECT_GT(left, 0);
 }
 
 TEST_F(DocumentsTest, UndoToTheStartGivesTheSameBytesAlsoAfterARestart) {

@@ -97,6 +97,8 @@ absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtr
   for (bool more = true; more;) {
     more = false;
     for (const v1::Object& object : layout.graph().object_list().objects()) {
+      // A rug or a painting belongs to a bed without standing on it.
+      if (object.kind() != v1::OBJECT_KIND_SURFACE) continue;
       const auto host = moved.find(object.host_id());
       if (host == moved.end() || moved.contains(object.id()) || !now.contains(object.id())) continue;
       const auto from = now.find(host->first);
