@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // THIRD_PARTY_NOTICES: the licences of the packages of which a line is in the bundle.
-import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
 // The packages that esbuild's metafile names, such as "preact" or "@bufbuild/protobuf".
@@ -20,19 +20,29 @@ function licenceText(folder) {
   return file ? readFileSync(join(folder, file), "utf8").trim() : "";
 }
 
-// Apache's and MIT's words for packages that name their licence without shipping it.
-function fallbackText(root, licence) {
-  const standIn = { "Apache-2.0": "@bufbuild/buf", "MIT": "preact" }[licence];
-  const folder = standIn && join(root, "node_modules", standIn);
-  return folder && existsSync(folder) ? licenceText(folder) : "";
+// For packages that name their licence without shipping its words: a package here that ships them.
+const bearers = { "Apache-2.0": "typescript", "MIT": "preact" };
+
+// Licences of single files that a package has from others, in their first comments.
+const filesOfOthers = { "@bufbuild/protobuf": ["dist/esm/wire/varint.js"] };
+
+function wordsOf(root, name, licence) {
+  const folder = join(root, "node_modules", name);
+  const own = licenceText(folder);
+  const known = Object.keys(bearers).filter((one) => licence.includes(one));
+  if (!own && known.length === 0) throw new Error(`${name}: the words of its licence, ${licence}, are nowhere`);
+  const texts = own ? [own] : known.map((one) => licenceText(join(root, "node_modules", bearers[one])));
+  const heads = (filesOfOthers[name] ?? []).map((file) => {
+    const lines = readFileSync(join(folder, file), "utf8").split("\n").filter((line) => line.startsWith("//"));
+    return `${file}:\n\n${lines.map((line) => line.replace(/^\/\/ ?/, "")).join("\n")}`;
+  });
+  return [...texts, ...heads].join("\n\n");
 }
 
 export function notices(root, names) {
   const blocks = names.map((name) => {
-    const folder = join(root, "node_modules", name);
-    const about = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
-    const text = licenceText(folder) || fallbackText(root, about.license);
-    return `${name} ${about.version}: ${about.license}\n\n${text || `Licence: ${about.license}`}\n`;
+    const { version, license } = JSON.parse(readFileSync(join(root, "node_modules", name, "package.json"), "utf8"));
+    return `${name} ${version}: ${license}\n\n${wordsOf(root, name, license)}\n`;
   });
   return `The studio's page holds code of these packages.\n\n${blocks.join(`\n${"-".repeat(78)}\n\n`)}`;
 }

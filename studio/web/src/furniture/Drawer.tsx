@@ -7,7 +7,7 @@ import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
 import { addPiece, replacePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
-import { nameOf } from "../state/pieces";
+import { theName } from "../state/pieces";
 import { useStudio } from "../state/studio";
 import { OfferTile } from "./OfferTile";
 
@@ -56,7 +56,7 @@ export function Drawer({ room }: { room: OpenRoom }) {
         <input type="search" value={query} placeholder="Search furniture" aria-label="Search furniture"
           onInput={(event) => setQuery(event.currentTarget.value)} />
       </label>
-      {replaced && <p class="hint"><Icon name="swap" size={13} /> replaces the {nameOf(replaced.object)}.</p>}
+      {replaced && <p class="hint"><Icon name="swap" size={13} /> replaces {theName(replaced.object)}.</p>}
       {offers?.length === 0 && <p class="hint">Nothing is called that.</p>}
       {groups.map((group) => (
         <section key={group.name}>

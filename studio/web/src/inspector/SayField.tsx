@@ -3,14 +3,15 @@ import { useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { say } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
-import { nameOf, type Piece } from "../state/pieces";
+import { theName, type Piece } from "../state/pieces";
+import { capital } from "./words";
 
 // Adds what one sentence asks for; the server says when it does not understand.
 export function SayField({ room, about }: { room: OpenRoom; about: Piece | undefined }) {
   const [text, setText] = useState("");
   const [isSent, setSent] = useState(false);
   const [remark, setRemark] = useState("");
-  const label = about ? `Say something about the ${nameOf(about.object)}` : "Say something about the room";
+  const label = about ? `Say something about ${theName(about.object)}` : "Say something about the room";
   const send = async () => {
     if (!text.trim() || isSent) return;
     setSent(true);
@@ -24,7 +25,7 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
       {remark && <p class="say-remark" role="alert">{remark}</p>}
       <div class="say-line">
         <input value={text} maxLength={400} aria-label={label} aria-busy={isSent}
-          placeholder={about ? `The ${nameOf(about.object)} faces the window` : "The armchair faces the window"}
+          placeholder={about ? `${capital(theName(about.object))} faces the window` : "The armchair faces the window"}
           onInput={(event) => { setText(event.currentTarget.value); setRemark(""); }} />
         <button class="icon-button" type="submit" aria-label="Add the sentence" title="Add the sentence (Enter)"
           disabled={!text.trim() || isSent}><Icon name="chat" /></button>

@@ -52,7 +52,7 @@ function editClearance(plan: PlanController): boolean {
 function onCommand(plan: PlanController, key: string): boolean {
   const chosen = plan.chosen.peek();
   if (key === "a") plan.room.select([...plan.room.pieces.peek().values()].filter(isSolid).map((piece) => piece.id));
-  else if (key === "c") copied = chosen;
+  else if (key === "c" && getSelection()?.isCollapsed !== false) copied = chosen;
   else if (key === "v") void duplicatePieces(plan.room, copied);
   else if (key === "d") void duplicatePieces(plan.room, chosen);
   else return false;

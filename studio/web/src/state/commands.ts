@@ -62,6 +62,14 @@ export async function addPiece(room: OpenRoom, object: MessageInitShape<typeof O
   if (response) room.select([id]);
 }
 
+// Zones and hosts that the room does not have are left out, as of what was copied in another one.
+function atHome(room: OpenRoom, object: Object$): MessageInitShape<typeof ObjectSchema> {
+  const zones = room.layout.peek()?.graph?.zonePlan?.zones ?? [];
+  const zoneId = zones.some((zone) => zone.id === object.zoneId) ? object.zoneId : "";
+  const hostId = room.pieces.peek().has(object.hostId) ? object.hostId : "";
+  return { ...plain(object), zoneId, hostId };
+}
+
 // The same again, a little aside.
 export async function duplicatePieces(room: OpenRoom, pieces: readonly Piece[]) {
   const taken = takenIds(room);
@@ -72,9 +80,9 @@ export async function duplicatePieces(room: OpenRoom, pieces: readonly Piece[]) 
     ids.push(id);
     const pose = { ...piece.pose, x: piece.pose.x + kCopyOffset, y: piece.pose.y - kCopyOffset };
     return [
-      { edit: { case: "addObject", value: { object: { ...plain(piece.object), id } } } },
+      { edit: { case: "addObject", value: { object: { ...atHome(room, piece.object), id } } } },
       { edit: { case: "moveObject", value: { ...placementOf(piece, pose), objectId: id } } },
-      ];
+    ];
   });
   if (edits.length === 0) return;
   if (await edit(room, edits, true)) room.select(ids);

@@ -42,6 +42,12 @@ export function nameOf(object: Object$): string {
   return number && !object.name.endsWith(number) ? `${object.name} ${number}` : object.name;
 }
 
+// The same within a sentence: "the desk", but "nightstand 2".
+export function theName(object: Object$): string {
+  const name = nameOf(object);
+  return /\d$/.test(name) ? name : `the ${name}`;
+}
+
 export const isOnFloor = (piece: Piece): boolean => piece.object.kind === ObjectKind.FLOOR;
 
 // What one bumps into: no rugs, nothing on walls, ceilings and tables.

@@ -5,7 +5,8 @@ import { snapped, type Moving, type Target } from "../../geometry/snap";
 import { add, sub, vec, type Vec } from "../../geometry/vec";
 import { mounted } from "../../geometry/wall_mount";
 import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
-import { footprintOf, guestsOf, isSolid, nameOf, type Piece, type Poses } from "../../state/pieces";
+import { footprintOf, guestsOf, isSolid, theName, type Piece, type Poses } from "../../state/pieces";
+import { capital } from "../../inspector/words";
 import type { PlanController } from "../controller";
 import { kDragStart, kSnapPixels, type Gesture } from "../gesture";
 
@@ -76,7 +77,7 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
       if (poses) return void plan.drop(poses);
       const still = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart;
       if (!still && chosen.length > 0) {
-        plan.studio.toasts.note(`The ${nameOf(chosen[0]!.object)} is locked. Press L to unlock it.`);
+        plan.studio.toasts.note(`${capital(theName(chosen[0]!.object))} is locked. Press L to unlock it.`);
       }
       if (!still || !wasSelected) return;
       const rest = [...plan.room.selection.peek()].filter((id) => id !== pressed);
