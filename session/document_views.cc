@@ -116,10 +116,12 @@ absl::StatusOr<v1::JudgeResponse> Documents::Judge(const v1::JudgeRequest& reque
 absl::StatusOr<v1::ExplainResponse> Documents::Explain(const v1::ExplainRequest& request, CallContext& call) {
   ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));
-  ASSIGN_OR_RETURN(const v1::ConstraintCatalog catalog, stages_.Catalog(call));
-  ASSIGN_OR_RETURN(const std::string note, parts_.note_json(layout->solved_layout(), catalog));
   v1::ExplainResponse response;
   response.set_revision(record.document().revision());
+  // Of an empty room there is nothing to say.
+  if (layout->solved_layout().graph().object_list().objects().empty()) return response;
+  ASSIGN_OR_RETURN(const v1::ConstraintCatalog catalog, stages_.Catalog(call));
+  ASSIGN_OR_RETURN(const std::string note, parts_.note_json(layout->solved_layout(), catalog));
   if (!google::protobuf::util::JsonStringToMessage(note, response.mutable_note()).ok()) {
     return absl::InternalError("the note of the layout is no JSON");
   }

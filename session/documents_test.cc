@@ -346,6 +346,9 @@ TEST_F(DocumentsTest, AnOwnRoomIsDrawnChangedAndFurnished) {
   ASSERT_TRUE(drawn.ok()) << drawn.status();
   EXPECT_NE(drawn->parts().walls_svg(), "");
   EXPECT_EQ(drawn->parts().parts_size(), 0);
+  v1::ExplainRequest explain;
+  explain.set_document_id(made->document().id());
+  EXPECT_TRUE(documents_->Explain(explain, call_).ok());
   room.set_height_m(2.6);
   const auto changed = Act(made->document(), [&](v1::ActRequest& act) { *act.mutable_room() = room; });
   ASSERT_TRUE(changed.ok()) << changed.status();

@@ -13,6 +13,9 @@ const groups: Array<[string, Array<[string, string]>]> = [
     ["S", "settle what stands badly"], ["Ctrl Z, Ctrl Shift Z", "undo, redo"]]],
   ["Look", [["Scroll, space drag", "pan"], ["Ctrl scroll, + and -", "zoom"], ["0, double click", "the whole room"],
     ["1, 2, 3", "plan, both, 3D"], ["F", "furniture"], ["[", "sidebar"], ["U", "metres or feet"]]],
+  ["Draw a room", [["Click", "the next corner; Alt frees it"], ["Arrows, 3.2 Enter", "a wall that way, that long"],
+    ["Enter", "close the walls"], ["D, W, E", "door, window, socket"], ["Double click", "a corner on a wall"],
+    ["Delete", "remove what is selected"]]],
 ];
 
 export function KeysDialog() {

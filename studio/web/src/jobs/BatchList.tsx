@@ -26,20 +26,42 @@ export function BatchList() {
   const now = new Date();
   return (
     <>
-      {problem && <p class="notice is-bad" role="alert">{problem}</p>}
-      {!value && !problem && <p class="jobs-empty" aria-busy="true"><span class="spinner" /></p>}
-      {value?.length === 0 && <p class="jobs-empty">No batches. A file of briefs becomes one with <code>flair batch</code>.</p>}
+      {problem && (
+        <p class="notice is-bad" role="alert">
+          {problem}
+        </p>
+      )}
+      {!value && !problem && (
+        <p class="jobs-empty" aria-busy="true">
+          <span class="spinner" />
+        </p>
+      )}
+      {value?.length === 0 && (
+        <p class="jobs-empty">
+          No batches. A file of briefs becomes one with <code>flair batch</code>.
+        </p>
+      )}
       <ul class="batch-list">
         {value?.map((batch) => (
           <li key={batch.id} class="batch">
             <div class="batch-line">
-              <a class="batch-title" href={hashOf({ page: "jobs", id: batch.id })}>{batchTitle(batch)}</a>
-              <span class="batch-state">{batchText(batch)} · {whenText(batch.createTime, now)}</span>
+              <a class="batch-title" href={hashOf({ page: "jobs", id: batch.id })}>
+                {batchTitle(batch)}
+              </a>
+              <span class="batch-state">
+                {batchText(batch)} · {whenText(batch.createTime, now)}
+              </span>
             </div>
             <BatchBar batch={batch} />
             <div class="batch-line">
               <span class="batch-counts">{countsOf(batch)}</span>
-              <BatchButtons batch={batch} changed={() => { ended.delete(batch.id); again(); }} />
+              <BatchButtons
+                batch={batch}
+                changed={() => {
+                  ended.delete(batch.id);
+                  again();
+                }}
+              />
             </div>
             <BatchFailures batch={batch} />
           </li>

@@ -23,28 +23,47 @@ function aboutOf(job: Job): string {
 }
 
 export function JobRow({ job, now, changed }: { job: Job; now: Date; changed(): void }) {
-  const studio = useStudio(), [isBusy, setBusy] = useState(false);
+  const studio = useStudio(),
+    [isBusy, setBusy] = useState(false);
   const run = (act: () => Promise<unknown>) => {
     setBusy(true);
     void act().finally(() => setBusy(false));
   };
-  const cancel = () => run(async () => {
-    await studio.told(() => studio.clients.orchestrator.cancelJob({ jobId: job.id }));
-    changed();
-  });
+  const cancel = () =>
+    run(async () => {
+      await studio.told(() => studio.clients.orchestrator.cancelJob({ jobId: job.id }));
+      changed();
+    });
   return (
     <li class="job">
       <span class={`job-state is-${JobState[job.state]!.toLowerCase()}`} aria-hidden="true" />
       <div class="job-text">
-        <p class="job-brief" title={briefOf(job)}>{briefOf(job)}</p>
+        <p class="job-brief" title={briefOf(job)}>
+          {briefOf(job)}
+        </p>
         <p class={job.state === JobState.FAILED ? "job-about is-bad" : "job-about"}>
           {[aboutOf(job), whenText(job.createTime, now), tookText(job)].filter(Boolean).join(" · ")}
-          {job.batchId && <> · <a href={hashOf({ page: "jobs", id: job.batchId })}>no. {Number(job.batchIndex) + 1} of a batch</a></>}
+          {job.batchId && (
+            <>
+              {" "}
+              · <a href={hashOf({ page: "jobs", id: job.batchId })}>no. {Number(job.batchIndex) + 1} of a batch</a>
+            </>
+          )}
         </p>
         {job.error && <p class="job-error">{job.error}</p>}
       </div>
-      {job.state === JobState.SUCCEEDED && <button class="button" disabled={isBusy} onClick={() => run(() => openJob(studio, job))}><Icon name="plan" />Open</button>}
-      {isOpen(job) && <button class="button" disabled={isBusy} onClick={cancel}><Icon name="close" size={14} />Cancel</button>}
+      {job.state === JobState.SUCCEEDED && (
+        <button class="button" disabled={isBusy} onClick={() => run(() => openJob(studio, job))}>
+          <Icon name="plan" />
+          Open
+        </button>
+      )}
+      {isOpen(job) && (
+        <button class="button" disabled={isBusy} onClick={cancel}>
+          <Icon name="close" size={14} />
+          Cancel
+        </button>
+      )}
     </li>
   );
 }

@@ -6,7 +6,11 @@ import { BatchPage } from "./BatchPage";
 import { ClusterPage } from "./ClusterPage";
 import { JobList } from "./JobList";
 
-const tabs = [["", "Jobs"], ["batches", "Batches"], ["workers", "Workers"]] as const;
+const tabs = [
+  ["", "Jobs"],
+  ["batches", "Batches"],
+  ["workers", "Workers"],
+] as const;
 
 export default function JobsPage({ id }: { id: string }) {
   const isBatch = !tabs.some(([one]) => one === id);
@@ -17,7 +21,13 @@ export default function JobsPage({ id }: { id: string }) {
           <h1>Jobs</h1>
           <div class="segmented is-named" role="group" aria-label="What is listed">
             {tabs.map(([one, label]) => (
-              <button key={one} aria-pressed={one === id || (isBatch && one === "batches")} onClick={() => goTo({ page: "jobs", id: one })}>{label}</button>
+              <button
+                key={one}
+                aria-pressed={one === id || (isBatch && one === "batches")}
+                onClick={() => goTo({ page: "jobs", id: one })}
+              >
+                {label}
+              </button>
             ))}
           </div>
         </header>

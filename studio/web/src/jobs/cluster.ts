@@ -21,15 +21,22 @@ const worst = (a: WorkerState, b: WorkerState) => (trouble.indexOf(a) >= trouble
 export function workersOf({ orchestrators }: GetClusterResponse): SeenWorker[] {
   const seen = new Map<string, SeenWorker>();
   for (const one of orchestrators.flatMap(({ workers }) => workers)) {
-    const key = `${one.stage} ${one.address}`, calls = Number(one.callCount), before = seen.get(key);
+    const key = `${one.stage} ${one.address}`,
+      calls = Number(one.callCount),
+      before = seen.get(key);
     const total = (before?.calls ?? 0) + calls;
     const time = (before ? before.latency * before.calls : 0) + seconds(one.callDuration) * calls;
     seen.set(key, {
-      stage: one.stage, address: one.address, state: worst(one.state, before?.state ?? WorkerState.UNSPECIFIED),
-      busy: (before?.busy ?? 0) + one.inFlightCount, calls: total, failures: (before?.failures ?? 0) + Number(one.failureCount),
+      stage: one.stage,
+      address: one.address,
+      state: worst(one.state, before?.state ?? WorkerState.UNSPECIFIED),
+      busy: (before?.busy ?? 0) + one.inFlightCount,
+      calls: total,
+      failures: (before?.failures ?? 0) + Number(one.failureCount),
       latency: total > 0 ? time / total : 0,
     });
   }
-  const rank = ({ stage, state }: SeenWorker) => [order.indexOf(stage) < 0 ? order.length : order.indexOf(stage), -trouble.indexOf(state)] as const;
+  const rank = ({ stage, state }: SeenWorker) =>
+    [order.indexOf(stage) < 0 ? order.length : order.indexOf(stage), -trouble.indexOf(state)] as const;
   return [...seen.values()].sort((a, b) => rank(a)[0] - rank(b)[0] || rank(a)[1] - rank(b)[1]);
 }

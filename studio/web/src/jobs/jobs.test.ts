@@ -11,7 +11,8 @@ import { lastingText } from "./words";
 
 test("shares of what was asked come from the report", () => {
   const report = create(ReportSchema, {
-    metrics: { reachableFloorShare: 0.9, useCount: 4, metUseCount: 3 }, constraints: { satisfiedCount: 8, violatedCount: 2 },
+    metrics: { reachableFloorShare: 0.9, useCount: 4, metUseCount: 3 },
+    constraints: { satisfiedCount: 8, violatedCount: 2 },
   });
   assert.deepEqual(measuresOf(report), { held: 0.8, uses: 0.75, floor: 0.9 });
   assert.ok(passes(measuresOf(report), { ...anyMeasures, held: 0.8 }));
@@ -21,12 +22,19 @@ test("shares of what was asked come from the report", () => {
 });
 
 test("a worker is as bad as the worst that an orchestrator says of it", () => {
-  const worker = (state: WorkerState, callCount: bigint, nanos: number) =>
-    ({ stage: "optimizer", address: "a:1", state, callCount, callDuration: { seconds: 0n, nanos } });
-  const cluster = create(GetClusterResponseSchema, { orchestrators: [
-    { id: "1", workers: [worker(WorkerState.READY, 1n, 100_000_000), { stage: "language", address: "b:1" }] },
-    { id: "2", workers: [worker(WorkerState.BROKEN, 3n, 500_000_000)] },
-  ] });
+  const worker = (state: WorkerState, callCount: bigint, nanos: number) => ({
+    stage: "optimizer",
+    address: "a:1",
+    state,
+    callCount,
+    callDuration: { seconds: 0n, nanos },
+  });
+  const cluster = create(GetClusterResponseSchema, {
+    orchestrators: [
+      { id: "1", workers: [worker(WorkerState.READY, 1n, 100_000_000), { stage: "language", address: "b:1" }] },
+      { id: "2", workers: [worker(WorkerState.BROKEN, 3n, 500_000_000)] },
+    ],
+  });
   const [language, optimizer] = workersOf(cluster);
   assert.equal(language!.stage, "language");
   assert.equal(optimizer!.state, WorkerState.BROKEN);

@@ -27,5 +27,7 @@ export const isFiltered = (least: Least): boolean => Object.values(least).some((
 
 // What is not measured does not pass a filter on it; what is not known yet passes none.
 export function passes(measures: Measures | undefined, least: Least): boolean {
-  return (Object.keys(least) as MeasureName[]).every((name) => least[name] === 0 || (measures?.[name] ?? -1) >= least[name] - 1e-9);
+  return (Object.keys(least) as MeasureName[]).every(
+    (name) => least[name] === 0 || (measures?.[name] ?? -1) >= least[name] - 1e-9,
+  );
 }

@@ -8,7 +8,9 @@ import { PreviewFormat, PreviewView } from "../gen/flair/v1/preview_pb";
 import { measuresOf, type Measures } from "./measures";
 
 const kMediaTypes: Partial<Record<PreviewFormat, string>> = {
-  [PreviewFormat.PNG]: "image/png", [PreviewFormat.JPEG]: "image/jpeg", [PreviewFormat.SVG]: "image/svg+xml",
+  [PreviewFormat.PNG]: "image/png",
+  [PreviewFormat.JPEG]: "image/jpeg",
+  [PreviewFormat.SVG]: "image/svg+xml",
 };
 const kAtOnce = 2;
 const kKept = 300;
@@ -45,7 +47,13 @@ export class JobPictures {
     this.plans.clear();
   }
 
-  private once<T>(known: Map<string, Signal<T | undefined>>, job: Job, kind: ArtifactKind, none: T, get: (id: string) => Promise<T>) {
+  private once<T>(
+    known: Map<string, Signal<T | undefined>>,
+    job: Job,
+    kind: ArtifactKind,
+    none: T,
+    get: (id: string) => Promise<T>,
+  ) {
     const before = known.get(job.id);
     if (before) return before;
     const ref = job.artifacts.find((one) => one.kind === kind);

@@ -17,7 +17,8 @@ export function usePolling<T>(key: string, ask: () => Promise<T>): Polled<T> {
   const [state, setState] = useState<{ key: string; value?: T; problem: string }>({ key, problem: "" });
   const [turn, setTurn] = useState(0);
   useEffect(() => {
-    let timer: ReturnType<typeof setTimeout> | undefined, isGone = false;
+    let timer: ReturnType<typeof setTimeout> | undefined,
+      isGone = false;
     const look = async () => {
       clearTimeout(timer);
       if (document.visibilityState === "hidden") return;
@@ -38,5 +39,9 @@ export function usePolling<T>(key: string, ask: () => Promise<T>): Polled<T> {
       document.removeEventListener("visibilitychange", look);
     };
   }, [key, turn]);
-  return { value: state.key === key ? state.value : undefined, problem: state.key === key ? state.problem : "", again: () => setTurn(turn + 1) };
+  return {
+    value: state.key === key ? state.value : undefined,
+    problem: state.key === key ? state.problem : "",
+    again: () => setTurn(turn + 1),
+  };
 }

@@ -21,4 +21,4 @@ export class Rates {
 }
 
 export const rateText = (perSecond: number | undefined): string =>
-  (perSecond === undefined ? "–" : perSecond < 10 ? perSecond.toFixed(1) : perSecond.toFixed(0));
+  perSecond === undefined ? "–" : perSecond < 10 ? perSecond.toFixed(1) : perSecond.toFixed(0);

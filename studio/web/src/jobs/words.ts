@@ -5,16 +5,25 @@ import { FailureKind, JobState, type Job } from "../gen/flair/v1/job_pb";
 import { BatchState, WorkerState, type Batch } from "../gen/flair/v1/orchestrator_service_pb";
 
 const failures: Record<FailureKind, string> = {
-  [FailureKind.UNSPECIFIED]: "failed", [FailureKind.INPUT]: "brief or options", [FailureKind.LANGUAGE]: "language stages",
-  [FailureKind.TRANSLATION]: "translation", [FailureKind.INFEASIBLE]: "does not fit", [FailureKind.WORKER]: "a worker",
-  [FailureKind.TIMEOUT]: "took too long", [FailureKind.STORE]: "the store",
+  [FailureKind.UNSPECIFIED]: "failed",
+  [FailureKind.INPUT]: "brief or options",
+  [FailureKind.LANGUAGE]: "language stages",
+  [FailureKind.TRANSLATION]: "translation",
+  [FailureKind.INFEASIBLE]: "does not fit",
+  [FailureKind.WORKER]: "a worker",
+  [FailureKind.TIMEOUT]: "took too long",
+  [FailureKind.STORE]: "the store",
 };
 
 export const failureText = (kind: FailureKind): string => failures[kind] ?? "failed";
 
 const states: Record<JobState, string> = {
-  [JobState.UNSPECIFIED]: "", [JobState.QUEUED]: "waiting", [JobState.RUNNING]: "running", [JobState.SUCCEEDED]: "done",
-  [JobState.FAILED]: "failed", [JobState.CANCELLED]: "cancelled",
+  [JobState.UNSPECIFIED]: "",
+  [JobState.QUEUED]: "waiting",
+  [JobState.RUNNING]: "running",
+  [JobState.SUCCEEDED]: "done",
+  [JobState.FAILED]: "failed",
+  [JobState.CANCELLED]: "cancelled",
 };
 
 export const stateText = (state: JobState): string => states[state] ?? "";
@@ -29,16 +38,21 @@ export function batchText(batch: Batch): string {
 }
 
 export const workerText = (state: WorkerState): string =>
-  ({ [WorkerState.READY]: "ready", [WorkerState.BROKEN]: "broken", [WorkerState.GONE]: "gone" } as Partial<Record<WorkerState, string>>)[state] ?? "idle";
+  (
+    ({ [WorkerState.READY]: "ready", [WorkerState.BROKEN]: "broken", [WorkerState.GONE]: "gone" }) as Partial<
+      Record<WorkerState, string>
+    >
+  )[state] ?? "idle";
 
 export const seconds = (duration: Duration | undefined): number =>
-  (duration ? Number(duration.seconds) + duration.nanos / 1e9 : 0);
+  duration ? Number(duration.seconds) + duration.nanos / 1e9 : 0;
 
 // "0.42 s", "1 m 05 s", "2 h 03 m".
 export function lastingText(total: number): string {
   if (total < 0.9995) return total > 0 ? `${Math.max(1, Math.round(total * 1000))} ms` : "0 s";
   if (total < 60) return `${total.toFixed(1)} s`;
-  const whole = Math.floor(total), pad = (n: number) => String(n).padStart(2, "0");
+  const whole = Math.floor(total),
+    pad = (n: number) => String(n).padStart(2, "0");
   if (whole < 3600) return `${Math.floor(whole / 60)} m ${pad(whole % 60)} s`;
   return `${Math.floor(whole / 3600)} h ${pad(Math.floor(whole / 60) % 60)} m`;
 }
@@ -49,7 +63,7 @@ export function tookText({ createTime, endTime }: Job): string {
 }
 
 export const age = (time: Timestamp | undefined, now: number): number =>
-  (time ? Math.max(0, (now - timestampDate(time).getTime()) / 1000) : 0);
+  time ? Math.max(0, (now - timestampDate(time).getTime()) / 1000) : 0;
 
 export const count = (number: number | bigint): string => number.toLocaleString("en");
 export const percent = (share: number): string => `${Math.floor(share * 100)} %`;

@@ -20,36 +20,75 @@ function Head({ title, remove, children }: { title: string; remove?: string; chi
       <h2>{title}</h2>
       <div class="button-group">
         {children}
-        {remove && <button class="icon-button" aria-label={remove} title={`${remove} (Delete)`} onClick={() => removeSelected(drawing)}><Icon name="trash" /></button>}
-        <button class="icon-button" aria-label="Back to the room" title="Back to the room (Esc)" onClick={() => drawing.select(undefined)}><Icon name="close" /></button>
+        {remove && (
+          <button
+            class="icon-button"
+            aria-label={remove}
+            title={`${remove} (Delete)`}
+            onClick={() => removeSelected(drawing)}
+          >
+            <Icon name="trash" />
+          </button>
+        )}
+        <button
+          class="icon-button"
+          aria-label="Back to the room"
+          title="Back to the room (Esc)"
+          onClick={() => drawing.select(undefined)}
+        >
+          <Icon name="close" />
+        </button>
       </div>
     </header>
   );
 }
 
 function WallPanel({ wall }: { wall: WallLine }) {
-  const drawing = useDrawing(), sketch = drawing.sketch.value;
+  const drawing = useDrawing(),
+    sketch = drawing.sketch.value;
   return (
     <>
       <Head title={capital(nameOfWall(sketch, wall.key))} />
       <div class="fields">
-        <MetresField label="Length" metres={wall.length} least={0.05}
-          take={(metres) => drawing.commit(withWallLength(drawing.sketch.peek(), wall.index, metres), "change a length")} />
+        <MetresField
+          label="Length"
+          metres={wall.length}
+          least={0.05}
+          take={(metres) =>
+            drawing.commit(withWallLength(drawing.sketch.peek(), wall.index, metres), "change a length")
+          }
+        />
       </div>
-      <p class="hint room-hint">Drag the wall to move it; its neighbours follow. Double-click it for a new corner: the half of a wall, dragged, makes a niche or an L.</p>
+      <p class="hint room-hint">
+        Drag the wall to move it; its neighbours follow. Double-click it for a new corner: the half of a wall, dragged,
+        makes a niche or an L.
+      </p>
       <h3 class="eyebrow">Put into it</h3>
       <div class="panel-buttons">
-        <button class="button" onClick={() => addToWall(drawing, "door", wall.key)}><Icon name="door" />Door</button>
-        <button class="button" onClick={() => addToWall(drawing, "window", wall.key)}><Icon name="window" />Window</button>
-        <button class="button" onClick={() => addToWall(drawing, "socket", wall.key)}><Icon name="socket" />Socket</button>
-        <button class="button" onClick={() => addCornerOn(drawing, wall.index, Math.round(wall.length * 50) / 100)}><Icon name="plus" />Corner</button>
+        <button class="button" onClick={() => addToWall(drawing, "door", wall.key)}>
+          <Icon name="door" />
+          Door
+        </button>
+        <button class="button" onClick={() => addToWall(drawing, "window", wall.key)}>
+          <Icon name="window" />
+          Window
+        </button>
+        <button class="button" onClick={() => addToWall(drawing, "socket", wall.key)}>
+          <Icon name="socket" />
+          Socket
+        </button>
+        <button class="button" onClick={() => addCornerOn(drawing, wall.index, Math.round(wall.length * 50) / 100)}>
+          <Icon name="plus" />
+          Corner
+        </button>
       </div>
     </>
   );
 }
 
 function CornerPanel({ index }: { index: number }) {
-  const drawing = useDrawing(), corner = drawing.sketch.value.corners[index]!;
+  const drawing = useDrawing(),
+    corner = drawing.sketch.value.corners[index]!;
   const move = (to: { x?: number; y?: number }) => {
     const at = drawing.sketch.peek().corners[index]!;
     drawing.commit(withCornerAt(drawing.sketch.peek(), index, { x: to.x ?? at.x, y: to.y ?? at.y }), "move a corner");
@@ -67,25 +106,49 @@ function CornerPanel({ index }: { index: number }) {
 }
 
 function DoorFields({ door, wall }: { door: Door; wall: WallLine }) {
-  const drawing = useDrawing(), ends = endsOf(wall.along);
-  const hinges = [["start", capital(ends.start)], ["end", capital(ends.end)]] as const;
+  const drawing = useDrawing(),
+    ends = endsOf(wall.along);
+  const hinges = [
+    ["start", capital(ends.start)],
+    ["end", capital(ends.end)],
+  ] as const;
   // As on the plan, from left to right.
   const isTurned = ends.start === "right" || ends.start === "lower";
   const set = (part: Partial<Door>) => setFixture(drawing, { ...door, ...part });
   const swings = door.swing === "inward" || door.swing === "outward";
   return (
     <>
-      <Choice label="Opens" value={door.swing} take={(swing) => set({ swing })}
-        choices={[["inward", "Inward"], ["outward", "Outward"], ["sliding", "Slides"], ["none", "No leaf"]]} />
-      {swings && <Choice label="Hinges at the end" value={door.hinge} take={(hinge) => set({ hinge })} choices={isTurned ? [hinges[1], hinges[0]] : hinges} />}
+      <Choice
+        label="Opens"
+        value={door.swing}
+        take={(swing) => set({ swing })}
+        choices={[
+          ["inward", "Inward"],
+          ["outward", "Outward"],
+          ["sliding", "Slides"],
+          ["none", "No leaf"],
+        ]}
+      />
+      {swings && (
+        <Choice
+          label="Hinges at the end"
+          value={door.hinge}
+          take={(hinge) => set({ hinge })}
+          choices={isTurned ? [hinges[1], hinges[0]] : hinges}
+        />
+      )}
       {swings && (
         <div class="fields">
-          <TextField label="Opens by" text={`${Math.round((door.angle * 180) / Math.PI)}°`} take={(text) => {
-            const degrees = Number(text.replace("°", "").trim());
-            if (!(degrees > 0 && degrees <= 180)) return false;
-            set({ angle: (degrees * Math.PI) / 180 });
-            return true;
-          }} />
+          <TextField
+            label="Opens by"
+            text={`${Math.round((door.angle * 180) / Math.PI)}°`}
+            take={(text) => {
+              const degrees = Number(text.replace("°", "").trim());
+              if (!(degrees > 0 && degrees <= 180)) return false;
+              set({ angle: (degrees * Math.PI) / 180 });
+              return true;
+            }}
+          />
         </div>
       )}
     </>
@@ -93,22 +156,48 @@ function DoorFields({ door, wall }: { door: Door; wall: WallLine }) {
 }
 
 function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | undefined }) {
-  const drawing = useDrawing(), sketch = drawing.sketch.value;
+  const drawing = useDrawing(),
+    sketch = drawing.sketch.value;
   const set = (part: Partial<Fixture>) => setFixture(drawing, { ...fixture, ...part } as Fixture);
-  const gaps = wall && gapsOf(fixture, wall), ends = endsOf(wall?.along ?? { x: 1, y: 0 });
+  const gaps = wall && gapsOf(fixture, wall),
+    ends = endsOf(wall?.along ?? { x: 1, y: 0 });
   const isTurned = ends.start === "right" || ends.start === "lower";
-  const before = gaps && <MetresField key="before" label={`From the ${ends.start} end`} metres={gaps.before} take={(offset) => set({ offset })} />;
-  const behind = gaps && <MetresField key="behind" label={`From the ${ends.end} end`} metres={Math.max(0, gaps.behind)}
-    take={(rest) => set({ offset: wall!.length - widthOf(fixture) - rest })} />;
+  const before = gaps && (
+    <MetresField
+      key="before"
+      label={`From the ${ends.start} end`}
+      metres={gaps.before}
+      take={(offset) => set({ offset })}
+    />
+  );
+  const behind = gaps && (
+    <MetresField
+      key="behind"
+      label={`From the ${ends.end} end`}
+      metres={Math.max(0, gaps.behind)}
+      take={(rest) => set({ offset: wall!.length - widthOf(fixture) - rest })}
+    />
+  );
   return (
     <>
       <Head title={capital(spokenFixture(fixture.id))} remove={`Remove ${spokenFixture(fixture.id)}`} />
       <p class="stands">In {nameOfWall(sketch, fixture.wall)}. Drag it along, or to another wall.</p>
       <div class="fields">
-        {fixture.kind !== "socket" && <MetresField label="Width" metres={fixture.width} least={kLeastWidth} take={(width) => set({ width })} />}
+        {fixture.kind !== "socket" && (
+          <MetresField label="Width" metres={fixture.width} least={kLeastWidth} take={(width) => set({ width })} />
+        )}
         {fixture.kind === "window" && <MetresField label="Sill" metres={fixture.sill} take={(sill) => set({ sill })} />}
-        {fixture.kind !== "socket" && <MetresField label={fixture.kind === "door" ? "Height" : "Head"} metres={fixture.head} least={0.1} take={(head) => set({ head })} />}
-        {fixture.kind === "socket" && <MetresField label="Height" metres={fixture.height} take={(height) => set({ height })} />}
+        {fixture.kind !== "socket" && (
+          <MetresField
+            label={fixture.kind === "door" ? "Height" : "Head"}
+            metres={fixture.head}
+            least={0.1}
+            take={(head) => set({ head })}
+          />
+        )}
+        {fixture.kind === "socket" && (
+          <MetresField label="Height" metres={fixture.height} take={(height) => set({ height })} />
+        )}
       </div>
       {gaps && wall && <div class="fields is-two">{isTurned ? [behind, before] : [before, behind]}</div>}
       {fixture.kind === "door" && wall && <DoorFields door={fixture} wall={wall} />}
@@ -117,7 +206,10 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
 }
 
 export function ChosenPanel() {
-  const drawing = useDrawing(), one = drawing.selection.value, sketch = drawing.sketch.value, walls = drawing.walls.value;
+  const drawing = useDrawing(),
+    one = drawing.selection.value,
+    sketch = drawing.sketch.value,
+    walls = drawing.walls.value;
   if (one?.kind === "wall") {
     const wall = walls.find(({ key }) => key === one.key);
     return wall ? <WallPanel key={one.key} wall={wall} /> : null;
@@ -127,5 +219,7 @@ export function ChosenPanel() {
     return index >= 0 ? <CornerPanel key={one.key} index={index} /> : null;
   }
   const fixture = one && fixtureOf(sketch, one.id);
-  return fixture ? <FixturePanel key={fixture.id} fixture={fixture} wall={walls.find(({ key }) => key === fixture.wall)} /> : null;
+  return fixture ? (
+    <FixturePanel key={fixture.id} fixture={fixture} wall={walls.find(({ key }) => key === fixture.wall)} />
+  ) : null;
 }

@@ -17,20 +17,28 @@ const kHitPixels = 9;
 
 function Line({ a, b, name }: { a: Vec; b: Vec; name: string }) {
   const view = useDrawing().view.value;
-  const p = toScreen(view, a), q = toScreen(view, b);
+  const p = toScreen(view, a),
+    q = toScreen(view, b);
   return <line class={name} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />;
 }
 
 function DoorLines({ door, wall }: { door: Door; wall: WallLine }) {
   const view = useDrawing().view.value;
-  const leaf = leafOf(door, wall), { start, end } = spanOf(door, wall);
+  const leaf = leafOf(door, wall),
+    { start, end } = spanOf(door, wall);
   const out = times(wall.inward, -kWallThickness / 2);
   return (
     <>
       {leaf && <polyline class="room-arc" points={pixelPoints(view, leaf.arc)} />}
       {leaf && <Line a={leaf.hinge} b={leaf.tip} name="room-leaf" />}
       {door.swing === "sliding" && <Line a={add(start, out)} b={add(end, out)} name="room-leaf" />}
-      {door.swing === "sliding" && <Line a={add(end, times(wall.inward, 0.05))} b={add(add(end, times(wall.along, -door.width)), times(wall.inward, 0.05))} name="room-arc" />}
+      {door.swing === "sliding" && (
+        <Line
+          a={add(end, times(wall.inward, 0.05))}
+          b={add(add(end, times(wall.along, -door.width)), times(wall.inward, 0.05))}
+          name="room-arc"
+        />
+      )}
     </>
   );
 }
@@ -38,8 +46,10 @@ function DoorLines({ door, wall }: { door: Door; wall: WallLine }) {
 function SocketMark({ socket, wall, state }: { socket: Socket; wall: WallLine; state: string }) {
   const view = useDrawing().view.value;
   const at = toScreen(view, add(wall.a, times(wall.along, socket.offset)));
-  const n = { x: wall.inward.x, y: -wall.inward.y }, t = { x: wall.along.x, y: -wall.along.y };
-  const r = 7, sweep = t.x * n.y - t.y * n.x > 0 ? 0 : 1;
+  const n = { x: wall.inward.x, y: -wall.inward.y },
+    t = { x: wall.along.x, y: -wall.along.y };
+  const r = 7,
+    sweep = t.x * n.y - t.y * n.x > 0 ? 0 : 1;
   const path = `M${at.x - t.x * r} ${at.y - t.y * r}A${r} ${r} 0 0 ${sweep} ${at.x + t.x * r} ${at.y + t.y * r}Z`;
   const end = { x: at.x + n.x * (r + 5), y: at.y + n.y * (r + 5) };
   return (

@@ -18,8 +18,10 @@ import { ShapePanel } from "./ShapePanel";
 import { sketchOf } from "./to_room";
 
 function Foot({ shown }: { shown: GetDocumentResponse | undefined }) {
-  const drawing = useDrawing(), [isSent, setSent] = useState(false);
-  const problems = drawing.problems.value, isClosed = drawing.sketch.value.isClosed;
+  const drawing = useDrawing(),
+    [isSent, setSent] = useState(false);
+  const problems = drawing.problems.value,
+    isClosed = drawing.sketch.value.isClosed;
   const done = async () => {
     setSent(true);
     const sketch = drawing.sketch.peek();
@@ -34,16 +36,36 @@ function Foot({ shown }: { shown: GetDocumentResponse | undefined }) {
         <ul class="notices" aria-live="polite">
           {problems.slice(0, 4).map(({ text, about }) => (
             <li key={text} class="notice is-bad">
-              {about[0] === undefined ? text : <button onClick={() => drawing.select(/^w\d+$/.test(about[0]!)
-                ? { kind: "wall", key: about[0]! } : { kind: "fixture", id: about[0]! })}>{text}</button>}
+              {about[0] === undefined ? (
+                text
+              ) : (
+                <button
+                  onClick={() =>
+                    drawing.select(
+                      /^w\d+$/.test(about[0]!) ? { kind: "wall", key: about[0]! } : { kind: "fixture", id: about[0]! },
+                    )
+                  }
+                >
+                  {text}
+                </button>
+              )}
             </li>
           ))}
         </ul>
       )}
       <div class="room-foot-buttons">
-        <button class="button" onClick={cancel}>Cancel</button>
-        <button class="button is-primary" disabled={!isClosed || problems.length > 0 || isSent || isUnchanged} onClick={() => void done()}
-          title={isClosed ? undefined : "Close the walls first"}><Icon name="check" />Done</button>
+        <button class="button" onClick={cancel}>
+          Cancel
+        </button>
+        <button
+          class="button is-primary"
+          disabled={!isClosed || problems.length > 0 || isSent || isUnchanged}
+          onClick={() => void done()}
+          title={isClosed ? undefined : "Close the walls first"}
+        >
+          <Icon name="check" />
+          Done
+        </button>
       </div>
     </footer>
   );
@@ -55,16 +77,28 @@ function Editor({ shown }: { shown: GetDocumentResponse | undefined }) {
     const room = shown?.layout?.graph?.room;
     return new RoomDrawing(studio, room && sketchOf(room));
   }, [studio, shown]);
-  useEffect(() => () => { if (drawing.picture.peek()) URL.revokeObjectURL(drawing.picture.peek()!.address); }, [drawing]);
+  useEffect(
+    () => () => {
+      if (drawing.picture.peek()) URL.revokeObjectURL(drawing.picture.peek()!.address);
+    },
+    [drawing],
+  );
   const keys = useDrawingKeys(drawing);
-  const below: Vec[][] = useMemo(() => [...piecesOf(shown?.layout).values()].filter(isOnFloor).map((piece) => footprintOf(piece)), [shown]);
+  const below: Vec[][] = useMemo(
+    () => [...piecesOf(shown?.layout).values()].filter(isOnFloor).map((piece) => footprintOf(piece)),
+    [shown],
+  );
   const isClosed = drawing.sketch.value.isClosed;
   const body = useRef<HTMLDivElement>(null);
   // The button that was pressed is gone: keys are still meant for the panel.
-  useEffect(() => { if (document.activeElement === document.body) body.current?.focus({ preventScroll: true }); });
+  useEffect(() => {
+    if (document.activeElement === document.body) body.current?.focus({ preventScroll: true });
+  });
   return (
     <DrawingContext.Provider value={drawing}>
-      <main class="stage" aria-label="Room drawing"><Canvas below={below} /></main>
+      <main class="stage" aria-label="Room drawing">
+        <Canvas below={below} />
+      </main>
       <aside class="inspector room-panel" aria-label="Room" {...keys}>
         <div class="inspector-body" tabIndex={-1} ref={body}>
           {!isClosed && <BeginPanel />}
@@ -85,12 +119,16 @@ export default function RoomEditor({ id }: { id: string }) {
     let isGone = false;
     setShown(undefined);
     if (!id) return;
-    void studio.told(() => studio.clients.studio.getDocument({ documentId: id })).then((answer) => {
-      if (isGone) return;
-      if (answer?.layout?.graph?.room) setShown(answer);
-      else goTo({ page: "start" });
-    });
-    return () => { isGone = true; };
+    void studio
+      .told(() => studio.clients.studio.getDocument({ documentId: id }))
+      .then((answer) => {
+        if (isGone) return;
+        if (answer?.layout?.graph?.room) setShown(answer);
+        else goTo({ page: "start" });
+      });
+    return () => {
+      isGone = true;
+    };
   }, [id, studio]);
   if (id && !shown) return <main class="stage" aria-busy="true" />;
   return <Editor key={id} shown={shown} />;

@@ -15,27 +15,41 @@ import { emptySketch, extentOf } from "./sketch";
 const icons: Record<string, IconName> = { door: "door", window: "window", socket: "socket" };
 
 function RoomType() {
-  const drawing = useDrawing(), { roomType } = drawing.sketch.value;
+  const drawing = useDrawing(),
+    { roomType } = drawing.sketch.value;
   const take = (input: HTMLInputElement) => {
     const typed = input.value.trim().toLowerCase().slice(0, 60);
     if (!typed) input.value = roomType;
-    else if (typed !== roomType) drawing.commit({ ...drawing.sketch.peek(), roomType: typed }, "change the kind of room");
+    else if (typed !== roomType)
+      drawing.commit({ ...drawing.sketch.peek(), roomType: typed }, "change the kind of room");
   };
   return (
     <label class="field">
       <span>Kind of room</span>
-      <input key={roomType} defaultValue={roomType} list="room-types" maxLength={60} onBlur={(event) => take(event.currentTarget)}
+      <input
+        key={roomType}
+        defaultValue={roomType}
+        list="room-types"
+        maxLength={60}
+        onBlur={(event) => take(event.currentTarget)}
         onKeyDown={(event) => {
           event.stopPropagation();
           if (event.key === "Enter") event.currentTarget.blur();
-        }} />
-      <datalist id="room-types">{roomTypes.map((one) => <option key={one} value={one} />)}</datalist>
+        }}
+      />
+      <datalist id="room-types">
+        {roomTypes.map((one) => (
+          <option key={one} value={one} />
+        ))}
+      </datalist>
     </label>
   );
 }
 
 export function ShapePanel({ isNew }: { isNew: boolean }) {
-  const drawing = useDrawing(), sketch = drawing.sketch.value, units = drawing.studio.settings.units.value;
+  const drawing = useDrawing(),
+    sketch = drawing.sketch.value,
+    units = drawing.studio.settings.units.value;
   const { width, depth } = extentOf(sketch);
   return (
     <>
@@ -43,10 +57,16 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
         <h2>{isNew ? "Your own room" : "The room"}</h2>
         <span class="hint">{areaText(Math.abs(area(sketch.corners)), units)}</span>
       </header>
-      <p class="stands">{lengthText(width, units)} by {lengthText(depth, units)}, {sketch.corners.length} walls</p>
+      <p class="stands">
+        {lengthText(width, units)} by {lengthText(depth, units)}, {sketch.corners.length} walls
+      </p>
       <div class="fields is-two">
         <RoomType />
-        <MetresField label="Ceiling" metres={sketch.height} take={(height) => drawing.commit({ ...drawing.sketch.peek(), height }, "change the ceiling")} />
+        <MetresField
+          label="Ceiling"
+          metres={sketch.height}
+          take={(height) => drawing.commit({ ...drawing.sketch.peek(), height }, "change the ceiling")}
+        />
       </div>
       {sketch.fixtures.every(({ kind }) => kind !== "door") && (
         <p class="notice is-warning room-no-door">There is no door yet. Press D, then click a wall.</p>
@@ -55,11 +75,22 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
         <h3 class="eyebrow">Walls</h3>
         <ul class="pieces">
           {drawing.walls.value.map((wall) => (
-            <li key={wall.key}><button class="piece-row" onClick={() => drawing.select({ kind: "wall", key: wall.key })}
-              onPointerEnter={() => { drawing.hovered.value = { kind: "wall", key: wall.key }; }}
-              onPointerLeave={() => { drawing.hovered.value = undefined; }}>
-              {capital(nameOfWall(sketch, wall.key))}<span class="hint">{figure(wall.length, units)}</span>
-            </button></li>
+            <li key={wall.key}>
+              <button
+                class="piece-row"
+                aria-label={`${capital(nameOfWall(sketch, wall.key))}, ${lengthText(wall.length, units)}`}
+                onClick={() => drawing.select({ kind: "wall", key: wall.key })}
+                onPointerEnter={() => {
+                  drawing.hovered.value = { kind: "wall", key: wall.key };
+                }}
+                onPointerLeave={() => {
+                  drawing.hovered.value = undefined;
+                }}
+              >
+                {capital(nameOfWall(sketch, wall.key))}
+                <span class="hint">{figure(wall.length, units)}</span>
+              </button>
+            </li>
           ))}
         </ul>
       </section>
@@ -68,22 +99,42 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
           <h3 class="eyebrow">In the walls</h3>
           <ul class="pieces">
             {sketch.fixtures.map((one) => (
-              <li key={one.id}><button class="piece-row" onClick={() => drawing.select({ kind: "fixture", id: one.id })}
-                onPointerEnter={() => { drawing.hovered.value = { kind: "fixture", id: one.id }; }}
-                onPointerLeave={() => { drawing.hovered.value = undefined; }}>
-                <span class="with-icon"><Icon name={icons[one.kind]!} size={14} />{capital(spokenFixture(one.id))}</span>
-                <span class="hint">{nameOfWall(sketch, one.wall)}</span>
-              </button></li>
+              <li key={one.id}>
+                <button
+                  class="piece-row"
+                  aria-label={`${capital(spokenFixture(one.id))}, ${nameOfWall(sketch, one.wall)}`}
+                  onClick={() => drawing.select({ kind: "fixture", id: one.id })}
+                  onPointerEnter={() => {
+                    drawing.hovered.value = { kind: "fixture", id: one.id };
+                  }}
+                  onPointerLeave={() => {
+                    drawing.hovered.value = undefined;
+                  }}
+                >
+                  <span class="with-icon">
+                    <Icon name={icons[one.kind]!} size={14} />
+                    {capital(spokenFixture(one.id))}
+                  </span>
+                  <span class="hint">{nameOfWall(sketch, one.wall)}</span>
+                </button>
+              </li>
             ))}
           </ul>
         </section>
       )}
       <PicturePanel />
       {isNew && (
-        <section><button class="link-button" onClick={() => {
-          drawing.commit({ ...emptySketch, height: sketch.height, roomType: sketch.roomType }, "start again");
-          drawing.fit();
-        }}>Draw the walls anew</button></section>
+        <section>
+          <button
+            class="link-button"
+            onClick={() => {
+              drawing.commit({ ...emptySketch, height: sketch.height, roomType: sketch.roomType }, "start again");
+              drawing.fit();
+            }}
+          >
+            Draw the walls anew
+          </button>
+        </section>
       )}
     </>
   );

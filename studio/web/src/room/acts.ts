@@ -25,12 +25,19 @@ export function setFixture(drawing: RoomDrawing, fixture: Fixture): void {
 
 // A new one in the middle of a wall, or of the largest gap that it has.
 export function addToWall(drawing: RoomDrawing, kind: Fixture["kind"], key: string): void {
-  const sketch = drawing.sketch.peek(), wall = drawing.walls.peek().find((one) => one.key === key);
+  const sketch = drawing.sketch.peek(),
+    wall = drawing.walls.peek().find((one) => one.key === key);
   if (!wall) return;
   const fixture = newFixture(sketch, kind, key, 0);
-  const taken = sketch.fixtures.filter((one) => one.wall === key && one.kind !== "socket").sort((a, b) => a.offset - b.offset);
-  let at = 0, largest = { from: 0, to: 0 };
-  for (const end of [...taken.map((one) => [one.offset, one.offset + widthOf(one)] as const), [wall.length, wall.length] as const]) {
+  const taken = sketch.fixtures
+    .filter((one) => one.wall === key && one.kind !== "socket")
+    .sort((a, b) => a.offset - b.offset);
+  let at = 0,
+    largest = { from: 0, to: 0 };
+  for (const end of [
+    ...taken.map((one) => [one.offset, one.offset + widthOf(one)] as const),
+    [wall.length, wall.length] as const,
+  ]) {
     if (end[0] - at > largest.to - largest.from) largest = { from: at, to: end[0] };
     at = Math.max(at, end[1]);
   }
@@ -47,17 +54,20 @@ export function addCornerOn(drawing: RoomDrawing, index: number, offset: number)
 }
 
 export function removeSelected(drawing: RoomDrawing): void {
-  const one = drawing.selection.peek(), sketch = drawing.sketch.peek();
+  const one = drawing.selection.peek(),
+    sketch = drawing.sketch.peek();
   if (!one) return;
   if (one.kind === "fixture") return drawing.commit(withoutFixture(sketch, one.id), `remove ${spokenFixture(one.id)}`);
   if (one.kind === "wall") return;
-  if (sketch.isClosed && sketch.corners.length <= 3) return drawing.studio.toasts.note("A room has at least three corners.");
+  if (sketch.isClosed && sketch.corners.length <= 3)
+    return drawing.studio.toasts.note("A room has at least three corners.");
   drawing.commit(withoutCorner(sketch, cornerIndex(sketch, one.key)), "remove a corner");
 }
 
 function nudged(sketch: Sketch, drawing: RoomDrawing, one: Selection, by: Vec): Sketch {
   if (one.kind === "corner") {
-    const index = cornerIndex(sketch, one.key), at = sketch.corners[index]!;
+    const index = cornerIndex(sketch, one.key),
+      at = sketch.corners[index]!;
     return withCornerAt(sketch, index, { x: at.x + by.x, y: at.y + by.y });
   }
   const walls = drawing.walls.peek();
@@ -65,7 +75,8 @@ function nudged(sketch: Sketch, drawing: RoomDrawing, one: Selection, by: Vec): 
     const wall = walls.find(({ key }) => key === one.key)!;
     return withWallMoved(sketch, wall.index, dot(by, { x: -wall.along.y, y: wall.along.x }));
   }
-  const fixture = fixtureOf(sketch, one.id)!, wall = walls.find(({ key }) => key === fixture.wall);
+  const fixture = fixtureOf(sketch, one.id)!,
+    wall = walls.find(({ key }) => key === fixture.wall);
   if (!wall) return sketch;
   const most = Math.max(0, wall.length - widthOf(fixture));
   const offset = Math.min(Math.max(fixture.offset + dot(by, wall.along), 0), most);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The room editor's state: the sketch with its history, what is selected, the tool in hand. Nothing is sent before "Done".
+// The room editor's state: the sketch with its history, what is selected, the tool in hand. Nothing is sent before
+// "Done".
 import { computed, signal } from "@preact/signals";
 import { boxOf } from "../geometry/polygon";
 import { add, sub, times, vec, type Vec } from "../geometry/vec";
@@ -64,7 +65,10 @@ export class RoomDrawing {
   element: SVGSVGElement | null = null;
   private isViewOwn = false;
 
-  constructor(readonly studio: Studio, first: Sketch = emptySketch) {
+  constructor(
+    readonly studio: Studio,
+    first: Sketch = emptySketch,
+  ) {
     this.history = signal(begun(first));
   }
 
@@ -75,6 +79,7 @@ export class RoomDrawing {
     const next = tidied(sketch);
     if (next !== before) this.history.value = pushed(this.history.peek(), next, label);
     this.forgetTheGone();
+    if (next.isClosed && !this.isViewOwn && !next.corners.every((corner) => this.isInView(corner, 0))) this.fit();
   }
 
   preview(sketch: Sketch, lines: ReadonlyArray<readonly [Vec, Vec]> = []): void {
@@ -88,8 +93,12 @@ export class RoomDrawing {
     this.ghost.value = undefined;
   }
 
-  undo(): void { this.goTo(undone(this.history.peek())); }
-  redo(): void { this.goTo(redone(this.history.peek())); }
+  undo(): void {
+    this.goTo(undone(this.history.peek()));
+  }
+  redo(): void {
+    this.goTo(redone(this.history.peek()));
+  }
 
   select(selection: Selection | undefined): void {
     this.selection.value = selection;
@@ -112,8 +121,7 @@ export class RoomDrawing {
     const corner = { x: point.at.x, y: point.at.y, wall: freeKey(sketch.corners) };
     this.commit({ ...sketch, corners: [...sketch.corners, corner] }, "draw a wall");
     this.pen.value = undefined;
-    const { x, y } = toScreen(this.view.peek(), corner);
-    if (x < kEdge || y < kEdge || x > this.width.peek() - kEdge || y > this.height.peek() - kEdge) this.fit();
+    if (!this.isInView(corner, kEdge)) this.fit();
   }
 
   close(): void {
@@ -127,23 +135,27 @@ export class RoomDrawing {
 
   // The way the wall under way goes, as a direction key wants it.
   direct(direction: Vec): void {
-    const { corners } = this.sketch.peek(), last = corners.at(-1);
+    const { corners } = this.sketch.peek(),
+      last = corners.at(-1);
     if (!last) return;
     this.pen.value = { at: add(last, times(nearestDirection(corners, direction), 1)), inLine: [], closes: false };
   }
 
   // Ends the wall under way at a typed length.
   addTypedCorner(metres: number): void {
-    const last = this.sketch.peek().corners.at(-1), to = this.pen.peek()?.at;
+    const last = this.sketch.peek().corners.at(-1),
+      to = this.pen.peek()?.at;
     if (!last || !to || metres <= 0) return;
-    const along = sub(to, last), size = Math.hypot(along.x, along.y);
+    const along = sub(to, last),
+      size = Math.hypot(along.x, along.y);
     if (size < 1e-6) return;
     const at = add(last, times(along, metres / size));
     this.addCorner({ at: vec(Math.round(at.x * 1e4) / 1e4, Math.round(at.y * 1e4) / 1e4), inLine: [], closes: false });
   }
 
   setScale(metres: number): void {
-    const [a, b] = this.scaling.peek() ?? [], picture = this.picture.peek();
+    const [a, b] = this.scaling.peek() ?? [],
+      picture = this.picture.peek();
     if (a && b && picture) this.picture.value = scaled(picture, a, b, metres);
     this.scaling.value = undefined;
     this.fit();
@@ -164,23 +176,40 @@ export class RoomDrawing {
 
   // The walls and the picture; an empty page of some metres when there is neither.
   fit(): void {
-    const width = this.width.peek(), height = this.height.peek();
+    const width = this.width.peek(),
+      height = this.height.peek();
     if (width === 0) return;
-    const { corners, isClosed } = this.history.peek().now.state, picture = this.picture.peek();
+    const { corners, isClosed } = this.history.peek().now.state,
+      picture = this.picture.peek();
     const points: Vec[] = isClosed ? [...corners] : [...corners, ...(picture ? [] : [vec(0, 0), vec(6, 5)])];
     if (picture && !isClosed) {
-      points.push(picture.at, vec(picture.at.x + picture.widthPx * picture.metresPerPixel, picture.at.y - picture.heightPx * picture.metresPerPixel));
+      points.push(
+        picture.at,
+        vec(
+          picture.at.x + picture.widthPx * picture.metresPerPixel,
+          picture.at.y - picture.heightPx * picture.metresPerPixel,
+        ),
+      );
     }
     const box = boxOf(points);
-    this.view.value = fitted([box.min, box.max], width, height, Math.max(64, Math.min(width, height) * 0.13));
+    const margin = picture && !isClosed ? 48 : Math.max(64, Math.min(width, height) * 0.13);
+    this.view.value = fitted([box.min, box.max], width, height, margin);
     this.isViewOwn = false;
   }
 
-  fitUnlessMoved(): void { if (!this.isViewOwn) this.fit(); }
+  fitUnlessMoved(): void {
+    if (!this.isViewOwn) this.fit();
+  }
 
   setView(view: View): void {
     this.view.value = view;
     this.isViewOwn = true;
+  }
+
+  // Whether a point is seen, that many pixels away from the edges.
+  private isInView(p: Vec, edge: number): boolean {
+    const { x, y } = toScreen(this.view.peek(), p);
+    return x >= edge && y >= edge && x <= this.width.peek() - edge && y <= this.height.peek() - edge;
   }
 
   private goTo(history: typeof this.history.value): void {
@@ -194,7 +223,11 @@ export class RoomDrawing {
   private forgetTheGone(): void {
     const { corners, fixtures } = this.history.peek().now.state;
     const one = this.selection.peek();
-    const isThere = !one || (one.kind === "fixture" ? fixtures.some(({ id }) => id === one.id) : corners.some(({ wall }) => wall === one.key));
+    const isThere =
+      !one ||
+      (one.kind === "fixture"
+        ? fixtures.some(({ id }) => id === one.id)
+        : corners.some(({ wall }) => wall === one.key));
     if (!isThere) this.selection.value = undefined;
     this.editing.value = undefined;
   }

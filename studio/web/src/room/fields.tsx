@@ -14,7 +14,11 @@ export function TextField({ label, text, take }: TextProps) {
   return (
     <label class="field">
       <span>{label}</span>
-      <input key={text} defaultValue={text} inputMode="decimal" onFocus={(event) => event.currentTarget.select()}
+      <input
+        key={text}
+        defaultValue={text}
+        inputMode="decimal"
+        onFocus={(event) => event.currentTarget.select()}
         onBlur={(event) => {
           const typed = event.currentTarget.value;
           if (typed !== text && !take(typed)) event.currentTarget.value = text;
@@ -23,7 +27,8 @@ export function TextField({ label, text, take }: TextProps) {
           event.stopPropagation();
           if (event.key === "Escape") event.currentTarget.value = text;
           if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
-        }} />
+        }}
+      />
     </label>
   );
 }
@@ -37,12 +42,18 @@ interface MetresProps {
 
 export function MetresField({ label, metres, least = 0, take }: MetresProps) {
   const units = useStudio().settings.units.value;
-  return <TextField label={label} text={figure(metres, units)} take={(text) => {
-    const typed = parseLength(text, units);
-    if (typed === undefined || typed < least) return false;
-    take(typed);
-    return true;
-  }} />;
+  return (
+    <TextField
+      label={label}
+      text={figure(metres, units)}
+      take={(text) => {
+        const typed = parseLength(text, units);
+        if (typed === undefined || typed < least) return false;
+        take(typed);
+        return true;
+      }}
+    />
+  );
 }
 
 interface ChoiceProps<T extends string> {
@@ -57,7 +68,11 @@ export function Choice<T extends string>({ label, value, choices, take }: Choice
     <div class="choice">
       <span>{label}</span>
       <div class="segmented is-worded" role="group" aria-label={label}>
-        {choices.map(([one, text]) => <button key={one} type="button" aria-pressed={one === value} onClick={() => take(one)}>{text}</button>)}
+        {choices.map(([one, text]) => (
+          <button key={one} type="button" aria-pressed={one === value} onClick={() => take(one)}>
+            {text}
+          </button>
+        ))}
       </div>
     </div>
   );

@@ -6,7 +6,17 @@ import { freeFixtureId, wallsOf, widthOf, type Fixture, type Sketch, type WallLi
 export function newFixture(sketch: Sketch, kind: Fixture["kind"], wall: string, offset: number): Fixture {
   const id = freeFixtureId(sketch.fixtures, kind);
   if (kind === "door") {
-    return { kind, id, wall, offset, width: 0.9, head: Math.min(2.05, sketch.height), swing: "inward", hinge: "start", angle: Math.PI / 2 };
+    return {
+      kind,
+      id,
+      wall,
+      offset,
+      width: 0.9,
+      head: Math.min(2.05, sketch.height),
+      swing: "inward",
+      hinge: "start",
+      angle: Math.PI / 2,
+    };
   }
   if (kind === "window") return { kind, id, wall, offset, width: 1.4, sill: 0.9, head: Math.min(2.1, sketch.height) };
   return { kind, id, wall, offset, height: 0.3 };
@@ -23,7 +33,8 @@ export interface Spot {
 export function nearestWall(sketch: Sketch, p: Vec): Spot | undefined {
   let best: Spot | undefined;
   for (const wall of wallsOf(sketch)) {
-    const at = nearestOnSegment(p, wall.a, wall.b), metres = distance(p, at);
+    const at = nearestOnSegment(p, wall.a, wall.b),
+      metres = distance(p, at);
     if (!best || metres < best.metres) best = { wall, along: dot(sub(at, wall.a), wall.along), metres };
   }
   return best;
@@ -31,8 +42,8 @@ export function nearestWall(sketch: Sketch, p: Vec): Spot | undefined {
 
 const round = (metres: number, step: number) => Math.round(metres / step) * step;
 
-// Where something that wide comes to stand when its middle is wanted at `along`: within the wall, at its ends or middle when
-// nearer than `within`, else on whole multiples of `step`.
+// Where something that wide comes to stand when its middle is wanted at `along`: within the wall, at its ends or middle
+// when nearer than `within`, else on whole multiples of `step`.
 export function settledOffset(along: number, width: number, length: number, within: number, step: number): number {
   const most = Math.max(0, length - width);
   const wanted = Math.min(Math.max(along - width / 2, 0), most);
@@ -44,7 +55,9 @@ export function settledOffset(along: number, width: number, length: number, with
 
 export function withFixture(sketch: Sketch, fixture: Fixture): Sketch {
   const isKnown = sketch.fixtures.some(({ id }) => id === fixture.id);
-  const fixtures = isKnown ? sketch.fixtures.map((one) => (one.id === fixture.id ? fixture : one)) : [...sketch.fixtures, fixture];
+  const fixtures = isKnown
+    ? sketch.fixtures.map((one) => (one.id === fixture.id ? fixture : one))
+    : [...sketch.fixtures, fixture];
   return { ...sketch, fixtures };
 }
 
@@ -60,7 +73,8 @@ export function gapsOf(fixture: Fixture, wall: WallLine): { before: number; behi
 // The end of an opening pulled to `along`; the other one stays.
 export function withEndAt(fixture: Fixture, end: "start" | "end", along: number, length: number): Fixture {
   if (fixture.kind === "socket") return fixture;
-  const kLeast = 0.2, stays = end === "start" ? fixture.offset + fixture.width : fixture.offset;
+  const kLeast = 0.2,
+    stays = end === "start" ? fixture.offset + fixture.width : fixture.offset;
   const to = Math.round(Math.min(Math.max(along, 0), length) * 100) / 100;
   if (end === "start") {
     const offset = Math.min(to, stays - kLeast);

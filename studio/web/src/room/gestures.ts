@@ -16,8 +16,13 @@ const kFine = 0.01;
 const kGhostReach = 90;
 
 // Shows what `change` makes of the sketch, and keeps it on release. A press without a move selects only.
-function dragGesture(drawing: RoomDrawing, start: PointerEvent, selection: Selection, label: string,
-  change: (sketch: Sketch, event: PointerEvent) => { sketch: Sketch; lines?: ReadonlyArray<readonly [Vec, Vec]> }): Gesture {
+function dragGesture(
+  drawing: RoomDrawing,
+  start: PointerEvent,
+  selection: Selection,
+  label: string,
+  change: (sketch: Sketch, event: PointerEvent) => { sketch: Sketch; lines?: ReadonlyArray<readonly [Vec, Vec]> },
+): Gesture {
   const before = drawing.sketch.peek();
   drawing.select(selection);
   let after: Sketch | undefined;
@@ -33,7 +38,9 @@ function dragGesture(drawing: RoomDrawing, start: PointerEvent, selection: Selec
       if (after) drawing.commit(after, label);
       else drawing.abandon();
     },
-    cancel() { drawing.abandon(); },
+    cancel() {
+      drawing.abandon();
+    },
   };
 }
 
@@ -48,9 +55,17 @@ export function dragCorner(drawing: RoomDrawing, start: PointerEvent, key: strin
 }
 
 // In line with corners of other walls, else in steps.
-function settledShift(sketch: Sketch, corner: Vec, n: Vec, wanted: number, within: number, isFree: boolean): { by: number; of?: Vec } {
+function settledShift(
+  sketch: Sketch,
+  corner: Vec,
+  n: Vec,
+  wanted: number,
+  within: number,
+  isFree: boolean,
+): { by: number; of?: Vec } {
   if (isFree) return { by: Math.round(wanted / kFine) * kFine };
-  const near = sketch.corners.map((c) => ({ c, d: dot(sub(c, corner), n) }))
+  const near = sketch.corners
+    .map((c) => ({ c, d: dot(sub(c, corner), n) }))
     .filter(({ d }) => Math.abs(d) > 1e-6 && Math.abs(d - wanted) < within)
     .sort((a, b) => Math.abs(a.d - wanted) - Math.abs(b.d - wanted))[0];
   return near ? { by: near.d, of: near.c } : { by: Math.round(wanted / kStep) * kStep };
@@ -58,7 +73,8 @@ function settledShift(sketch: Sketch, corner: Vec, n: Vec, wanted: number, withi
 
 export function dragWall(drawing: RoomDrawing, start: PointerEvent, key: string): Gesture {
   const wall = drawing.walls.peek().find((one) => one.key === key)!;
-  const n = { x: -wall.along.y, y: wall.along.x }, from = drawing.pointOf(start);
+  const n = { x: -wall.along.y, y: wall.along.x },
+    from = drawing.pointOf(start);
   return dragGesture(drawing, start, { kind: "wall", key }, "move a wall", (sketch, event) => {
     const wanted = dot(sub(drawing.pointOf(event), from), n);
     const { by, of } = settledShift(sketch, wall.a, n, wanted, drawing.metresOf(kSnapPixels), event.altKey);
@@ -86,7 +102,8 @@ export function dragEnd(drawing: RoomDrawing, start: PointerEvent, id: string, e
   const fixture = fixtureOf(drawing.sketch.peek(), id)!;
   const wall = drawing.walls.peek().find(({ key }) => key === fixture.wall)!;
   return dragGesture(drawing, start, { kind: "fixture", id }, `widen ${spokenFixture(id)}`, (sketch, event) => {
-    const along = dot(sub(drawing.pointOf(event), wall.a), wall.along), step = event.altKey ? kFine : kStep;
+    const along = dot(sub(drawing.pointOf(event), wall.a), wall.along),
+      step = event.altKey ? kFine : kStep;
     return { sketch: withFixture(sketch, withEndAt(fixture, end, Math.round(along / step) * step, wall.length)) };
   });
 }
@@ -101,13 +118,21 @@ export function panGesture(drawing: RoomDrawing, start: PointerEvent, click?: ()
       isMoved ||= Math.hypot(by.x, by.y) >= kDragStart;
       if (isMoved) drawing.setView(panned(before, by));
     },
-    end() { if (!isMoved) click?.(); },
-    cancel() { drawing.view.value = before; },
+    end() {
+      if (!isMoved) click?.();
+    },
+    cancel() {
+      drawing.view.value = before;
+    },
   };
 }
 
 // Where the tool in hand would put a new one; nowhere when no wall is near.
-export function ghostAt(drawing: RoomDrawing, fixture: Parameters<typeof withFixture>[1], event: PointerEvent): typeof fixture | undefined {
+export function ghostAt(
+  drawing: RoomDrawing,
+  fixture: Parameters<typeof withFixture>[1],
+  event: PointerEvent,
+): typeof fixture | undefined {
   const spot = nearestWall(drawing.sketch.peek(), drawing.pointOf(event));
   if (!spot || spot.metres > drawing.metresOf(kGhostReach)) return undefined;
   const within = event.altKey ? 0 : drawing.metresOf(kSnapPixels);

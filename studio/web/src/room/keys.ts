@@ -8,7 +8,10 @@ import { nudge, removeSelected } from "./acts";
 import type { RoomDrawing, Tool } from "./controller";
 
 const arrows: Record<string, Vec> = {
-  ArrowUp: vec(0, 1), ArrowDown: vec(0, -1), ArrowLeft: vec(-1, 0), ArrowRight: vec(1, 0),
+  ArrowUp: vec(0, 1),
+  ArrowDown: vec(0, -1),
+  ArrowLeft: vec(-1, 0),
+  ArrowRight: vec(1, 0),
 };
 const tools: Record<string, Tool> = { v: "select", d: "door", w: "window", e: "socket" };
 const isOfLength = /^[0-9.,'"′″ ]$/;
@@ -18,7 +21,8 @@ function isField(target: EventTarget | null): boolean {
 }
 
 function onPen(drawing: RoomDrawing, event: KeyboardEvent): boolean {
-  const typed = drawing.typed.peek(), { corners } = drawing.sketch.peek();
+  const typed = drawing.typed.peek(),
+    { corners } = drawing.sketch.peek();
   const direction = arrows[event.key];
   if (direction && corners.length > 0) {
     drawing.direct(direction);
@@ -42,7 +46,13 @@ function onPen(drawing: RoomDrawing, event: KeyboardEvent): boolean {
   }
   // A unit may follow the figure: "90 cm".
   const isUnit = typed !== "" && /^[cmftin]$/.test(event.key);
-  if (corners.length === 0 || !drawing.pen.peek() || (!isOfLength.test(event.key) && !isUnit) || (event.key === " " && !typed)) return false;
+  if (
+    corners.length === 0 ||
+    !drawing.pen.peek() ||
+    (!isOfLength.test(event.key) && !isUnit) ||
+    (event.key === " " && !typed)
+  )
+    return false;
   drawing.typed.value = typed + event.key;
   return true;
 }
@@ -62,9 +72,10 @@ function onEscape(drawing: RoomDrawing): void {
 }
 
 function onPlain(drawing: RoomDrawing, event: KeyboardEvent): boolean {
-  const zoom = (factor: number) => drawing.setView(
-    zoomedAt(drawing.view.peek(), vec(drawing.width.peek() / 2, drawing.height.peek() / 2), factor));
-  const by = arrows[event.key], tool = tools[event.key];
+  const zoom = (factor: number) =>
+    drawing.setView(zoomedAt(drawing.view.peek(), vec(drawing.width.peek() / 2, drawing.height.peek() / 2), factor));
+  const by = arrows[event.key],
+    tool = tools[event.key];
   if (by && drawing.selection.peek()) {
     const step = event.shiftKey ? 0.1 : 0.01;
     nudge(drawing, vec(by.x * step, by.y * step));
@@ -93,23 +104,26 @@ function onCommand(drawing: RoomDrawing, event: KeyboardEvent): boolean {
 }
 
 export function useDrawingKeys(drawing: RoomDrawing) {
-  return useMemo(() => ({
-    onKeyDown(event: KeyboardEvent) {
-      if (isField(event.target)) return;
-      const isOnButton = (event.target as HTMLElement).tagName === "BUTTON";
-      if (isOnButton && (event.key === "Enter" || event.key === " ")) return;
-      let isTaken = false;
-      if (event.ctrlKey || event.metaKey) isTaken = onCommand(drawing, event);
-      else if (drawing.mode.peek() === "pen" && onPen(drawing, event)) isTaken = true;
-      else if (event.key === "Escape") onEscape(drawing), (isTaken = true);
-      else if (event.key === " ") drawing.isSpaceDown.value = isTaken = true;
-      else if (!event.altKey) isTaken = onPlain(drawing, event);
-      if (!isTaken) return;
-      event.preventDefault();
-      event.stopPropagation();
-    },
-    onKeyUp(event: KeyboardEvent) {
-      if (event.key === " ") drawing.isSpaceDown.value = false;
-    },
-  }), [drawing]);
+  return useMemo(
+    () => ({
+      onKeyDown(event: KeyboardEvent) {
+        if (isField(event.target)) return;
+        const isOnButton = (event.target as HTMLElement).tagName === "BUTTON";
+        if (isOnButton && (event.key === "Enter" || event.key === " ")) return;
+        let isTaken = false;
+        if (event.ctrlKey || event.metaKey) isTaken = onCommand(drawing, event);
+        else if (drawing.mode.peek() === "pen" && onPen(drawing, event)) isTaken = true;
+        else if (event.key === "Escape") (onEscape(drawing), (isTaken = true));
+        else if (event.key === " ") drawing.isSpaceDown.value = isTaken = true;
+        else if (!event.altKey) isTaken = onPlain(drawing, event);
+        if (!isTaken) return;
+        event.preventDefault();
+        event.stopPropagation();
+      },
+      onKeyUp(event: KeyboardEvent) {
+        if (event.key === " ") drawing.isSpaceDown.value = false;
+      },
+    }),
+    [drawing],
+  );
 }

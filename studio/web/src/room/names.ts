@@ -40,6 +40,7 @@ export const spokenFixture = (id: string): string => id.replace(/_/g, " ");
 
 // The ends of a wall as they lie on the screen: "left", "right", "upper", "lower".
 export function endsOf(along: { x: number; y: number }): { start: string; end: string } {
-  if (Math.abs(along.x) >= Math.abs(along.y)) return along.x > 0 ? { start: "left", end: "right" } : { start: "right", end: "left" };
+  if (Math.abs(along.x) >= Math.abs(along.y))
+    return along.x > 0 ? { start: "left", end: "right" } : { start: "right", end: "left" };
   return along.y > 0 ? { start: "lower", end: "upper" } : { start: "upper", end: "lower" };
 }

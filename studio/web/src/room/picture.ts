@@ -27,7 +27,8 @@ export function scaled(picture: Picture, a: Vec, b: Vec, metres: number): Pictur
   if (seen < 1e-6 || metres <= 0) return picture;
   const k = metres / seen;
   return {
-    ...picture, metresPerPixel: picture.metresPerPixel * k,
+    ...picture,
+    metresPerPixel: picture.metresPerPixel * k,
     at: { x: a.x + (picture.at.x - a.x) * k, y: a.y + (picture.at.y - a.y) * k },
   };
 }

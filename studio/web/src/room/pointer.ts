@@ -27,9 +27,15 @@ function penGesture(drawing: RoomDrawing, start: PointerEvent): Gesture {
   drawing.pen.value = penOf(drawing, start);
   return {
     cursor: "crosshair",
-    move(event) { drawing.pen.value = penOf(drawing, event); },
-    end(event) { drawing.addCorner(penOf(drawing, event)); },
-    cancel() { drawing.pen.value = undefined; },
+    move(event) {
+      drawing.pen.value = penOf(drawing, event);
+    },
+    end(event) {
+      drawing.addCorner(penOf(drawing, event));
+    },
+    cancel() {
+      drawing.pen.value = undefined;
+    },
   };
 }
 
@@ -60,20 +66,26 @@ function placeGesture(drawing: RoomDrawing, start: PointerEvent, kind: Exclude<T
       drawing.commit(withFixture(drawing.sketch.peek(), placed), `add a ${kind}`);
       drawing.select({ kind: "fixture", id: placed.id });
     },
-    cancel() { drawing.ghost.value = undefined; },
+    cancel() {
+      drawing.ghost.value = undefined;
+    },
   };
 }
 
 function gestureFor(drawing: RoomDrawing, event: PointerEvent): Gesture | undefined {
-  if (event.button === kMiddleButton || (event.button === 0 && drawing.isSpaceDown.peek())) return panGesture(drawing, event);
+  if (event.button === kMiddleButton || (event.button === 0 && drawing.isSpaceDown.peek()))
+    return panGesture(drawing, event);
   if (event.button !== 0) return undefined;
   const mode = drawing.mode.peek();
   if (mode === "scale") return scaleGesture(drawing);
   if (mode === "pen") return penGesture(drawing, event);
   if (mode !== "select") return placeGesture(drawing, event, mode);
-  const one = drawing.selection.peek(), end = attribute(event, "end");
+  const one = drawing.selection.peek(),
+    end = attribute(event, "end");
   if (one?.kind === "fixture" && (end === "start" || end === "end")) return dragEnd(drawing, event, one.id, end);
-  const corner = attribute(event, "corner"), fixture = attribute(event, "fixture"), wall = attribute(event, "wall");
+  const corner = attribute(event, "corner"),
+    fixture = attribute(event, "fixture"),
+    wall = attribute(event, "wall");
   if (corner) return dragCorner(drawing, event, corner);
   if (fixture) return dragFixture(drawing, event, fixture);
   if (wall) return dragWall(drawing, event, wall);
@@ -81,7 +93,9 @@ function gestureFor(drawing: RoomDrawing, event: PointerEvent): Gesture | undefi
 }
 
 function under(event: PointerEvent): Selection | undefined {
-  const corner = attribute(event, "corner"), fixture = attribute(event, "fixture"), wall = attribute(event, "wall");
+  const corner = attribute(event, "corner"),
+    fixture = attribute(event, "fixture"),
+    wall = attribute(event, "wall");
   if (corner) return { kind: "corner", key: corner };
   if (fixture) return { kind: "fixture", id: fixture };
   return wall ? { kind: "wall", key: wall } : undefined;
@@ -97,42 +111,45 @@ function hover(drawing: RoomDrawing, event: PointerEvent): void {
 }
 
 export function useDrawingPointer(drawing: RoomDrawing) {
-  return useMemo(() => ({
-    onPointerDown(event: PointerEvent) {
-      if (drawing.gesture.peek() || attribute(event, "field") !== undefined) return;
-      const gesture = gestureFor(drawing, event);
-      if (!gesture) return;
-      event.preventDefault();
-      drawing.element?.parentElement?.focus({ preventScroll: true });
-      drawing.element?.setPointerCapture(event.pointerId);
-      drawing.gesture.value = gesture;
-    },
-    onPointerMove(event: PointerEvent) {
-      const gesture = drawing.gesture.peek();
-      if (gesture) gesture.move(event);
-      else hover(drawing, event);
-    },
-    onPointerUp(event: PointerEvent) {
-      const gesture = drawing.gesture.peek();
-      drawing.gesture.value = undefined;
-      gesture?.end(event);
-    },
-    onPointerCancel() {
-      const gesture = drawing.gesture.peek();
-      drawing.gesture.value = undefined;
-      gesture?.cancel();
-    },
-    onPointerLeave() {
-      drawing.hovered.value = undefined;
-      drawing.ghost.value = undefined;
-      if (!drawing.typed.peek()) drawing.pen.value = undefined;
-    },
-    onDblClick(event: MouseEvent) {
-      const key = drawing.mode.peek() === "select" ? attribute(event, "wall") : undefined;
-      const wall = drawing.walls.peek().find((one) => one.key === key);
-      if (!wall || attribute(event, "field") !== undefined) return;
-      const along = dot(sub(drawing.pointOf(event), wall.a), wall.along);
-      addCornerOn(drawing, wall.index, Math.round(along / kPenStep) * kPenStep);
-    },
-  }), [drawing]);
+  return useMemo(
+    () => ({
+      onPointerDown(event: PointerEvent) {
+        if (drawing.gesture.peek() || attribute(event, "field") !== undefined) return;
+        const gesture = gestureFor(drawing, event);
+        if (!gesture) return;
+        event.preventDefault();
+        drawing.element?.parentElement?.focus({ preventScroll: true });
+        drawing.element?.setPointerCapture(event.pointerId);
+        drawing.gesture.value = gesture;
+      },
+      onPointerMove(event: PointerEvent) {
+        const gesture = drawing.gesture.peek();
+        if (gesture) gesture.move(event);
+        else hover(drawing, event);
+      },
+      onPointerUp(event: PointerEvent) {
+        const gesture = drawing.gesture.peek();
+        drawing.gesture.value = undefined;
+        gesture?.end(event);
+      },
+      onPointerCancel() {
+        const gesture = drawing.gesture.peek();
+        drawing.gesture.value = undefined;
+        gesture?.cancel();
+      },
+      onPointerLeave() {
+        drawing.hovered.value = undefined;
+        drawing.ghost.value = undefined;
+        if (!drawing.typed.peek()) drawing.pen.value = undefined;
+      },
+      onDblClick(event: MouseEvent) {
+        const key = drawing.mode.peek() === "select" ? attribute(event, "wall") : undefined;
+        const wall = drawing.walls.peek().find((one) => one.key === key);
+        if (!wall || attribute(event, "field") !== undefined) return;
+        const along = dot(sub(drawing.pointOf(event), wall.a), wall.along);
+        addCornerOn(drawing, wall.index, Math.round(along / kPenStep) * kPenStep);
+      },
+    }),
+    [drawing],
+  );
 }

@@ -16,20 +16,37 @@ export async function saveNew(studio: Studio, sketch: Sketch): Promise<boolean> 
 
 // What stands in the room stays where it is also when the room's lower left corner, from which all is measured, moves.
 export async function saveChanged(studio: Studio, sketch: Sketch, shown: GetDocumentResponse): Promise<boolean> {
-  const before = shown.layout!.graph!.room!, document = shown.document!;
+  const before = shown.layout!.graph!.room!,
+    document = shown.document!;
   const { room, shift } = roomOf(sketch, before.title, before);
   const call = studio.clients.studio;
   try {
-    const changed = await call.act({ documentId: document.id, revision: document.revision, act: { case: "room", value: room } });
+    const changed = await call.act({
+      documentId: document.id,
+      revision: document.revision,
+      act: { case: "room", value: room },
+    });
     changed.diagnostics.forEach(({ message }) => studio.toasts.note(message));
-    const placements = (changed.layout?.placements ?? []).map((one) => (
-      { objectId: one.objectId, xM: one.xM + shift.x, yM: one.yM + shift.y, zM: one.zM, thetaRad: one.thetaRad }));
+    const placements = (changed.layout?.placements ?? []).map((one) => ({
+      objectId: one.objectId,
+      xM: one.xM + shift.x,
+      yM: one.yM + shift.y,
+      zM: one.zM,
+      thetaRad: one.thetaRad,
+    }));
     if (length(shift) > 1e-6 && placements.length > 0) {
-      await call.act({ documentId: document.id, revision: changed.document!.revision, act: { case: "move", value: { placements } } });
+      await call.act({
+        documentId: document.id,
+        revision: changed.document!.revision,
+        act: { case: "move", value: { placements } },
+      });
     }
   } catch (error) {
-    studio.toasts.error(isConflict(error)
-      ? "The room was changed in another window meanwhile. Cancel, and edit its newest state." : sentenceOf(error));
+    studio.toasts.error(
+      isConflict(error)
+        ? "The room was changed in another window meanwhile. Cancel, and edit its newest state."
+        : sentenceOf(error),
+    );
     return false;
   }
   goTo({ page: "document", id: document.id });

@@ -16,7 +16,8 @@ export interface Span {
 }
 
 export function spanOf(fixture: Exclude<Fixture, { kind: "socket" }>, wall: WallLine): Span {
-  const start = add(wall.a, times(wall.along, fixture.offset)), end = add(start, times(wall.along, fixture.width));
+  const start = add(wall.a, times(wall.along, fixture.offset)),
+    end = add(start, times(wall.along, fixture.width));
   const out = times(wall.inward, -kWallThickness);
   return { start, end, gap: [start, end, add(end, out), add(start, out)] };
 }
@@ -26,10 +27,13 @@ export function leafOf(door: Door, wall: WallLine): { hinge: Vec; tip: Vec; arc:
   if (door.swing !== "inward" && door.swing !== "outward") return undefined;
   const { start, end } = spanOf(door, wall);
   const isAtStart = door.hinge === "start";
-  const hinge = isAtStart ? start : end, closed = isAtStart ? sub(end, start) : sub(start, end);
+  const hinge = isAtStart ? start : end,
+    closed = isAtStart ? sub(end, start) : sub(start, end);
   const side = door.swing === "inward" ? wall.inward : times(wall.inward, -1);
   // Towards that side, whichever way the wall runs.
   const sign = closed.x * side.y - closed.y * side.x > 0 ? 1 : -1;
-  const arc = Array.from({ length: kArcSteps + 1 }, (_, i) => add(hinge, turned(closed, (sign * door.angle * i) / kArcSteps)));
+  const arc = Array.from({ length: kArcSteps + 1 }, (_, i) =>
+    add(hinge, turned(closed, (sign * door.angle * i) / kArcSteps)),
+  );
   return { hinge, tip: arc.at(-1)!, arc };
 }

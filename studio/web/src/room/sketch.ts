@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A room while it is drawn: corners in the order in which walls run, and what is in the walls. Metres, x east, y north, any
-// origin; walls are known by keys that stay when corners come and go.
+// A room while it is drawn: corners in the order in which walls run, and what is in the walls. Metres, x east, y north,
+// any origin; walls are known by keys that stay when corners come and go.
 import { area, boxOf } from "../geometry/polygon";
 import { distance, dot, left, sub, unit, vec, type Vec } from "../geometry/vec";
 
@@ -64,7 +64,14 @@ export interface WallLine {
   readonly length: number;
 }
 
-export const emptySketch: Sketch = { corners: [], isClosed: false, fixtures: [], height: 2.6, roomType: "living room", wallNames: {} };
+export const emptySketch: Sketch = {
+  corners: [],
+  isClosed: false,
+  fixtures: [],
+  height: 2.6,
+  roomType: "living room",
+  wallNames: {},
+};
 
 export const widthOf = (fixture: Fixture): number => (fixture.kind === "socket" ? 0 : fixture.width);
 
@@ -73,8 +80,17 @@ export function wallsOf({ corners, isClosed }: Sketch): WallLine[] {
   const side = isClosed && area(corners) < 0 ? -1 : 1;
   return corners.slice(0, Math.max(count, 0)).map((a, index) => {
     const b = corners[(index + 1) % corners.length]!;
-    const along = unit(sub(b, a)), n = left(along);
-    return { key: a.wall, index, a: vec(a.x, a.y), b: vec(b.x, b.y), along, inward: vec(n.x * side, n.y * side), length: distance(a, b) };
+    const along = unit(sub(b, a)),
+      n = left(along);
+    return {
+      key: a.wall,
+      index,
+      a: vec(a.x, a.y),
+      b: vec(b.x, b.y),
+      along,
+      inward: vec(n.x * side, n.y * side),
+      length: distance(a, b),
+    };
   });
 }
 
@@ -92,7 +108,13 @@ export function freeFixtureId(fixtures: readonly Fixture[], kind: Fixture["kind"
 
 export function rectangle(width: number, depth: number, rest: Sketch = emptySketch): Sketch {
   const points = [vec(0, 0), vec(width, 0), vec(width, depth), vec(0, depth)];
-  return { ...rest, corners: points.map((p, i) => ({ ...p, wall: `w${i + 1}` })), isClosed: true, fixtures: [], wallNames: {} };
+  return {
+    ...rest,
+    corners: points.map((p, i) => ({ ...p, wall: `w${i + 1}` })),
+    isClosed: true,
+    fixtures: [],
+    wallNames: {},
+  };
 }
 
 export function extentOf({ corners }: Sketch): { width: number; depth: number } {
@@ -122,7 +144,10 @@ export function counterClockwise(sketch: Sketch): Sketch {
 // Whether it is a rectangle whose sides run east and north.
 export function isUprightRectangle(sketch: Sketch): boolean {
   const walls = wallsOf(sketch);
-  return sketch.isClosed && walls.length === 4
-    && walls.every(({ along }) => Math.min(Math.abs(along.x), Math.abs(along.y)) < 1e-6)
-    && walls.every(({ along }, i) => Math.abs(dot(along, walls[(i + 1) % 4]!.along)) < 1e-6);
+  return (
+    sketch.isClosed &&
+    walls.length === 4 &&
+    walls.every(({ along }) => Math.min(Math.abs(along.x), Math.abs(along.y)) < 1e-6) &&
+    walls.every(({ along }, i) => Math.abs(dot(along, walls[(i + 1) % 4]!.along)) < 1e-6)
+  );
 }

@@ -25,7 +25,15 @@ test("the room begins at the origin, counter-clockwise, its door as it was drawn
   const moved: Sketch = { ...rect, corners: rect.corners.map((c) => ({ ...c, x: c.x - 1.5, y: c.y + 2 })) };
   const door = { ...newFixture(moved, "door", "w4", 0.4), hinge: "end", swing: "outward" } as const;
   const { room, shift } = roomOf(withFixture(moved, door as never), "My room");
-  assert.deepEqual(room.floor!.vertices!.map((v) => [v.xM, v.yM]), [[0, 0], [4, 0], [4, 3], [0, 3]]);
+  assert.deepEqual(
+    room.floor!.vertices!.map((v) => [v.xM, v.yM]),
+    [
+      [0, 0],
+      [4, 0],
+      [4, 3],
+      [0, 3],
+    ],
+  );
   assert.deepEqual(shift, { x: 1.5, y: -2 });
   const [opening] = room.openings!;
   assert.equal(opening!.wall, "west");
@@ -35,22 +43,39 @@ test("the room begins at the origin, counter-clockwise, its door as it was drawn
 
 test("a room that is edited keeps its names, ids and remarks", () => {
   const before = create(RoomSchema, {
-    roomType: "study", title: "A study", heightM: 2.5,
-    floor: { vertices: [{ xM: 0, yM: 0 }, { xM: 4, yM: 0 }, { xM: 4, yM: 3 }, { xM: 0, yM: 3 }] },
+    roomType: "study",
+    title: "A study",
+    heightM: 2.5,
+    floor: {
+      vertices: [
+        { xM: 0, yM: 0 },
+        { xM: 4, yM: 0 },
+        { xM: 4, yM: 3 },
+        { xM: 0, yM: 3 },
+      ],
+    },
     walls: ["garden", "street", "stairs", "yard"].map((name) => ({ name })),
     sockets: [{ id: "socket_7", wall: "stairs", offsetM: 0.5, heightM: 0.3 }],
     diagnostics: [{ message: "the ceiling was assumed" }],
   });
   const { room } = roomOf(withCornerOn(sketchOf(before), 0, 2), before.title, before);
-  assert.deepEqual(room.walls!.map((wall) => wall.name), ["garden", "wall_2", "street", "stairs", "yard"]);
+  assert.deepEqual(
+    room.walls!.map((wall) => wall.name),
+    ["garden", "wall_2", "street", "stairs", "yard"],
+  );
   assert.equal(room.sockets![0]!.id, "socket_7");
   assert.equal(room.diagnostics!.length, 1);
 });
 
 test("what the server would refuse is said before", () => {
   assert.deepEqual(texts(rect), []);
-  const crossed: Sketch = { ...rect, corners: [rect.corners[0]!, rect.corners[2]!, rect.corners[1]!, rect.corners[3]!]
-    .map((c, i) => ({ ...c, wall: `w${i + 1}` })) };
+  const crossed: Sketch = {
+    ...rect,
+    corners: [rect.corners[0]!, rect.corners[2]!, rect.corners[1]!, rect.corners[3]!].map((c, i) => ({
+      ...c,
+      wall: `w${i + 1}`,
+    })),
+  };
   assert.match(texts(crossed).join(), /Wall 1 and wall 3 cross or touch/);
   const door = newFixture(rect, "door", "w4", 2.5);
   assert.match(texts(withFixture(rect, door)).join(), /Door 1 reaches beyond the end of west wall/);

@@ -19,14 +19,26 @@ function placeOf(sketch: Sketch, id: string) {
 }
 
 test("a wall that is moved takes its neighbours along", () => {
-  assert.deepEqual(shape(withWallMoved(room, 0, -0.5)), [[0, -0.5], [4, -0.5], [4, 3], [0, 3]]);
+  assert.deepEqual(shape(withWallMoved(room, 0, -0.5)), [
+    [0, -0.5],
+    [4, -0.5],
+    [4, 3],
+    [0, 3],
+  ]);
 });
 
 test("the half of a wall, moved, makes an L", () => {
   const halved = withCornerOn(room, 2, 1.5);
   assert.equal(halved.corners.length, 5);
   const l = withWallMoved(halved, 3, 1);
-  assert.deepEqual(shape(l), [[0, 0], [4, 0], [4, 3], [2.5, 3], [2.5, 2], [0, 2]]);
+  assert.deepEqual(shape(l), [
+    [0, 0],
+    [4, 0],
+    [4, 3],
+    [2.5, 3],
+    [2.5, 2],
+    [0, 2],
+  ]);
   assert.equal(area(l.corners), 9.5);
   assert.deepEqual(shape(tidied(withWallMoved(l, 4, -1))).length, 5, "moved back, the step is gone");
 });
@@ -41,12 +53,22 @@ test("a door stays where it is when the wall grows at its start", () => {
 });
 
 test("a typed length moves the wall after it", () => {
-  assert.deepEqual(shape(withWallLength(room, 0, 5.2)), [[0, 0], [5.2, 0], [5.2, 3], [0, 3]]);
+  assert.deepEqual(shape(withWallLength(room, 0, 5.2)), [
+    [0, 0],
+    [5.2, 0],
+    [5.2, 3],
+    [0, 3],
+  ]);
 });
 
 test("a slanted wall keeps its end corner only", () => {
   const slanted: Sketch = { ...room, corners: room.corners.map((c, i) => (i === 2 ? { ...c, x: 3 } : c)) };
-  assert.deepEqual(shape(withWallLength(slanted, 0, 5)), [[0, 0], [5, 0], [3, 3], [0, 3]]);
+  assert.deepEqual(shape(withWallLength(slanted, 0, 5)), [
+    [0, 0],
+    [5, 0],
+    [3, 3],
+    [0, 3],
+  ]);
 });
 
 test("a corner that goes leaves its wall's door in the other wall", () => {
@@ -62,7 +84,8 @@ test("a room that was drawn clockwise is turned round, doors and all", () => {
   const corners = [...room.corners].reverse();
   const wall = wallsOf({ ...room, corners })[0]!;
   const sketch: Sketch = { ...room, corners, fixtures: [{ ...door, wall: wall.key, offset: 0.5 }] };
-  const before = placeOf(sketch, door.id), turned = counterClockwise(sketch);
+  const before = placeOf(sketch, door.id),
+    turned = counterClockwise(sketch);
   assert.ok(area(turned.corners) > 0);
   const [fixture] = turned.fixtures;
   assert.equal(fixture!.kind === "door" && fixture!.hinge, "end");

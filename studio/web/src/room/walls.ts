@@ -14,7 +14,8 @@ function carried(before: Sketch, after: Sketch): Sketch {
   const were = new Map(wallsOf(before).map((wall) => [wall.key, wall]));
   const are = new Map(wallsOf(after).map((wall) => [wall.key, wall]));
   const fixtures = after.fixtures.map((fixture): Fixture => {
-    const was = were.get(fixture.wall), is = are.get(fixture.wall);
+    const was = were.get(fixture.wall),
+      is = are.get(fixture.wall);
     if (!was || !is || (distance(was.a, is.a) < kSame && Math.abs(was.length - is.length) < kSame)) return fixture;
     const spot = add(was.a, times(was.along, fixture.offset));
     const offset = dot(sub(spot, is.a), is.along);
@@ -39,7 +40,9 @@ export function tidied(sketch: Sketch): Sketch {
 }
 
 export function withCornerAt(sketch: Sketch, index: number, to: Vec): Sketch {
-  const corners = sketch.corners.map((corner, i) => (i === index ? { ...corner, x: round(to.x), y: round(to.y) } : corner));
+  const corners = sketch.corners.map((corner, i) =>
+    i === index ? { ...corner, x: round(to.x), y: round(to.y) } : corner,
+  );
   return carried(sketch, { ...sketch, corners });
 }
 
@@ -49,17 +52,21 @@ function meeting(p: Vec, d: Vec, q: Vec, e: Vec): Vec | undefined {
   return Math.abs(det) < kStraight ? undefined : add(p, times(d, cross(sub(q, p), e) / det));
 }
 
-// The wall moved by `metres` to its left, its neighbours made longer or shorter. Where a neighbour goes straight on, a step
-// is built: so a rectangle becomes an L.
+// The wall moved by `metres` to its left, its neighbours made longer or shorter. Where a neighbour goes straight on, a
+// step is built: so a rectangle becomes an L.
 export function withWallMoved(sketch: Sketch, index: number, metres: number): Sketch {
-  const walls = wallsOf(sketch), count = walls.length;
+  const walls = wallsOf(sketch),
+    count = walls.length;
   const wall = walls[index];
   if (!wall || !sketch.isClosed || Math.abs(metres) < kSame) return sketch;
   const n = { x: -wall.along.y, y: wall.along.x };
   const shift = times(n, metres);
-  const a = add(wall.a, shift), b = add(wall.b, shift);
-  const before = walls[(index - 1 + count) % count]!, after = walls[(index + 1) % count]!;
-  const start = meeting(a, wall.along, before.a, before.along), end = meeting(b, wall.along, after.a, after.along);
+  const a = add(wall.a, shift),
+    b = add(wall.b, shift);
+  const before = walls[(index - 1 + count) % count]!,
+    after = walls[(index + 1) % count]!;
+  const start = meeting(a, wall.along, before.a, before.along),
+    end = meeting(b, wall.along, after.a, after.along);
   const corners: Corner[] = [];
   const put = (p: Vec, key: string) => corners.push({ x: round(p.x), y: round(p.y), wall: key });
   const keyFor = () => freeKey([...sketch.corners, ...corners]);
@@ -79,10 +86,12 @@ export function withWallMoved(sketch: Sketch, index: number, metres: number): Sk
 
 // The wall that long: the one after it goes along, or its last corner alone when that one is at no right angle.
 export function withWallLength(sketch: Sketch, index: number, metres: number): Sketch {
-  const walls = wallsOf(sketch), wall = walls[index];
+  const walls = wallsOf(sketch),
+    wall = walls[index];
   if (!wall || metres < kSame) return sketch;
   const by = metres - wall.length;
-  const next = (index + 1) % sketch.corners.length, after = walls[next];
+  const next = (index + 1) % sketch.corners.length,
+    after = walls[next];
   if (after && sketch.isClosed && Math.abs(dot(after.along, wall.along)) < kStraight) {
     const n = { x: -after.along.y, y: after.along.x };
     return withWallMoved(sketch, next, by * dot(wall.along, n));
@@ -94,28 +103,40 @@ export function withWallLength(sketch: Sketch, index: number, metres: number): S
 export function withCornerOn(sketch: Sketch, index: number, offset: number): Sketch {
   const wall = wallsOf(sketch)[index];
   if (!wall || offset < kSame || offset > wall.length - kSame) return sketch;
-  const at = add(wall.a, times(wall.along, offset)), key = freeKey(sketch.corners);
+  const at = add(wall.a, times(wall.along, offset)),
+    key = freeKey(sketch.corners);
   const corners = sketch.corners.flatMap((corner, i) =>
-    (i === index ? [corner, { x: round(at.x), y: round(at.y), wall: key }] : [corner]));
+    i === index ? [corner, { x: round(at.x), y: round(at.y), wall: key }] : [corner],
+  );
   const fixtures = sketch.fixtures.map((fixture) =>
-    (fixture.wall === wall.key && fixture.offset + widthOf(fixture) / 2 > offset
-      ? { ...fixture, wall: key, offset: round(Math.max(0, fixture.offset - offset)) } : fixture));
+    fixture.wall === wall.key && fixture.offset + widthOf(fixture) / 2 > offset
+      ? { ...fixture, wall: key, offset: round(Math.max(0, fixture.offset - offset)) }
+      : fixture,
+  );
   return { ...sketch, corners, fixtures };
 }
 
 // Without that corner; its two walls become one, under the name of the first.
 export function withoutCorner(sketch: Sketch, index: number): Sketch {
-  const { corners } = sketch, count = corners.length;
+  const { corners } = sketch,
+    count = corners.length;
   if (count === 0 || (sketch.isClosed && count <= 3)) return sketch;
-  const gone = corners[index]!, keeper = corners[(index - 1 + count) % count]!;
+  const gone = corners[index]!,
+    keeper = corners[(index - 1 + count) % count]!;
   const rest = corners.filter((_, i) => i !== index);
   const first = wallsOf(sketch).find(({ key }) => key === keeper.wall);
   const fixtures = sketch.fixtures.map((fixture) =>
-    (fixture.wall === gone.wall ? { ...fixture, wall: keeper.wall, offset: round(fixture.offset + (first?.length ?? 0)) } : fixture));
+    fixture.wall === gone.wall
+      ? { ...fixture, wall: keeper.wall, offset: round(fixture.offset + (first?.length ?? 0)) }
+      : fixture,
+  );
   const merged = { ...sketch, corners: rest, fixtures };
   const lengths = new Map(wallsOf(merged).map(({ key, length }) => [key, length]));
-  return { ...merged, fixtures: fixtures.map((fixture) => {
-    const most = Math.max(0, (lengths.get(fixture.wall) ?? 0) - widthOf(fixture));
-    return fixture.wall === keeper.wall ? { ...fixture, offset: Math.min(fixture.offset, most) } : fixture;
-  }) };
+  return {
+    ...merged,
+    fixtures: fixtures.map((fixture) => {
+      const most = Math.max(0, (lengths.get(fixture.wall) ?? 0) - widthOf(fixture));
+      return fixture.wall === keeper.wall ? { ...fixture, offset: Math.min(fixture.offset, most) } : fixture;
+    }),
+  };
 }

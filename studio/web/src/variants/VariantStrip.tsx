@@ -13,17 +13,20 @@ const kTaken = /^take variant/;
 // The first layout is no variant to take: taking one back, or else putting everything where it has it, shows it again.
 async function takeFirst(room: OpenRoom, { layoutId, list }: Variants): Promise<void> {
   while (kTaken.test(room.document.peek().undoLabel)) {
-    if (!await undo(room)) return;
+    if (!(await undo(room))) return;
     if (room.document.peek().layoutId === layoutId) return;
   }
   const pieces = room.pieces.peek();
-  const placements = list[0]!.placements.filter(({ objectId }) => pieces.has(objectId))
+  const placements = list[0]!.placements
+    .filter(({ objectId }) => pieces.has(objectId))
     .map(({ objectId, xM, yM, zM, thetaRad }) => ({ objectId, xM, yM, zM, thetaRad }));
   await room.act({ case: "move", value: { placements } });
 }
 
 function aboutOf({ held, asked, floor }: Variant): string {
-  return [asked > 0 && `${held} of ${asked} hold`, floor !== undefined && `${Math.round(floor * 100)} % floor`].filter(Boolean).join(" · ");
+  return [asked > 0 && `${held} of ${asked} hold`, floor !== undefined && `${Math.round(floor * 100)} % floor`]
+    .filter(Boolean)
+    .join(" · ");
 }
 
 export function VariantStrip({ room }: { room: OpenRoom }) {
@@ -34,12 +37,20 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
   useEffect(() => {
     if (variantCount === 0) return;
     let isGone = false;
-    void fetchVariants(clients, room.document.peek()).catch(() => undefined).then((found) => { if (!isGone && found) setVariants(found); });
-    return () => { isGone = true; };
+    void fetchVariants(clients, room.document.peek())
+      .catch(() => undefined)
+      .then((found) => {
+        if (!isGone && found) setVariants(found);
+      });
+    return () => {
+      isGone = true;
+    };
   }, [room, variantCount, jobId]);
   if (variantCount === 0) return null;
   const shown = room.layout.value?.placements ?? [];
-  const list: readonly Variant[] = variants?.list ?? Array.from({ length: variantCount }, (_, index) => ({ index, placements: [], held: 0, asked: 0 }));
+  const list: readonly Variant[] =
+    variants?.list ??
+    Array.from({ length: variantCount }, (_, index) => ({ index, placements: [], held: 0, asked: 0 }));
   const take = (variant: Variant) => {
     if (variant.index < 0) void takeFirst(room, variants!);
     else void room.act({ case: "takeVariant", value: { index: variant.index } });
@@ -47,7 +58,8 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
   return (
     <section class={isOpen ? "variant-strip" : "variant-strip is-closed"} aria-label="Variants">
       <button class="variant-head" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)}>
-        <span>{variantCount + 1} variants</span><Icon name={isOpen ? "minus" : "plus"} size={14} />
+        <span>{variantCount + 1} variants</span>
+        <Icon name={isOpen ? "minus" : "plus"} size={14} />
       </button>
       {isOpen && (
         <ul>
@@ -55,10 +67,21 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
             const isShown = variants !== undefined && isSame(shown, variant.placements);
             return (
               <li key={variant.index}>
-                <button aria-pressed={isShown} disabled={room.isBusy.value} aria-label={`Variant ${variant.index + 2}${aboutOf(variant) && `: ${aboutOf(variant)}`}`}
-                  onClick={() => { if (!isShown) take(variant); }}>
-                  {variants && <SmallPlan layout={variants.layout} placements={variant.placements} parts={room.parts.value} />}
-                  <span class="variant-text"><strong>{variant.index + 2}</strong><span>{aboutOf(variant)}</span></span>
+                <button
+                  aria-pressed={isShown}
+                  disabled={room.isBusy.value}
+                  aria-label={`Variant ${variant.index + 2}${aboutOf(variant) && `: ${aboutOf(variant)}`}`}
+                  onClick={() => {
+                    if (!isShown) take(variant);
+                  }}
+                >
+                  {variants && (
+                    <SmallPlan layout={variants.layout} placements={variant.placements} parts={room.parts.value} />
+                  )}
+                  <span class="variant-text">
+                    <strong>{variant.index + 2}</strong>
+                    <span>{aboutOf(variant)}</span>
+                  </span>
                 </button>
               </li>
             );

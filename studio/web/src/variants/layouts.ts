@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layouts of a design that was made in several variants: the first, and its complete runner-ups in TakeVariant's order.
+// The layouts of a design that was made in several variants: the first, and its complete runner-ups in TakeVariant's
+// order.
 import { ArtifactKind } from "../gen/flair/v1/artifact_pb";
 import type { Placement } from "../gen/flair/v1/placement_pb";
 import { OutcomeStatus, type EdgeOutcome, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
@@ -33,7 +34,10 @@ function counted(outcomes: readonly EdgeOutcome[]): { held: number; asked: numbe
 export function variantsOf(layoutId: string, layout: SolvedLayout): Variants {
   const complete = layout.runnerUps.filter(({ edgeOutcomes }) => edgeOutcomes.length > 0);
   const list = [layout, ...complete].map((one, i): Variant => ({
-    index: i - 1, placements: one.placements, ...counted(one.edgeOutcomes), floor: one.metrics?.reachableFloorShare,
+    index: i - 1,
+    placements: one.placements,
+    ...counted(one.edgeOutcomes),
+    floor: one.metrics?.reachableFloorShare,
   }));
   return { layoutId, layout, list };
 }
@@ -41,12 +45,15 @@ export function variantsOf(layoutId: string, layout: SolvedLayout): Variants {
 // Whether everything stands as there.
 export function isSame(a: readonly Placement[], b: readonly Placement[]): boolean {
   const others = new Map(b.map((one) => [one.objectId, one]));
-  return a.length === b.length && a.every((one) => {
-    const other = others.get(one.objectId);
-    if (!other) return false;
-    const turn = Math.abs(wrapped(one.thetaRad - other.thetaRad + Math.PI) - Math.PI);
-    return Math.hypot(one.xM - other.xM, one.yM - other.yM) < 2e-3 && turn < 2e-3;
-  });
+  return (
+    a.length === b.length &&
+    a.every((one) => {
+      const other = others.get(one.objectId);
+      if (!other) return false;
+      const turn = Math.abs(wrapped(one.thetaRad - other.thetaRad + Math.PI) - Math.PI);
+      return Math.hypot(one.xM - other.xM, one.yM - other.yM) < 2e-3 && turn < 2e-3;
+    })
+  );
 }
 
 async function layoutIdOf(clients: Clients, { jobId, layoutId }: Document): Promise<string> {
@@ -59,5 +66,7 @@ async function layoutIdOf(clients: Clients, { jobId, layoutId }: Document): Prom
 export async function fetchVariants(clients: Clients, document: Document): Promise<Variants | undefined> {
   const id = await layoutIdOf(clients, document);
   const content = (await clients.orchestrator.getArtifact({ artifactId: id })).artifact?.content;
-  return content?.case === "solvedLayout" && content.value.runnerUps.length > 0 ? variantsOf(id, content.value) : undefined;
+  return content?.case === "solvedLayout" && content.value.runnerUps.length > 0
+    ? variantsOf(id, content.value)
+    : undefined;
 }
