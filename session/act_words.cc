@@ -67,6 +67,11 @@ std::pair<std::string, std::string> VerbOf(const v1::LayoutEdit& edit) {
 
 }  // namespace
 
+std::string WithArticle(const std::string& name) {
+  constexpr std::string_view kVowels = "aeiou";
+  return (!name.empty() && kVowels.find(name.front()) != std::string_view::npos ? "an " : "a ") + name;
+}
+
 std::string MoveLabel(const v1::SolvedLayout& layout, const v1::MoveObjects& move) {
   std::vector<std::string> ids;
   bool turned_only = true;
@@ -94,7 +99,7 @@ std::string EditLabel(const v1::SolvedLayout& layout, const google::protobuf::Re
   }
   if (verbs.size() != 1) return fmt::format("{} changes", edits.size());
   if (ids.empty()) return *verbs.begin();
-  if (*verbs.begin() == "add" && ids.size() == 1) return "add a " + added;
+  if (*verbs.begin() == "add" && ids.size() == 1) return "add " + WithArticle(added);
   return fmt::format("{} {}", *verbs.begin(), Pieces(layout, ids));
 }
 

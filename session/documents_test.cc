@@ -313,10 +313,10 @@ TEST_F(DocumentsTest, APieceIsAddedNearAnotherWithoutKnowingItsId) {
   const std::string bed = IdOf(made.layout(), "bed");
   const auto added = Act(made.document(), [&](v1::ActRequest& act) {
     v1::AddObject& add = *act.mutable_edit()->add_edits()->mutable_add_object();
-    add.mutable_object()->set_name("floor lamp");
+    add.mutable_object()->set_name("ottoman");
     add.mutable_object()->set_width_m(0.4);
     add.mutable_object()->set_depth_m(0.4);
-    add.mutable_object()->set_height_m(1.6);
+    add.mutable_object()->set_height_m(0.4);
     v1::ConstraintEdge& near = *add.add_edges();
     near.set_type("near");
     near.set_weight(1);
@@ -327,8 +327,9 @@ TEST_F(DocumentsTest, APieceIsAddedNearAnotherWithoutKnowingItsId) {
     }
   });
   ASSERT_TRUE(added.ok()) << added.status();
+  EXPECT_EQ(added->document().undo_label(), "add an ottoman");
   const v1::ConstraintEdge& near = *added->layout().graph().edges().rbegin();
-  EXPECT_EQ(near.arguments(0).value().text(), "floor_lamp");
+  EXPECT_EQ(near.arguments(0).value().text(), "ottoman");
   EXPECT_EQ(added->layout().edge_outcomes().rbegin()->status(), v1::OUTCOME_STATUS_SATISFIED);
 }
 

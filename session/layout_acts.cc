@@ -487,7 +487,7 @@ absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::Re
   resize.set_height_m(replace.by().height_m());
   ASSIGN_OR_RETURN(Acted acted,
                    Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending}, edits, call));
-  acted.label = fmt::format("replace the {} by a {}", before, replace.by().name());
+  acted.label = fmt::format("replace the {} by {}", before, WithArticle(replace.by().name()));
   return acted;
 }
 

@@ -35,7 +35,7 @@ Json ActedJson(const v1::GetDocumentResponse& before, const v1::ActResponse& aft
                {"removed", Json::array()},
                {"remarks", Json::array()},
                {"measures", MeasuresJson(layout.edge_outcomes(), layout.metrics())},
-               {"faults", FaultsJson(layout.metrics())}};
+               {"faults", FaultsJson(graph, layout.metrics())}};
   std::set<std::string> left;
   for (const v1::Object& object : graph.object_list().objects()) {
     left.insert(object.id());
@@ -48,7 +48,11 @@ Json ActedJson(const v1::GetDocumentResponse& before, const v1::ActResponse& aft
   for (const v1::Object& object : before.layout().graph().object_list().objects()) {
     if (!left.contains(object.id())) json["removed"].push_back(object.id());
   }
+  std::set<std::string> known;
+  for (const v1::Diagnostic& diagnostic : before.layout().diagnostics()) known.insert(diagnostic.message());
   for (const v1::Diagnostic& diagnostic : after.diagnostics()) {
+    // That constraints go with what they name is nothing to tell.
+    if (diagnostic.code() == "edge_removed" || known.contains(diagnostic.message())) continue;
     if (json["remarks"].size() < kMostRemarks) json["remarks"].push_back(diagnostic.message());
   }
   AddHistory(after.document(), json);

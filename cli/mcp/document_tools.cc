@@ -190,7 +190,7 @@ DocumentTools::Result DocumentTools::Alternatives(const Json& arguments, ToolCal
     Json& json = result.structured["alternatives"].emplace_back();
     json = {{"index", result.structured["alternatives"].size() - 1},
             {"measures", MeasuresJson(other.edge_outcomes(), other.metrics())},
-            {"faults", FaultsJson(other.metrics())},
+            {"faults", FaultsJson(graph, other.metrics())},
             {"moved", Json::array()}};
     v1::SolvedLayout places;
     *places.mutable_placements() = other.placements();

@@ -9,6 +9,7 @@
 #include "absl/strings/str_join.h"
 #include "absl/strings/str_replace.h"
 #include "absl/strings/strip.h"
+#include "fmt/format.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli::mcp {
@@ -102,9 +103,15 @@ Json MeasuresJson(const google::protobuf::RepeatedPtrField<v1::EdgeOutcome>& out
   return json;
 }
 
-Json FaultsJson(const v1::LayoutMetrics& metrics) {
+Json FaultsJson(const v1::LayoutGraph& graph, const v1::LayoutMetrics& metrics) {
   Json json = Json::array();
-  for (const v1::Finding& finding : metrics.findings()) json.push_back(finding.message());
+  for (const v1::Finding& finding : metrics.findings()) {
+    std::string text = finding.message();
+    for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+      if (sentence.id() == finding.sentence_id()) text += fmt::format(" (\"{}\", {})", sentence.text(), sentence.id());
+    }
+    json.push_back(std::move(text));
+  }
   return json;
 }
 
@@ -122,7 +129,7 @@ Json DescribedJson(const v1::Document& document, const v1::SolvedLayout& layout)
                {"zones", Json::array()},
                {"objects", Json::array()},
                {"measures", MeasuresJson(layout.edge_outcomes(), layout.metrics())},
-               {"faults", FaultsJson(layout.metrics())},
+               {"faults", FaultsJson(graph, layout.metrics())},
                {"alternative_count", document.variant_count()}};
   if (document.has_brief()) json["brief"] = document.brief().text();
   for (const v1::Zone& zone : graph.zone_plan().zones()) {

@@ -16,7 +16,8 @@ Json PlaceJson(const v1::LayoutGraph& graph, const v1::Object& object, const v1:
 Json DescribedJson(const v1::Document& document, const v1::SolvedLayout& layout);
 Json MeasuresJson(const google::protobuf::RepeatedPtrField<v1::EdgeOutcome>& outcomes,
                   const v1::LayoutMetrics& metrics);
-Json FaultsJson(const v1::LayoutMetrics& metrics);
+// `graph` has the sentences that are not met.
+Json FaultsJson(const v1::LayoutGraph& graph, const v1::LayoutMetrics& metrics);
 // undo and redo, where there are any.
 void AddHistory(const v1::Document& document, Json& json);
 
