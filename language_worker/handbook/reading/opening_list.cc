@@ -3,6 +3,7 @@
 // settled.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "fmt/format.h"
 #include "language_worker/handbook/reading/opening_parts.h"
@@ -34,6 +35,15 @@ void Inherit(const OpeningWish& from, OpeningWish& to) {
 
 void OpeningList::Add(const OpeningNoun& noun, OpeningSite site) {
   OpeningWish wish = noun.wish;
+  if (std::exchange(site.both_ends, false)) {
+    OpeningNoun one = noun;
+    one.wish.count = 1;
+    for (const char* end : {"left", "right"}) {
+      one.wish.along = {AlongWall::At::kEnd, end, {}};
+      Add(one, site);
+    }
+    return;
+  }
   const auto is_alike = [&](const OpeningWish& one) { return one.door == wish.door; };
   if (noun.further && std::ranges::none_of(openings_.wishes, is_alike)) Add({.door = wish.door, .said = wish.said});
   // Of doors in several walls the others go by the first.

@@ -49,11 +49,12 @@ std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningNoun& nou
 struct OpeningSite {
   std::vector<std::string> sides;  // words for walls, see WallOf; "across window" and "window" go by the windows
   AlongWall along;
-  bool pair = false;     // "either side of the door": there are two
-  bool fills = false;    // "all along", "full width"
-  bool that = false;     // "in the middle of it": of the wall that was spoken of
-  std::size_t end = 0;   // behind its last token
-  std::string not_read;  // words that stand where a place is told and tell none: "above the sink"
+  bool pair = false;       // "either side of the door": there are two
+  bool both_ends = false;  // of its wall: there is one at each
+  bool fills = false;      // "all along", "full width"
+  bool that = false;       // "in the middle of it": of the wall that was spoken of
+  std::size_t end = 0;     // behind its last token
+  std::string not_read;    // words that stand where a place is told and tell none: "above the sink"
 };
 
 // Reads what follows an opening: "in the middle of the west wall", "opposite the door", ", which is on the left as you

@@ -119,15 +119,15 @@ class OpeningReader {
   bool ReadWayIn(std::size_t i) {
     const auto behind = words_.BehindPhrase(i, "coming_in");
     if (!behind || !words_.Says(*behind, {"from", "on", "at", "through"})) return false;
-    std::size_t end = *behind + 1;
-    const Sides walls = WallsAt(words_, end, /*alone=*/true, end);
-    if (walls.size() != 1) return false;
+    OpeningSite site;
+    if (!ReadSiteAfter(words_, *behind, /*door=*/true, /*verbs=*/false, site) || site.sides.size() != 1) return false;
     OpeningWish wish;
     wish.door = wish.definite = true;
-    wish.side = walls[0];
-    wish.said = Quote(i, end);
+    wish.side = site.sides[0];
+    wish.along = site.along;
+    wish.said = Quote(i, site.end);
     list_.Add(wish);
-    Use(i, end);
+    Use(i, site.end);
     return true;
   }
 
@@ -253,7 +253,7 @@ class OpeningReader {
     }
     const bool anded = last_ && begin <= last_->end + 2 && begin > last_->end && words_.At(last_->end) == "and";
     // "a door and a window on the same wall"
-    if (site.sides == Sides{"same"}) site.sides = {wish.door || (anded && last_->door) ? "near" : "far"};
+    if (site.sides == Sides{"same"}) site.sides = {wish.door || (last_ && last_->door) ? "near" : "far"};
     if (anded && behind && last_->open && site.sides.size() == 1 && site.sides[0] != "near") Share(wish, site);
     NoteUnread(noun, site, end);
     if (site.pair) {

@@ -59,15 +59,8 @@ class SiteReader {
     std::size_t at = fill ? *fill : close ? *close : into || near ? i_ + 1 : i_;
     const auto whole = words_.BehindPhrase(words_.BehindArticle(at), "whole_length");
     if (into && whole) at = *whole;
-    if ((into || near) && TakePart(at)) return true;
-    // "On the south wall at the right", "the door, right hand end": along the wall that was named.
-    const WallTarget hand = WallTargetAt(words_, into ? at : i_);
-    const bool ends = hand.end_of_wall ? form.part && !into : !site_.sides.empty() && !hand.wall && !hand.corner;
-    if (ends && hand.sides.size() == 1 && IsOneOf(hand.sides[0], {"left", "right"}) && EndsWall(words_, hand.end)) {
-      site_.along = {At::kEnd, hand.sides[0], {}};
-      i_ = hand.end;
-      return true;
-    }
+    if ((into || near) && (TakeBothEnds(at) || TakePart(at))) return true;
+    if (TakeEnd(form, into, at)) return true;
     if (form.part && !form.bare && !words_.Is(i_, "into_a_wall")) return false;
     // "Stage left" is the right of those who look on.
     const std::size_t stage = words_.BehindArticle(at);
@@ -85,6 +78,12 @@ class SiteReader {
     // "Facing each other in the short walls".
     if (each_other_) site_.sides = sides.size() > 1 ? sides : Sides{sides[0], "across " + sides[0]};
     each_other_ = false;
+    if (sides.size() == 1 && site_.sides.size() == 1) {
+      const bool hand = IsOneOf(site_.sides[0], {"left", "right"}) && !form.part;
+      // "On the left on the north wall"; "at the north-west corner, on the west wall".
+      if (hand) site_.along = {At::kEnd, sides[0], {}};
+      if (sides[0] == site_.along.end) std::swap(site_.sides[0], site_.along.end);
+    }
     for (const std::string& side : sides) AddSide(side);
     i_ = at;
     return true;
@@ -119,6 +118,47 @@ class SiteReader {
     if (!filling) return false;
     site_.fills = true;
     i_ = *filling;
+    return true;
+  }
+
+  // An end of the wall that was named: "on the south wall at the right", "the door, right hand end", "on the west wall
+  // towards the north", "in the north wall, by the west wall".
+  bool TakeEnd(Form form, bool into, std::size_t at) {
+    const auto toward = words_.BehindPhrase(i_, "toward_an_end");
+    WallTarget end = WallTargetAt(words_, toward ? *toward : into ? at : i_);
+    if (end.sides.size() == 2 && IsOneOf(end.sides[1], {"left", "right"})) end.sides.erase(end.sides.begin());
+    if (end.sides.size() != 1 || !EndsWall(words_, end.end)) return false;
+    const std::string& side = end.sides[0];
+    const bool hand = IsOneOf(side, {"left", "right"}), told = !site_.sides.empty();
+    const bool across = told && AxisOf(side) != '-' && AxisOf(side) != AxisOf(site_.sides.back());
+    const bool part = end.end_of_wall || end.corner;
+    const bool by_hand = hand && (part ? form.part && !into : told && !end.wall);
+    if (!by_hand && !(toward && told && (hand || across))) return false;
+    site_.along = {At::kEnd, side, {}};
+    i_ = end.end;
+    return true;
+  }
+
+  // 'n' for walls in the north or south, 'e' for those in the east or west, '-' where nobody knows.
+  static char AxisOf(std::string_view side) {
+    if (IsIn("northern_walls", side) || IsIn("southern_walls", side)) return 'n';
+    return IsIn("eastern_walls", side) || IsIn("western_walls", side) ? 'e' : '-';
+  }
+
+  // "At each end of the south wall": one at the left, one at the right.
+  bool TakeBothEnds(std::size_t at) {
+    const auto ends = words_.BehindPhrase(at, "both_ends");
+    if (!ends) return false;
+    std::size_t end = *ends;
+    if (words_.At(end) == "of") {
+      const auto that = words_.BehindPhrase(end + 1, "that_wall");
+      const Sides walls = WallsAt(words_, end + 1, /*alone=*/true, end);
+      if (walls.size() == 1) site_.sides = walls;
+      if (walls.empty() && that) end = *that;
+    }
+    if (site_.sides.size() != 1) return false;
+    site_.both_ends = true;
+    i_ = end;
     return true;
   }
 

@@ -127,6 +127,9 @@ class OwnFinder {
     if (bare && phrase.end == phrase.begin + 1 &&
         (text_.Is(phrase.end, "pronouns") || text_.Is(phrase.end, "articles")))
       return std::nullopt;
+    // "One enters".
+    if (text_.At(i) == "one" && phrase.end == phrase.begin + 1 && english::IsPlural(text_.At(phrase.begin)))
+      return std::nullopt;
     if (phrase.end == phrase.begin || phrase.end > phrase.begin + kMostOfAPhrase) return std::nullopt;
     return phrase;
   }
