@@ -117,6 +117,15 @@ bool MeanTheSame(std::string_view a, std::string_view b) {
   });
 }
 
+bool IsKindOf(std::string_view name, std::string_view noun) {
+  const std::vector<NounSense> of_noun = PhysicalOf(WordNet::Get().SensesOf(noun), kUsualSenses);
+  const std::vector<NounSense> of_name = PhysicalOf(SensesOf(name), kUsualSenses);
+  constexpr int kMostSteps = 2;  // everything is a kind of "equipment"
+  return !of_name.empty() && std::ranges::any_of(WordNet::Get().KindsOf(of_name.front()), [&](const Kind& kind) {
+    return kind.steps <= kMostSteps && std::ranges::find(of_noun, kind.id, &NounSense::id) != of_noun.end();
+  });
+}
+
 bool MeansPeople(std::string_view noun) {
   const std::vector<NounSense> senses = WordNet::Get().SensesOf(noun);
   return !senses.empty() && senses.front().domain == Domain::kPerson && !IsFormIn("no_persons", noun);

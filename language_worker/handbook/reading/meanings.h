@@ -63,6 +63,9 @@ class Meanings {
 // Whether two nouns share a sense: "couch" and "sofa".
 bool MeanTheSame(std::string_view a, std::string_view b);
 
+// Whether a thing of that name is a kind of what the noun names: a settee is a sofa.
+bool IsKindOf(std::string_view name, std::string_view noun);
+
 // Whether the noun means people first of all: "gardeners", "guests".
 bool MeansPeople(std::string_view noun);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "english/words.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -218,6 +219,7 @@ PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Fu
 std::string LastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
 
 bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, BriefFacts& facts) {
+  if (IsFormIn("openings", text.At(i)) || IsFormIn("wall_nouns", text.At(i))) return false;
   bool any = false;
   for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
     if (std::ranges::none_of(head.words, [&](const Phrase& word) { return word.MatchAt(text.tokens(), i) == 1; }))
@@ -225,13 +227,19 @@ bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, 
     for (const hb::Furniture* option : head.options) AddOnce(facts.refusals, option);
     any = true;
   }
+  const std::string kind = text.At(i) == "lighting" ? "lamp" : english::Singular(text.At(i));
+  const bool of_furniture =
+      std::ranges::any_of(handbook.contents().furniture(), [&](const auto& one) { return one.category() == kind; });
   for (const hb::Furniture& other : handbook.contents().furniture()) {
     const std::string last = LastWord(other.name());
     // Planters and bonsai are plants too.
-    const bool same = Phrase(last).MatchAt(text.tokens(), i) == 1 || MatchesWord(text.At(i), other.category());
-    const bool compound = last.size() > 5 && last.ends_with("chair") && MatchesWord(text.At(i), "chair");
-    if (same || compound) AddOnce(facts.refusals, &other);
-    any = any || same || compound;
+    // Ceiling lamps are lamps, an armchair is a chair, a settee a sofa.
+    const std::string category = other.category().substr(other.category().rfind('_') + 1);
+    const bool same = Phrase(last).MatchAt(text.tokens(), i) == 1 || MatchesWord(kind, category);
+    const bool compound = of_furniture && last.size() > kind.size() + 1 && last.ends_with(kind);
+    if (!same && !compound && (IsIn("kinds_of_their_own", last) || !IsKindOf(other.name(), kind))) continue;
+    AddOnce(facts.refusals, &other);
+    any = true;
   }
   return any;
 }
