@@ -63,7 +63,8 @@ class FurnitureReader : Reading {
         i += other - 1;
         continue;
       }
-      if (named != nullptr && !own && MakesACompound(text, i, i + name_length)) continue;
+      if (named != nullptr && !own && (MakesACompound(text, i, i + name_length) || IsBehindItsDoor(i, i + name_length)))
+        continue;
       if (named != nullptr && named->named_as_said() && !own &&
           (IsOfAPurpose(text, i) || AnyAt(i + name_length) != nullptr)) {
         i += name_length - 1;
@@ -128,6 +129,13 @@ class FurnitureReader : Reading {
   bool TakesTurns(std::size_t i) const {
     return i > 1 && text.At(i - 2) == "instead" && text.At(i - 1) == "of" && text.Is(i + 1, "place_prepositions") &&
            !facts.wishes.empty();
+  }
+
+  // "The furnace room door", "a bar door"; the door of a cupboard is the cupboard's.
+  bool IsBehindItsDoor(std::size_t begin, std::size_t end) const {
+    const bool room =
+        text.At(end) == "room" || LongestAt(handbook.vocabulary().rooms, tokens(), begin, false).second > 0;
+    return room && IsBeforeADoor(text, end);
   }
 
   // A wish that what follows may belong to: its table, or the chairs that a table follows.

@@ -356,6 +356,24 @@ TEST(FurnitureReader, CountsFollowWhatOneStandsWith) {
   EXPECT_EQ(nails.wishes[0].seats, 2);
 }
 
+TEST(FurnitureReader, RefusalsAreOfTheWholeKind) {
+  const auto refuses = [](const char* text, const char* name) {
+    return std::ranges::any_of(FactsOf(text).refusals, [&](const hb::Furniture* one) { return one->name() == name; });
+  };
+  EXPECT_TRUE(refuses("A bedroom without lamps.", "chandelier"));
+  EXPECT_TRUE(refuses("A living room with no lighting.", "floor lamp"));
+  EXPECT_TRUE(refuses("A living room, no sofa.", "loveseat"));
+  EXPECT_TRUE(refuses("A guest room with no bed.", "daybed"));
+  EXPECT_TRUE(refuses("A kid's room with no toys.", "teddy bear"));
+  EXPECT_FALSE(refuses("A studio flat without a table.", "desk"));
+  EXPECT_FALSE(refuses("A living room, no sofa.", "armchair"));
+}
+
+TEST(FurnitureReader, ADoorIsNotWhatIsBehindIt) {
+  ExpectWishes({{"A boiler room. The furnace room door is on the north wall.", ""},
+                {"A living room with a bar door in the east wall and a sofa.", "1 sofa"}});
+}
+
 }  // namespace
 
 }  // namespace flair::language

@@ -44,7 +44,7 @@ bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
 // to the toilets", "the closet door". "A door to the toilet" and "a toilet" are two.
 bool IsNamedByADoor(const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostWords = 3;
-  if (text.Is(i + 1, "doors") && !text.At(i + 1).ends_with('s')) return true;
+  if (IsBeforeADoor(text, i + 1)) return true;
   const std::size_t at = text.PhraseBegin(i);
   if (at == 0 || !text.Says(at - 1, {"to", "into", "onto", "from"})) return false;
   std::size_t door = at - 1;  // "leading to"
@@ -239,6 +239,11 @@ bool IsBehindADoor(const BriefText& text, std::size_t i) {
     if (MatchesWord(text.At(k), english::Singular(room)) && IsNamedByADoor(text, k)) return true;
   }
   return false;
+}
+
+bool IsBeforeADoor(const BriefText& text, std::size_t end) {
+  const std::size_t door = text.At(end) == "room" ? end + 1 : end;
+  return text.Is(door, "doors") && !text.At(door).ends_with('s');
 }
 
 bool MakesACompound(const BriefText& text, std::size_t begin, std::size_t end) {

@@ -27,6 +27,9 @@ bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size
 // closet", where that door is.
 bool IsBehindADoor(const BriefText& text, std::size_t i);
 
+// "The furnace room door", "a bar door": whether a door follows at a token, named by what is behind it.
+bool IsBeforeADoor(const BriefText& text, std::size_t end);
+
 // "Wheel truing station", "doll's house maker", "in camera view": what is named in [begin, end) only says of what kind
 // another thing is.
 bool MakesACompound(const BriefText& text, std::size_t begin, std::size_t end);
