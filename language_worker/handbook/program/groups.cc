@@ -49,6 +49,7 @@ class Grouper {
     for (ProgramItem& host : program_.floor_items) SeatPeople(host);
     for (std::size_t i = 1; i < program_.floor_items.size(); ++i) PartTables(i);
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) SitAcross(i);
+    for (const NamedSet& set : facts_.sets) GatherSet(set);
     for (const hb::Rows& rows : program_.archetype->rows()) SplitRows(rows);
     for (const Place& place : facts_.places) FaceOneWay(place);
     for (std::size_t i = 0; i < program_.floor_items.size(); ++i) {
@@ -304,6 +305,46 @@ class Grouper {
         program_.floor_items.begin() + static_cast<std::ptrdiff_t>(std::min(at, program_.floor_items.size()));
     program_.floor_items.insert(place, lines.begin(), lines.end());
     ReplaceZone(host.zone, zones);
+  }
+
+  // Each of its sets has a zone of its own, with its share of every piece and of the seats at it. The largest piece,
+  // which is named first, must be there in each.
+  void GatherSet(const NamedSet& set) {
+    if (set.pieces.empty()) return;
+    const auto is_in_it = [&](const ProgramItem& item) {
+      const bool named = Includes(set.pieces, item.furniture) || Includes(set.pieces, item.seat_of);
+      return named && item.count >= set.count && item.count % set.count == 0;
+    };
+    std::vector<ProgramItem> shares;
+    std::ranges::copy_if(program_.floor_items, std::back_inserter(shares), is_in_it);
+    const auto main = std::ranges::find_if(shares, [&](const auto& one) { return one.furniture == set.pieces[0]; });
+    if (shares.size() < 2 || main == shares.end()) return;
+    const auto home = std::ranges::find(program_.zones, main->zone, &hb::ZoneSpec::name);
+    if (home == program_.zones.end()) return;
+    const hb::ZoneSpec spec = *home;
+    const std::string name = set.name.empty() ? spec.name() : set.name;
+    std::vector<hb::ZoneSpec> zones;
+    std::vector<ProgramItem> lines;
+    for (int number = 1; static_cast<int>(zones.size()) < set.count; ++number) {
+      hb::ZoneSpec zone = spec;
+      zone.set_name(fmt::format("{} {}", name, number));
+      if (HasZone(program_, zone.name())) continue;
+      zone.clear_primaries();
+      zone.add_primaries(set.pieces[0]->name());
+      for (ProgramItem line : shares) {
+        line.zone = zone.name();
+        line.count /= set.count;
+        line.in_each = 0;
+        lines.push_back(line);
+      }
+      zones.push_back(zone);
+    }
+    std::erase_if(program_.floor_items, is_in_it);
+    program_.floor_items.insert(program_.floor_items.begin(), lines.begin(), lines.end());
+    const bool empty =
+        std::ranges::none_of(program_.floor_items, [&](const ProgramItem& item) { return item.zone == spec.name(); });
+    const auto at = empty ? program_.zones.erase(home) : home;
+    program_.zones.insert(at, zones.begin(), zones.end());
   }
 
   void ReplaceZone(const std::string& name, const std::vector<hb::ZoneSpec>& zones) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "language_worker/handbook/objects/list_objects.h"
@@ -371,6 +372,24 @@ TEST(Groups, HallsHaveMoreOfWhatComesInNumbers) {
   EXPECT_GE(PlanFor("A village library of 8 m x 10 m.").Count("bookshelf"), 14);
   EXPECT_LE(PlanFor("A library of 4 m x 6 m.").Count("bookshelf"), 8);
   EXPECT_EQ(PlanFor("A library of 8 m x 10 m with six bookcases.").Count("bookshelf"), 6);
+}
+
+TEST(Groups, WhatEachStationHasStandsTogether) {
+  const char* const kBriefs[] = {
+      "A nail studio, 6 x 5 m, with two working stations, each with a chair, a stool, a trolley and a floor lamp.",
+      "A salon, 6 x 5 m, with two stations; each has a chair, a stool, a trolley and a floor lamp.",
+      "A workshop, 6 x 5 m, for two potters, each with a chair, a stool, a trolley and a floor lamp."};
+  for (const char* const brief : kBriefs) {
+    const Plan plan = PlanFor(brief);
+    std::map<std::string, std::multiset<std::string>> stations;
+    for (const v1::Object& object : plan.objects.objects()) {
+      if (object.category() == "stool" || object.name() == "rolling cart" || object.category() == "floor_lamp")
+        stations[object.zone_id()].insert(object.category());
+    }
+    ASSERT_EQ(stations.size(), 2u) << brief;
+    EXPECT_EQ(stations.begin()->second, (std::multiset<std::string>{"cabinet", "floor_lamp", "stool"})) << brief;
+    EXPECT_EQ(stations.begin()->second, stations.rbegin()->second) << brief;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "english/words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
+#include "language_worker/handbook/reading/named_sets.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_looks.h"
@@ -37,6 +38,7 @@ class BriefReader : Reading {
     ReadParts();
     const std::vector<bool> room_words = used;
     ReadFinishes(*this);
+    ReadSets(*this);
     const NamedPieces pieces = ReadFurniture(*this);
     counts_ = pieces.counts;
     TakeSizes(*this, pieces.mentions, size_words);

@@ -56,6 +56,15 @@ struct FurtherKind {
   double share = 1;  // of what such a room usually is
 };
 
+// Pieces that stand together, and are there several times.
+struct NamedSet {
+  int count = 0;
+  std::string name;                // the brief's word for it; empty for that of a person
+  std::size_t begin = 0, end = 0;  // tokens that list what is in each
+  std::size_t noun = 0;            // the token of its name, which may be a piece as well
+  std::vector<const hb::Furniture*> pieces;
+};
+
 // More of one class in a room are not furnished by hand; nor more small things of one kind.
 inline constexpr int kMostOfAKind = 40, kMostSmallThings = 8;
 inline int MostOf(const hb::Furniture& furniture) {
@@ -75,6 +84,7 @@ struct BriefFacts {
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
   std::vector<std::string> sizes_not_had;  // "9 m desk": sizes of pieces that none of their class has
+  std::vector<NamedSet> sets;
   std::vector<Place> places;
   std::vector<std::string> places_loosely_kept;  // "desk to the left of the window: is near the window."
   std::vector<std::string> places_not_known;     // words for places of which nothing could be made

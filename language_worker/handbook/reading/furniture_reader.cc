@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "english/quantities.h"
+#include "language_worker/handbook/reading/named_sets.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/piece_looks.h"
@@ -266,7 +267,11 @@ class FurnitureReader : Reading {
     // "Our three boys want their own desks."
     if (!count.said && count.number > 1 && people_ > 1 && PhraseBefore("of_ones_own", text, i)) count.number = people_;
     constexpr int kMostForEach = 8;
-    if (count.number <= kMostForEach) {
+    NamedSet* const set = SetAt(i, facts);
+    if (set != nullptr) {
+      count = {std::clamp(count.number * set->count, 1, kMostOfAKind)};
+      AddOnce(set->pieces, &furniture);
+    } else if (count.number <= kMostForEach) {
       const int times = TimesForEach(*this, i, i + length, mentions_, people_);
       count.number = std::clamp(count.number * times, 1, kMostOfAKind);
     }

@@ -281,9 +281,10 @@ std::vector<NamedArea> AreasIn(const BriefText& text, const std::vector<Mention>
 void StandTogether(const Reading& reading, const std::vector<Mention>& mentions, const MentionList& named,
                    const std::vector<NamedArea>& areas, const PlacePatterns& patterns) {
   const auto& [handbook, text, used, facts] = reading;
-  constexpr double kSmallM2 = 1.5;
+  constexpr double kSmallM2 = 1.5, kTableM2 = 0.36;
   const hb::AskedPlace* near = patterns.Find("near", "target", hb::FURNITURE_KIND_FLOOR);
   const hb::AskedPlace* in_corner = patterns.Find("in", "corner", hb::FURNITURE_KIND_FLOOR);
+  const hb::AskedPlace* before = patterns.Find("at the foot of", "target", hb::FURNITURE_KIND_FLOOR);
   if (near == nullptr || in_corner == nullptr) return;
   const auto is_placed = [&](const Mention& mention) {
     return std::ranges::find(facts.places, mention.furniture, &Place::furniture) != facts.places.end();
@@ -304,6 +305,35 @@ void StandTogether(const Reading& reading, const std::vector<Mention>& mentions,
     const std::string said = "in the " + text.Quote(begin, area.word + 1);
     if (area.corner) put(mentions[area.main], in_corner, nullptr, said);
     for (std::size_t m = area.first; m <= area.last; ++m) put(mentions[m], near, mentions[area.main].furniture, said);
+  }
+  // What is in a set stands by its largest piece.
+  for (NamedSet& set : facts.sets) {
+    const hb::Furniture* main = nullptr;
+    for (const Mention& mention : mentions) {
+      if (mention.begin <= set.noun && set.noun < mention.end) AddOnce(set.pieces, mention.furniture);
+    }
+    const auto area_m2 = [](const hb::Furniture& one) { return one.width_m().typical() * one.depth_m().typical(); };
+    for (const hb::Furniture* piece : set.pieces) {
+      const bool larger = main == nullptr || area_m2(*piece) > area_m2(*main);
+      if (IsFloorPiece(*piece) && larger) main = piece;
+    }
+    // "Working stations" of a nail studio that say nothing of the table have the room's own.
+    const hb::Furniture* usual = handbook.FindFurniture(facts.archetype->per_person());
+    const bool has_usual = usual != nullptr && IsFloorPiece(*usual) && PlacesOn(*usual) == 0;
+    if (main != nullptr && has_usual && IsFormIn("stations", set.name) && area_m2(*main) < kTableM2) {
+      main = usual;
+      AddOnce(set.pieces, usual);
+      facts.wishes.push_back({.furniture = usual, .count = set.count});
+    }
+    if (main == nullptr) continue;
+    std::ranges::partition(set.pieces, [&](const hb::Furniture* piece) { return piece == main; });
+    const std::string& category = main->category();
+    const bool table = category.ends_with("table") || category.ends_with("bench") || category == "desk";
+    for (const Mention& mention : mentions) {
+      if (!Includes(set.pieces, mention.furniture) || StandsWith(*mention.furniture, *main)) continue;
+      const hb::AskedPlace* where = table && before != nullptr && IsSeat(*mention.furniture) ? before : near;
+      put(mention, where, main, "at each " + (set.name.empty() ? main->name() : set.name));
+    }
   }
   for (std::size_t m = 0; m < mentions.size(); ++m) {
     const hb::Furniture& furniture = *mentions[m].furniture;

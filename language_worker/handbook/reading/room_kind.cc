@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "language_worker/handbook/reading/vocabulary.h"
+
 namespace flair::language {
 
 namespace {
