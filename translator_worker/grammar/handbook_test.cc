@@ -123,6 +123,7 @@ class HandbookSentences : public testing::Test {
     Replace(text, "{other_side}", "right");
     Replace(text, "{room_side}", "left");
     Replace(text, "{other_room_side}", "right");
+    Replace(text, "{long_side}", "back");
     Replace(text, "{corner}", "front right");
     Replace(text, "{zone}", "sleeping");
     Replace(text, "{wall}", "the north wall");

@@ -180,9 +180,9 @@ class Checker {
 
   void CheckSentence(const pb::Message& message, const std::string& text, const std::string& where) {
     static const std::set<std::string, std::less<>> kPlaceholders = {
-        "object", "objects",    "target",    "targets",         "front_m", "sides_m", "back_m", "way_m",
-        "side",   "other_side", "room_side", "other_room_side", "corner",  "zone",    "count",  "first",
-        "second", "wall",       "seat",      "length"};
+        "object", "objects",    "target",    "targets",   "front_m",         "sides_m", "back_m", "way_m",
+        "side",   "other_side", "long_side", "room_side", "other_room_side", "corner",  "zone",   "count",
+        "first",  "second",     "wall",      "seat",      "length"};
     for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open + 1)) {
       const std::size_t close = text.find('}', open);
       const std::string name = text.substr(open + 1, close == std::string::npos ? close : close - open - 1);

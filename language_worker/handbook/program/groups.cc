@@ -138,13 +138,18 @@ class Grouper {
   void SeatPeople(ProgramItem& host) {
     ProgramItem* seats = SeatsOf(host);
     if (seats == nullptr) return;
-    host.seats = (seats->count + host.count - 1) / host.count;
+    int places = 0;
+    for (const ProgramItem& item : program_.floor_items) {
+      const bool at_it = item.seat_of == host.furniture && item.zone == host.zone;
+      places += at_it ? item.count * std::max(1, PlacesOn(*item.furniture)) : 0;
+    }
+    host.seats = (places + host.count - 1) / host.count;
     if (!IsTable(*host.furniture)) return;
     const double largest_m = std::max(host.furniture->width_m().max(), host.furniture->width_m().typical());
     const double width_m = host.furniture->width_m().typical(), depth_m = host.furniture->depth_m().typical();
     if (WidthForSeats(*host.furniture, host.seats, width_m, depth_m) <= kMostGrowth * largest_m) return;
     constexpr int kAtEach = 4;
-    host.count = (seats->count + kAtEach - 1) / kAtEach;
+    host.count = (places + kAtEach - 1) / kAtEach;
     host.seats = kAtEach;
   }
 

@@ -96,6 +96,7 @@ void Seats::SeatAsAsked() {
 // The class that each person has a place at, and the seats at each of it. Seats at a table are the table's.
 void Seats::CountPeople() {
   if (!facts_.people) return;
+  if (SeatPeopleOnBenches()) return;
   // "Seats for 24, mostly at tables for two."
   for (const Wish& wish : facts_.wishes) {
     const auto table = std::ranges::find(program_.floor_items, wish.furniture, &ProgramItem::furniture);
@@ -139,6 +140,23 @@ void Seats::CountPeople() {
     return other.furniture != &furniture &&
            (before_it || (PlacesOn(*other.furniture) > 0 && !IsSeat(*other.furniture)));
   });
+}
+
+// Who sits on the benches of a table needs no chair: as many tables as it takes, where nobody counts them.
+bool Seats::SeatPeopleOnBenches() {
+  const auto bench = std::ranges::find_if(program_.floor_items, [](const ProgramItem& item) {
+    return item.requested && item.seat_of != nullptr && item.furniture->category() == "bench";
+  });
+  if (bench == program_.floor_items.end()) return false;
+  const auto host = std::ranges::find(program_.floor_items, bench->seat_of, &ProgramItem::furniture);
+  const bool counted = std::ranges::any_of(facts_.wishes, [&](const Wish& wish) {
+    return wish.counted && (wish.furniture == bench->furniture || wish.furniture == bench->seat_of);
+  });
+  if (counted || host == program_.floor_items.end()) return true;
+  const int at_each = 2 * std::max(1, PlacesOn(*bench->furniture));
+  host->count = std::min(kMostOfAKind / 2, (*facts_.people + at_each - 1) / at_each);
+  bench->count = 2 * host->count;
+  return true;
 }
 
 // Twenty-four pupils at "six island benches" sit four at each of those, and not at benches of ours.

@@ -35,6 +35,7 @@ class Seats {
   bool IsWished(const hb::Furniture& furniture) const;
   void SeatAsAsked();
   void CountPeople();
+  bool SeatPeopleOnBenches();
   bool SeatPeopleAtKin(const std::string& name);
   void SeatPeopleAnywhere();
 

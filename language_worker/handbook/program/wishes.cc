@@ -23,6 +23,7 @@ class WishMaker {
     KeepAskedSeats();
     KeepSeatsSaidWith();
     KeepAudience();
+    SeatOnBenches();
     RemoveRefusals();
     seats_.SeatPeople();
     KeepCounts();
@@ -145,6 +146,38 @@ class WishMaker {
       });
       for (ProgramItem& item : program_.floor_items) {
         if (item.furniture == wish.furniture) item.seat_of = nullptr;
+      }
+    }
+  }
+
+  // Benches that are asked for are the seats of their table, as long as it is: two at each where nobody counts them,
+  // and no chairs of ours. Chairs that are asked for beside them have the other side.
+  void SeatOnBenches() {
+    constexpr int kAtASide = 3;
+    for (const Wish& wish : facts_.wishes) {
+      const auto bench = std::ranges::find(program_.floor_items, wish.furniture, &ProgramItem::furniture);
+      if (wish.furniture->category() != "bench" || bench == program_.floor_items.end()) continue;
+      const auto host = std::ranges::find_if(program_.floor_items, [&](const ProgramItem& item) {
+        const hb::Furniture* kin = handbook_.FindFurniture(KinOf(*item.furniture));
+        const bool table = kin != nullptr && kin->category().ends_with("table") && SeatOf(*kin, handbook_) != nullptr;
+        return item.requested && table && StandsWith(*handbook_.FindFurniture(KinOf(*bench->furniture)), *kin);
+      });
+      if (host == program_.floor_items.end()) continue;
+      const hb::Furniture *table = host->furniture, *chair = SeatOf(*table, handbook_);
+      const double table_m = host->size.width_m.value_or(table->width_m().typical());
+      const bool chairs = host->seats > 0 || (chair != nullptr && IsWished(*chair));
+      const int hosts = host->count;
+      if (!wish.counted) bench->count = hosts * (chairs ? 1 : 2);
+      bench->seat_of = table;
+      bench->zone = host->zone;
+      if (!bench->size.width_m)
+        bench->size.width_m =
+            std::clamp(table_m, LeastOf(bench->furniture->width_m()), MostOf(bench->furniture->width_m()));
+      if (!chairs) seats_.EraseUnasked([&](const ProgramItem& item) { return item.furniture == chair; });
+      for (const Wish& other : facts_.wishes) {
+        const auto seat = std::ranges::find(program_.floor_items, chair, &ProgramItem::furniture);
+        if (other.furniture == chair && !other.counted && seat != program_.floor_items.end())
+          seat->count = hosts * kAtASide;
       }
     }
   }

@@ -209,8 +209,11 @@ class FurnitureReader : Reading {
     if (mentions_.empty()) return nullptr;
     if (mentions_.back().end > i) return mentions_.back().furniture;  // a part of it: "a sofa with cushions"
     if (i - mentions_.back().end > kMostWords) return nullptr;
+    const bool bench =
+        IsFormIn("seats_at_tables", text.At(i)) && mentions_.back().furniture->category().ends_with("table");
     for (std::size_t k = mentions_.back().end; k < i; ++k) {
       if (text.IsSign(k) && text.At(k) != ",") return nullptr;
+      if (bench && text.At(k) == ",") return mentions_.back().furniture;
       if (text.Is(k, "joined") || text.At(k) == "on") return mentions_.back().furniture;
     }
     return nullptr;

@@ -98,7 +98,14 @@ bool CountsSeveral(const BriefText& text, std::size_t i) {
 bool SeatsFollow(const BriefText& text, std::size_t i) {
   if (SeatsAround(text, i, 0).end > i) return true;
   const bool seats = MatchesWord(text.At(i + 2), "chair") || MatchesWord(text.At(i + 2), "seat");
-  return text.At(i) == "with" && CountAt(text, i + 1) > 0 && seats;
+  if (text.At(i) == "with" && CountAt(text, i + 1) > 0 && seats) return true;
+  // "With benches", "and two long benches", ", benches down both sides".
+  constexpr std::size_t kMostWords = 4;
+  std::size_t at = i + 1;
+  while (text.Says(i, {"with", "and", ","}) && at < i + kMostWords && text.IsWord(at) && !text.Is(at, "joined") &&
+         !IsFormIn("seats_at_tables", text.At(at)))
+    ++at;
+  return text.Says(i, {"with", "and", ","}) && IsFormIn("seats_at_tables", text.At(at));
 }
 
 SeatsSaid SeatsAround(const BriefText& text, std::size_t i, std::size_t length) {

@@ -199,8 +199,8 @@ class PlaceReader : Reading {
 
   // "An island with two stools on one side".
   bool IsSideOfItsTable(const Match& match, const Subject& subject) const {
-    return mentions_[subject.mention].seats && AskedNames(*match.asked, "{wall}") &&
-           text.Says(match.end - 1, {"side", "sides"});
+    const bool sits = mentions_[subject.mention].seats || subject.furniture->category() == "bench";
+    return sits && AskedNames(*match.asked, "{wall}") && text.Says(match.end - 1, {"side", "sides"});
   }
 
   // Whether the piece got the place.
@@ -230,6 +230,10 @@ class PlaceReader : Reading {
     if (m > 0 && mentions_[m].count == 1 && named_.AreListed(m - 1, m)) {
       TakeTwo(*mentions_[m - 1].furniture, patterns_, place);
     }
+    // Benches "on both sides" of a table are along it.
+    const bool bench = place.furniture->category() == "bench" && place.target != nullptr &&
+                       StandsWith(*place.furniture, *place.target) && text.Says(match.end - 1, {"side", "sides", "it"});
+    if (bench && place.target->category().ends_with("table")) return true;
     TakeWhatHangs(patterns_, place, LooksToTheFront());
     TakeWallAcross(patterns_, match.landmark.kind, text.Is(i, "looking"), facts.openings, place);
     if (AskedNames(*place.asked, "in a corner")) TakeCorner(match.landmark.kind, facts, place);

@@ -181,6 +181,23 @@ TEST(ListConstraints, PlacesOfSeveralAreSharedOut) {
               testing::HasSubstr("The dresser faces the double bed."));
 }
 
+TEST(ListConstraints, BenchesAreTheSeatsOfTheirTable) {
+  const auto ends_with_bench = [](const v1::Object& one) { return one.name().ends_with(" bench"); };
+  for (const char* const brief : {"A dining room with a long table with benches.",
+                                  "A craft room, 5 x 4 m: one long table, benches down both sides.",
+                                  "A kitchen, 6 x 5 m, with a big table and two benches."}) {
+    const Design design = Ask(brief, 1);
+    EXPECT_EQ(std::ranges::count_if(design.objects.objects(), ends_with_bench), 2) << brief;
+    EXPECT_EQ(std::ranges::count(design.objects.objects(), "dining chair", &v1::Object::name), 0) << brief;
+    std::string all;
+    for (const v1::Sentence& sentence : design.constraints.sentences()) all += sentence.text() + "\n";
+    EXPECT_THAT(all, testing::HasSubstr("bench is next to the front of the")) << brief;
+    EXPECT_THAT(all, testing::HasSubstr("bench is next to the back of the")) << brief;
+  }
+  const Design hall = Ask("A beer hall, 12 x 9 m, with six long tables with benches.", 1);
+  EXPECT_EQ(std::ranges::count_if(hall.objects.objects(), ends_with_bench), 12);
+}
+
 TEST(ListConstraints, VerbsFollowPluralNames) {
   const Design design = Ask("A dining room", 1);
   for (const v1::Sentence& sentence : design.constraints.sentences()) {

@@ -205,6 +205,9 @@ v1::Sentence SentenceWriter::WriteOne(const hb::Relation& relation, const Group&
   const bool left = (choice_.Index("side." + object.name(), 2) + number) % 2 == 0;
   slots["side"].words = left ? "left" : "right";
   slots["other_side"].words = left ? "right" : "left";
+  // Two benches at one table are at its front and its back.
+  const bool front = number / std::max<std::size_t>(targets.size(), 1) % 2 == 0;
+  slots["long_side"].words = front ? "front" : "back";
   const bool run_left = choice_.Index("side of the room", 2) == 0;
   slots["room_side"].words = run_left ? "left" : "right";
   slots["other_room_side"].words = run_left ? "right" : "left";
