@@ -98,6 +98,19 @@ TEST(Essentials, KnownGapsAreClosed) {
   }
 }
 
+TEST(Essentials, NothingElseThatIsLargeComesWithTwoPiecesOfTheBrief) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"A games room with a poker table and a bar cabinet.", "billiard table"},
+      {"A living room with a piano and two armchairs.", "sofa"},
+      {"A waiting room with a fish tank and six chairs.", "reception desk"}};
+  for (const auto& [text, name] : cases) {
+    const v1::ObjectList objects = List(text).objects;
+    EXPECT_TRUE(std::ranges::none_of(objects.objects(), [&](const auto& one) { return one.name() == name; })) << text;
+  }
+  const v1::ObjectList kitchen = List("A kitchen, 5 x 4 m, with an island and a round table.").objects;
+  EXPECT_TRUE(std::ranges::any_of(kitchen.objects(), [](const auto& one) { return one.name() == "kitchen counter"; }));
+}
+
 TEST(Essentials, WhatTheBriefRefusesIsToldBeforeAllElse) {
   const v1::ObjectList objects = List("A bedroom of 4 m x 5 m without a bed, with a proofing cabinet.").objects;
   ASSERT_THAT(objects.diagnostics(), Not(IsEmpty()));

@@ -89,12 +89,14 @@ class StockKeeper {
     });
   }
 
-  // A television that nobody asked for takes the place before the fire from what was.
+  // A television that nobody asked for takes the place before the fire from what was, a billiard table that of the
+  // poker table. A kitchen has its worktops all the same, and a class its desks.
   bool IsLargeAmongNamed(const ProgramItem& item) const {
     constexpr double kLargeM2 = 0.5;
     constexpr int kSaysMost = 2;
-    return share_ < kSaysAll - kSaysMost &&
-           item.furniture->width_m().typical() * item.furniture->depth_m().typical() > kLargeM2;
+    const hb::Furniture& piece = *item.furniture;
+    if (piece.run() != hb::RUN_PART_UNSPECIFIED || piece.name() == program_.archetype->per_person()) return false;
+    return share_ <= kSaysAll - kSaysMost && piece.width_m().typical() * piece.depth_m().typical() > kLargeM2;
   }
 
   // Who asks for an island with stools eats there: no other table.
