@@ -126,6 +126,9 @@ Landmark::Kind LandmarkReader::FeatureAt(std::size_t i) const {
   if (IsIn("windows_of_the_room", text_.At(i))) return Landmark::Kind::kWindow;
   if (IsIn("sockets_of_the_room", text_.At(i))) return Landmark::Kind::kSocket;
   if (text_.At(i) == "wall" || text_.At(i) == "walls") return Landmark::Kind::kWall;
+  // "On three sides": of the room, where no piece follows.
+  const bool sides = text_.At(i) == "sides" && i > 0 && text_.Says(i - 1, {"three", "four", "all"});
+  if (sides && text_.At(i + 1) != "of") return Landmark::Kind::kWall;
   if (text_.At(i) == "corner" || text_.At(i) == "corners") return Landmark::Kind::kCorner;
   // "The east end", "the left hand side", "on the left", "across the back": the wall there.
   std::size_t told = i - (i > 0 ? 1 : 0);

@@ -256,7 +256,9 @@ bool MakesACompound(const BriefText& text, std::size_t begin, std::size_t end) {
       text.Is(end, "behind_bare_nouns") || text.Is(begin - std::min<std::size_t>(begin, 1), "before_bare_nouns");
   const bool bare = text.PhraseBegin(begin) == begin && joined && !text.At(end - 1).ends_with('s') &&
                     !english::WordNet::Get().SensesOf(text.At(end)).empty() && !IsFormIn("thing_nouns", text.At(end));
-  return goes_on(end) && (bare || (text.At(end).ends_with("ing") && goes_on(end + 1)) || MeansPeople(text.At(end)));
+  return goes_on(end) &&
+         (bare || (text.At(end).ends_with("ing") && goes_on(end + 1) && !text.Is(end + 1, "along_walls")) ||
+          MeansPeople(text.At(end)));
 }
 
 std::size_t BehindParts(const BriefText& text, std::size_t end) {

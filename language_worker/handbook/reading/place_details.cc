@@ -93,7 +93,8 @@ std::string SeenByAnAudience(std::string side) {
 }
 
 int WallsIn(const BriefText& text, std::size_t begin, std::size_t end) {
-  if (!text.At(end - 1).ends_with('s')) return 1;
+  const bool every = text.Says(end - 2, {"every", "each"}) && text.Is(end - 1, "wall_nouns");
+  if (!text.At(end - 1).ends_with('s')) return every ? 4 : 1;
   for (std::size_t i = begin; i < end; ++i) {
     if (i > begin && text.Says(i, {"all", "every", "each", "four"})) return 4;
     if (text.At(i) == "three") return 3;

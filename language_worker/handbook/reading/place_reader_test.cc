@@ -374,5 +374,15 @@ TEST(PlaceReader, AWindowOfItsOwnTakesNoPieceWithIt) {
   EXPECT_THAT(PlacesIn("A bedroom with a desk and a bed near a castle."), IsEmpty());
 }
 
+TEST(PlaceReader, ThreeSidesAndEveryWallAreSoMany) {
+  for (const auto& [text, walls] : {std::pair("A lounge with low seating on three sides.", 3),
+                                    std::pair("A library with bookcases on every wall.", 4),
+                                    std::pair("A locker room with lockers along each wall.", 4)}) {
+    const std::vector<Place> places = FactsOf(text).places;
+    ASSERT_EQ(places.size(), 1u) << text;
+    EXPECT_EQ(places[0].walls, walls) << text;
+  }
+}
+
 }  // namespace
 }  // namespace flair::language
