@@ -32,6 +32,13 @@ struct Unit {
 };
 using Units = std::vector<Unit>;
 
+// What a brief says of the run.
+struct AskedRun {
+  std::optional<int> wall;
+  bool basin_at_window = false;
+  bool others_at_window = false;  // a table has the place before it
+};
+
 struct Span {
   double from_m, to_m;
   double length_m() const { return to_m - from_m; }
@@ -45,9 +52,8 @@ double OffWindow(const RunPlace& place, const v1::Opening& window) {
 
 class RunPlanner {
  public:
-  // `asked` is the wall where the brief wants it, `form` how it is to go round the room; `first` comes first of those
-  // that are as good.
-  RunPlanner(const v1::Room& room, Units units, std::optional<int> asked, RunForm form, int first)
+  // `form` is how the brief wants it to go round the room; `first` comes first of those that are as good.
+  RunPlanner(const v1::Room& room, Units units, const AskedRun& asked, RunForm form, int first)
       : room_(room), units_(std::move(units)), asked_(asked), form_(form), first_(first) {
     for (const Unit& unit : units_) depth_m_ = std::max(depth_m_, unit.depth_m);
   }
@@ -275,6 +281,7 @@ class RunPlanner {
 
   // What is wrong with a unit's place.
   double CostOf(const Units& run, std::size_t i) const {
+    constexpr double kAsked = 6;
     const Unit& unit = run[i];
     const RunPlace& place = unit.place;
     const double length_m = WallLength(room_, place.wall);
@@ -288,7 +295,8 @@ class RunPlanner {
     };
     const bool before = joins(i - 1), after = joins(i + 1);
     const double left_m = before ? 1 : place.offset_m, right_m = after ? 1 : length_m - place.end_m();
-    double cost = asked_ && *asked_ != place.wall ? 3 : 0;
+    double cost = asked_.wall && *asked_.wall != place.wall ? 3 : 0;
+    if (asked_.others_at_window && !WindowsOn(place.wall).empty()) cost += 2;
     for (const double slot_m : {left_m, right_m}) {
       if (slot_m > kSmallM && slot_m < kSlotM) cost += 0.4;
     }
@@ -304,7 +312,7 @@ class RunPlanner {
       case hb::RUN_PART_TALL:
         return cost + (before && after && !beside(hb::RUN_PART_TALL) ? 2 : 0) + (beside(hb::RUN_PART_HOB) ? 1 : 0);
       case hb::RUN_PART_BASIN:
-        return cost + off_window;
+        return cost + off_window * (asked_.basin_at_window ? kAsked : 1);
       case hb::RUN_PART_HOB:
         return cost + (beside(hb::RUN_PART_WORKTOP) ? 0 : 1.5) + (std::min(left_m, right_m) < kBesideHobM ? 0.7 : 0);
       case hb::RUN_PART_WASHER:
@@ -316,7 +324,7 @@ class RunPlanner {
 
   const v1::Room& room_;
   Units units_;
-  const std::optional<int> asked_;
+  const AskedRun asked_;
   const RunForm form_;
   const int first_;
   double depth_m_ = 0;
@@ -325,13 +333,20 @@ class RunPlanner {
 };
 
 // False when it tells the place of a unit in a way that decides the run otherwise.
-bool ReadWall(const BriefFacts& facts, const v1::Room& room, std::optional<int>& wall) {
+bool ReadAsked(const BriefFacts& facts, const v1::Room& room, AskedRun& asked) {
   for (const Place& place : facts.places) {
-    if (place.furniture->run() == hb::RUN_PART_UNSPECIFIED) continue;
     const std::string& text = place.asked->relation().text();
-    if (place.furniture->run() == hb::RUN_PART_BASIN && text.find("window") != std::string::npos) continue;
+    const bool window = text.find("window") != std::string::npos;
+    if (place.furniture->run() == hb::RUN_PART_UNSPECIFIED) {
+      asked.others_at_window |= window && place.furniture->kind() == hb::FURNITURE_KIND_FLOOR;
+      continue;
+    }
+    if (place.furniture->run() == hb::RUN_PART_BASIN && window) {
+      asked.basin_at_window = true;
+      continue;
+    }
     if (text.find("{wall}") == std::string::npos) return false;
-    if (!place.side.empty()) wall = WallOf(room, place.side);
+    if (!place.side.empty()) asked.wall = WallOf(room, place.side);
   }
   return true;
 }
@@ -363,8 +378,8 @@ std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& object
     ++count[furniture->run()];
   }
   const int wet = count[hb::RUN_PART_BASIN], hot = count[hb::RUN_PART_HOB];
-  std::optional<int> asked;
-  if (wet + hot == 0 || wet > 1 || hot > 1 || units.size() < 2 || !ReadWall(facts, room, asked)) return {};
+  AskedRun asked;
+  if (wet + hot == 0 || wet > 1 || hot > 1 || units.size() < 2 || !ReadAsked(facts, room, asked)) return {};
   // From one end: see RunPart. The widest worktop is between basin and hob, the others behind the hob.
   std::ranges::stable_sort(units, {}, [](const Unit& unit) { return unit.place.part; });
   const auto part = [](const Unit& unit) { return unit.place.part; };

@@ -127,6 +127,16 @@ TEST(WallRunWishes, TheRunGoesRoundTheRoomAsTheBriefSays) {
   }
 }
 
+TEST(WallRunWishes, TheSinkOrATableHasTheWindowAsTheBriefSays) {
+  for (std::int64_t seed = 0; seed < 6; ++seed) {
+    const Kitchen sink = KitchenOf("A kitchen, 5 x 4 m, with the window over the sink.", seed);
+    EXPECT_TRUE(std::ranges::any_of(sink.run, &RunPlace::at_window)) << seed;
+    const Kitchen table = KitchenOf("A kitchen, 5 x 4 m, with a round table under the window.", seed);
+    for (const RunPlace& place : table.run)
+      EXPECT_TRUE(IsBlank(table.room, place.wall) || place.wall != *WallOf(table.room, "window")) << seed;
+  }
+}
+
 TEST(WallRunWishes, ASinkAloneIsNoRun) {
   EXPECT_TRUE(KitchenOf("A bathroom.", 0).run.empty());
   EXPECT_TRUE(KitchenOf("A bedroom, 4 m x 4 m.", 0).run.empty());
