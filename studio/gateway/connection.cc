@@ -84,10 +84,8 @@ void Connection::AwaitRequest(absl::Duration patience) {
   Watch();
 }
 
-// Waits for the next request, and for the end of the browser while a call is under way. Whoever sends requests ahead is
-// not watched until it has its answer.
+// Waits for the next request, and for the end of the browser while a call is under way.
 void Connection::Watch() {
-  if (buffer_.size() > 0) return;
   watching_ = true;
   socket_.async_read_some(buffer_.prepare(shared_.limits.header_bytes),
                           [self = shared_from_this()](Error error, size_t size) {
@@ -95,8 +93,19 @@ void Connection::Watch() {
                             if (error) return self->Close();
                             if (self->state_ == State::kLingering) return self->Watch();
                             self->buffer_.commit(size);
-                            if (self->state_ == State::kIdle) self->ReadHead();
+                            if (self->state_ == State::kIdle) return self->ReadHead();
+                            if (self->state_ == State::kUnary || self->state_ == State::kStream) self->WatchCall();
                           });
+}
+
+// Requests that are sent before the answer are thrown away, because behind them the end of the browser could not be
+// seen; the answer is the last one of its connection then. Browsers send none.
+void Connection::WatchCall() {
+  const bool is_last_chunk = state_ == State::kStream && stream_end_.has_value();
+  if (is_last_chunk && buffer_.size() > 0) return;
+  if (buffer_.size() > 0) unread_ = true;
+  buffer_.clear();
+  Watch();
 }
 
 void Connection::ReadHead() {
@@ -115,13 +124,12 @@ void Connection::OnHead(Error error) {
   if (error) {
     reply = ReplyTo(error);
     if (!reply.has_value()) return Close();
-    reply->close = true;
     unread_ = true;
   } else {
     reply = AnswerWithoutBody();
     if (!reply.has_value()) return ReadBody();
     // What follows could be the body of what was refused.
-    if (!parser_->is_done()) reply->close = unread_ = true;
+    if (!parser_->is_done()) unread_ = true;
     reply->head_only = parser_->get().method() == http::verb::head;
   }
   Send(*std::move(reply));
@@ -193,7 +201,7 @@ void Connection::Send(Reply reply) {
   SetDeadline(shared_.limits.write_timeout);
   reply_ = std::move(reply);
   if (parser_.has_value() && !parser_->get().keep_alive()) reply_.close = true;
-  if (stopping_) reply_.close = true;
+  if (stopping_ || unread_) reply_.close = true;
   head_ = HeadOf(reply_);
   const std::string_view content = reply_.head_only ? std::string_view() : reply_.content();
   const std::array<asio::const_buffer, 2> buffers = {asio::buffer(head_), asio::buffer(content)};
@@ -207,7 +215,7 @@ void Connection::Send(Reply reply) {
 void Connection::OnSent(bool close) {
   reply_ = {};
   parser_.reset();
-  if (close && unread_ && !stopping_) return Linger();
+  if (unread_ && !stopping_) return Linger();
   if (close) return Close();
   AwaitRequest(shared_.limits.idle_timeout);
 }

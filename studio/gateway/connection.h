@@ -53,6 +53,7 @@ class Connection final : public std::enable_shared_from_this<Connection> {
   // Requests (connection.cc).
   void AwaitRequest(absl::Duration patience);
   void Watch();
+  void WatchCall();
   void ReadHead();
   void OnHead(Error error);
   std::optional<Reply> AnswerWithoutBody();
@@ -85,7 +86,7 @@ class Connection final : public std::enable_shared_from_this<Connection> {
   State state_ = State::kIdle;
   bool watching_ = false;
   bool stopping_ = false;
-  // The answer came before the whole request.
+  // The answer came before the whole request, or what was sent after it was thrown away.
   bool unread_ = false;
 
   const Method* method_ = nullptr;

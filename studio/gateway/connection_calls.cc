@@ -44,13 +44,13 @@ void Connection::CallMethod() {
   if (method_->streams) {
     state_ = State::kStream;
     head_ = StreamHead(kStreamType);
-    Watch();
+    WatchCall();
     if (!asked.ok()) return EndStream(asked.status());
     return CallStream(std::move(asked->message), asked->timeout);
   }
   if (!asked.ok()) return Send(ErrorReply(asked.status()));
   state_ = State::kUnary;
-  Watch();
+  WatchCall();
   CallUnary(std::move(asked->message),
             std::min(asked->timeout.value_or(absl::InfiniteDuration()), shared_.limits.call_timeout));
 }

@@ -37,7 +37,8 @@ struct ExposedService {
 
 // Bounds of size and time. Memory beside the page itself stays below
 //   connections * (2 * header_bytes + 64 KiB) + 3 * held_bytes + what calls have just answered:
-// of each request body there is a JSON and a binary form and, while the former is read, the latter twice.
+// of each request body there is a JSON and a binary form and, while the former is read, the latter twice. With TLS each
+// connection has 64 KiB more.
 struct GatewayLimits {
   // Connections at a time; more wait in the kernel until one ends.
   int connections = 64;
@@ -51,7 +52,8 @@ struct GatewayLimits {
   int64_t upload_bytes = int64_t{40} << 20;
   // Bodies and answers of all connections together; RESOURCE_EXHAUSTED beyond.
   int64_t held_bytes = int64_t{160} << 20;
-  // Until the headers of a request are there, from the first moment of a connection.
+  // From the beginning of a connection to its first byte (with TLS, to the end of the handshake), and from the first
+  // byte of a request to the end of its headers.
   absl::Duration header_timeout = absl::Seconds(10);
   // Between two requests on a connection.
   absl::Duration idle_timeout = absl::Seconds(120);
@@ -85,8 +87,8 @@ struct GatewayOptions {
 // Serves on two threads of its own. Thread-safe.
 class Gateway {
  public:
-  // Reads the page and listens. INVALID_ARGUMENT for an address of other machines, and for services and methods that
-  // are not there; UNAVAILABLE when the address cannot be had.
+  // Reads the page and listens. INVALID_ARGUMENT for an address that other machines reach without TLS, for files of
+  // TLS, and for services and methods that are not there; UNAVAILABLE when the address cannot be had.
   static absl::StatusOr<std::unique_ptr<Gateway>> Start(GatewayOptions options);
   // Stops.
   ~Gateway();

@@ -162,6 +162,26 @@ TEST_F(GatewayTest, CancelsTheCallOfABrowserThatHasGone) {
   studio_.AwaitCancelled(1);
 }
 
+// What comes before the answer must not hide that nobody waits for it any more.
+TEST_F(GatewayTest, CancelsTheCallsOfBrowsersThatSendAheadAndGo) {
+  Start();
+  Browser caller(*gateway_);
+  caller.Say(caller.Post(kGetDocument, R"({"documentId":"wait"})") + caller.Get("/"));
+  Browser listener(*gateway_);
+  listener.Say(listener.PostStream(kWatchDocuments, "{}") + "{}");
+  EXPECT_EQ(listener.ReadStreamHead().status, 200);
+  studio_.AwaitWaiting(2);
+  listener.Say("more");
+  caller.Say(caller.Get("/"));
+  caller.Leave();
+  listener.Leave();
+  studio_.AwaitCancelled(2);
+  Browser patient(*gateway_);
+  const Answer answer = patient.Ask(patient.Post(kGetDocument, "{}") + patient.Get("/"));
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.headers.at("connection"), "close");
+}
+
 TEST_F(GatewayTest, StreamsUntilTheServiceEnds) {
   Start();
   Browser browser(*gateway_);
