@@ -353,6 +353,16 @@ TEST(PlanParts, AreWrittenAsPathsOnly) {
             R"(<path d="m-.5 .0069l1 0" stroke="#49331a" stroke-opacity=".8" stroke-width=".0032"/></g>)");
 }
 
+// Boards differ too little in tone for the eye of TogetherAreThePlan.
+TEST(PlanParts, BeginEveryBoardOfACutFloorAnew) {
+  const std::string floor = PartsOf(ReadSample("l_shaped_studio")).floor_svg();
+  size_t board_count = 0;
+  for (size_t at = floor.find('z'); at != std::string::npos; at = floor.find('z', at + 1), ++board_count) {
+    EXPECT_THAT(floor[at + 1], testing::AnyOf('m', '"')) << floor.substr(at > 40 ? at - 40 : 0, 80);
+  }
+  EXPECT_GT(board_count, 20u);
+}
+
 TEST(PlanParts, OfAnEmptyRoomAreItsBase) {
   v1::SolvedLayout layout = Study();
   layout.clear_placements();

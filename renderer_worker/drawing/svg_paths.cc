@@ -81,6 +81,8 @@ Polygon CounterClockwise(Polyline corners) {
 
 void TraceWithin(const Polygon& clip, const Polygon& filled, cairo_t* cairo) {
   const Polygon cut = IsConvex(clip) ? ClipByConvex(filled, clip.vertices) : ClipByConvex(clip, filled.vertices);
+  // Otherwise it would go on from where the one before began.
+  cairo_new_sub_path(cairo);
   for (const Vector& corner : cut.vertices) cairo_line_to(cairo, corner.x, corner.y);
   if (!cut.vertices.empty()) cairo_close_path(cairo);
 }
