@@ -283,8 +283,8 @@ class BriefReader : Reading {
       int found = 0;
       const std::size_t length = phrase.MatchAt(tokens(), i, true, &found);
       if (length == 0 || (found > 0 && used[i]) || IsAWish(i, length)) continue;
-      // "Not too many plants" makes nobody a gardener, "twin beds" are for no twins.
-      if (AsksForFew(text, i)) continue;
+      // "Not too many plants", or no paintings, make nobody a gardener or painter, "twin beds" are for no twins.
+      if (AsksForFew(text, i) || IsRefused(text, i)) continue;
       if (phrase.MatchAt(tokens(), i, /*plural=*/false) == 0 && NamesAPiece(i + length, i + length + 1)) continue;
       number = found;
       return true;

@@ -117,6 +117,7 @@ TEST(ReadBrief, AWordForFewMakesNoNeed) {
   EXPECT_EQ(needs("A living room with a few plants"), 1u);
   EXPECT_EQ(needs("A living room. Not too many plants."), 0u);
   EXPECT_EQ(needs("A living room with hardly any plants"), 0u);
+  EXPECT_EQ(needs("A living room without plants or paintings"), 0u);
   for (const auto& [text, need] :
        {std::pair("A laundry with a place to iron and a door to the garden.", "ironing"),
         {"A student room, a bed and somewhere to eat that isn't my desk.", "eating here, too"},
