@@ -50,6 +50,13 @@ function stripBefore(pose: Pose, size: Size, side: Side): Strip {
   return { origin, ahead, across, polygon: [at(back, half), at(back, -half), at(far, -half), at(far, half)] };
 }
 
+// Whether the points may be before the side at all; most are not, and are not cut.
+function isBefore(points: readonly Vec[], { origin, ahead, across }: Strip, half: number): boolean {
+  const along = (n: Vec) => points.map((p) => dot(sub(p, origin), n));
+  const sideways = along(across);
+  return Math.max(...along(ahead)) > -kGrazing && Math.min(...sideways) < half && Math.max(...sideways) > -half;
+}
+
 // Walls as slivers outside of the floor, so that they are obstacles like any other.
 function wallObstacles(floor: readonly Vec[]): Obstacle[] {
   return edgesOf(floor).map(({ a, b, inward }) => {
@@ -63,7 +70,9 @@ export function clearances(pose: Pose, size: Size, floor: readonly Vec[], pieces
   return sides.flatMap((side) => {
     const strip = stripBefore(pose, size, side);
     let best: { metres: number; across: number; target: string } | undefined;
+    const half = extent(size, side) / 2;
     for (const { id, polygon } of obstacles) {
+      if (!isBefore(polygon, strip, half)) continue;
       const hit = nearest(clipped(polygon, strip.polygon), strip);
       if (hit && (!best || hit.metres < best.metres - 1e-9)) best = { ...hit, target: id };
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sizes, place and heading of a piece, to be typed.
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { figure, parseLength } from "../app/units";
 import { wrapped } from "../geometry/vec";
 import { placementOf, type Piece } from "../state/pieces";
@@ -17,10 +18,13 @@ interface FieldProps {
 }
 
 function Field({ label, text, isLocked, take }: FieldProps) {
+  const input = useRef<HTMLInputElement>(null);
+  // While a piece is dragged the text changes with every frame; what is being typed stays.
+  useLayoutEffect(() => { if (document.activeElement !== input.current) input.current!.value = text; }, [text]);
   return (
     <label class="field">
       <span>{label}</span>
-      <input key={text} defaultValue={text} disabled={isLocked} inputMode="decimal" onFocus={(event) => event.currentTarget.select()}
+      <input ref={input} disabled={isLocked} inputMode="decimal" onFocus={(event) => event.currentTarget.select()}
         onBlur={(event) => {
           const typed = event.currentTarget.value;
           if (typed !== text && !take(typed)) event.currentTarget.value = text;

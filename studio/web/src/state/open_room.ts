@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The document that is open: what it shows, what is selected in it, and the one way to change it.
-import { batch, computed, signal } from "@preact/signals";
+import { batch, computed, signal, type ReadonlySignal } from "@preact/signals";
 import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { Clients } from "../api/clients";
 import { isConflict, isNothingToDo, isUnknownCall, sentenceOf } from "../api/problems";
@@ -51,6 +51,7 @@ export class OpenRoom {
   readonly floor = computed(() => floorOf(this.layout.value));
   readonly outcomes = computed(() => new Map(this.layout.value?.edgeOutcomes.map((one) => [one.edgeId, one])));
   readonly judging: Judging;
+  private readonly poses = new Map<string, ReadonlySignal<Pose | undefined>>();
   private queue: Promise<unknown> = Promise.resolve();
   private endMotion = () => {};
   private isClosed = false;
@@ -65,8 +66,14 @@ export class OpenRoom {
     return this.document.peek().id;
   }
 
+  // Where a piece is seen. Who reads it is told only when that very piece moves.
   poseOf(id: string): Pose | undefined {
-    return this.draft.value.get(id) ?? this.pieces.value.get(id)?.pose;
+    let pose = this.poses.get(id);
+    if (!pose) {
+      pose = computed(() => this.draft.value.get(id) ?? this.pieces.value.get(id)?.pose);
+      this.poses.set(id, pose);
+    }
+    return pose.value;
   }
 
   close(): void {
