@@ -11,13 +11,13 @@
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/validation/validate.h"
 #include "session/act_words.h"
+#include "session/placing.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
 namespace {
 
 using runtime::CallContext;
-using Placements = std::map<std::string, v1::Placement*>;
 
 v1::Producer ByHand() {
   v1::Producer producer;
@@ -25,12 +25,6 @@ v1::Producer ByHand() {
   producer.set_method("placed by hand");
   producer.set_version("1");
   return producer;
-}
-
-Placements PlacementsOf(v1::SolvedLayout& layout) {
-  Placements by_id;
-  for (v1::Placement& placement : *layout.mutable_placements()) by_id[placement.object_id()] = &placement;
-  return by_id;
 }
 
 // In the graph's order: those that are new in `after` or stand elsewhere than in `before`.
@@ -56,68 +50,6 @@ bool SamePlace(const v1::Placement& a, const v1::Placement& b) {
   constexpr double kSeen_m = 0.01, kSeen_rad = 0.02;
   return a.object_id() == b.object_id() && std::hypot(a.x_m() - b.x_m(), a.y_m() - b.y_m()) < kSeen_m &&
          std::abs(std::remainder(a.theta_rad() - b.theta_rad(), 2 * M_PI)) < kSeen_rad;
-}
-
-absl::Status CheckPlacement(const v1::Placement& placement, std::string_view path) {
-  constexpr double kFar_m = 1000;
-  for (const auto& [name, value] :
-       {std::pair("x_m", placement.x_m()), std::pair("y_m", placement.y_m()), std::pair("z_m", placement.z_m())}) {
-    if (!(std::abs(value) <= kFar_m)) {
-      return InvalidArgument("{}.{}: {}; must be within {} m of the room's origin", path, name, value, kFar_m);
-    }
-  }
-  if (!(std::abs(placement.theta_rad()) <= 1e6)) {
-    return InvalidArgument("{}.theta_rad: {} is not an angle in radians", path, placement.theta_rad());
-  }
-  return absl::OkStatus();
-}
-
-// Puts objects where `placements` says, with what stands on them and is not named itself.
-absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
-                   std::string_view path) {
-  if (placements.empty()) return InvalidArgument("{}: is empty; say which objects stand where", path);
-  if (placements.size() > 1000) return InvalidArgument("{}: {} objects; at most 1000 at once", path, placements.size());
-  Placements now = PlacementsOf(layout);
-  std::set<std::string> known, named;
-  for (const v1::Object& object : layout.graph().object_list().objects()) known.insert(object.id());
-  for (int i = 0; i < placements.size(); ++i) {
-    const v1::Placement& to = placements[i];
-    if (!known.contains(to.object_id())) {
-      return InvalidArgument("{}[{}].object_id: \"{}\" is not an object of the room", path, i,
-                             to.object_id().substr(0, 80));
-    }
-    if (!named.insert(to.object_id()).second) {
-      return InvalidArgument("{}[{}].object_id: \"{}\" is named twice", path, i, to.object_id());
-    }
-    RETURN_IF_ERROR(CheckPlacement(to, fmt::format("{}[{}]", path, i)));
-  }
-  // Riders of riders follow too: hosts are listed before what stands on them only by chance.
-  std::map<std::string, v1::Placement> moved;
-  for (const v1::Placement& to : placements) moved[to.object_id()] = to;
-  for (bool more = true; more;) {
-    more = false;
-    for (const v1::Object& object : layout.graph().object_list().objects()) {
-      // A rug or a painting belongs to a bed without standing on it.
-      if (object.kind() != v1::OBJECT_KIND_SURFACE) continue;
-      const auto host = moved.find(object.host_id());
-      if (host == moved.end() || moved.contains(object.id()) || !now.contains(object.id())) continue;
-      const auto from = now.find(host->first);
-      if (from == now.end()) continue;
-      v1::Placement rider = *now[object.id()];
-      const double turn = host->second.theta_rad() - from->second->theta_rad();
-      const double dx = rider.x_m() - from->second->x_m(), dy = rider.y_m() - from->second->y_m();
-      rider.set_x_m(host->second.x_m() + dx * std::cos(turn) - dy * std::sin(turn));
-      rider.set_y_m(host->second.y_m() + dx * std::sin(turn) + dy * std::cos(turn));
-      rider.set_theta_rad(rider.theta_rad() + turn);
-      moved[object.id()] = rider;
-      more = true;
-    }
-  }
-  for (const auto& [id, placement] : moved) {
-    const auto at = now.find(id);
-    *(at == now.end() ? layout.add_placements() : at->second) = placement;
-  }
-  return absl::OkStatus();
 }
 
 // Whether an edit pins or unpins an object by the user's wish, rather than by moving it.
@@ -229,6 +161,26 @@ EditList Completed(const v1::SolvedLayout& layout, const EditList& edits) {
   return completed;
 }
 
+// Edits that change nothing, but let a solve try again for what does not hold: the wishes, and pieces that are in the
+// way.
+EditList WhatStandsBadly(const v1::SolvedLayout& layout) {
+  EditList edits;
+  for (int i = 0; i < layout.edge_outcomes_size() && i < layout.graph().edges_size(); ++i) {
+    if (layout.edge_outcomes(i).status() != v1::OUTCOME_STATUS_VIOLATED) continue;
+    v1::SetEdgeWeight& again = *edits.Add()->mutable_set_edge_weight();
+    again.set_edge_id(layout.graph().edges(i).id());
+    again.set_weight(layout.graph().edges(i).weight());
+  }
+  std::set<std::string> seen;
+  for (const v1::Finding& finding : layout.metrics().findings()) {
+    if (finding.kind() == v1::FINDING_KIND_USE_NOT_MET || finding.object_id().empty()) continue;
+    if (seen.insert(finding.object_id()).second) {
+      edits.Add()->mutable_resize_object()->set_object_id(finding.object_id());
+    }
+  }
+  return edits;
+}
+
 // Whether nothing is left.
 bool RemovesAll(const v1::SolvedLayout& layout, const EditList& edits) {
   std::set<std::string> left;
@@ -238,16 +190,6 @@ bool RemovesAll(const v1::SolvedLayout& layout, const EditList& edits) {
     left.erase(edit.remove_object_id());
   }
   return left.empty();
-}
-
-// An id that no sentence or edge has yet.
-template <typename Items>
-std::string FreeId(const Items& items, const std::string& letter) {
-  std::set<std::string> taken;
-  for (const auto& item : items) taken.insert(item.id());
-  for (int n = items.size() + 1;; ++n) {
-    if (std::string id = letter + std::to_string(n); !taken.contains(id)) return id;
-  }
 }
 
 }  // namespace
@@ -267,7 +209,14 @@ absl::StatusOr<v1::SolvedLayout> LayoutActs::Evaluated(v1::SolvedLayout layout, 
   layout.mutable_metrics()->Swap(response.mutable_metrics());
   layout.clear_stage_outcomes();
   layout.clear_runner_ups();
-  layout.clear_diagnostics();
+  // What has no place still has none, for the same reason.
+  std::set<std::string> placed;
+  for (const v1::Placement& placement : layout.placements()) placed.insert(placement.object_id());
+  google::protobuf::RepeatedPtrField<v1::Diagnostic> kept;
+  for (const v1::Diagnostic& diagnostic : layout.diagnostics()) {
+    if (!diagnostic.subject_id().empty() && !placed.contains(diagnostic.subject_id())) *kept.Add() = diagnostic;
+  }
+  layout.mutable_diagnostics()->Swap(&kept);
   double total = 0;
   for (const v1::EdgeOutcome& edge : layout.edge_outcomes()) total += edge.weighted_cost();
   for (const v1::TermOutcome& term : layout.term_outcomes()) total += term.cost() * term.factor();
@@ -381,82 +330,13 @@ absl::StatusOr<Acted> LayoutActs::Edit(const Standing& standing, const v1::EditL
 }
 
 absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& call) const {
+  EditList edits;
   if (standing.settled != nullptr && standing.pending.empty()) {
-    return absl::FailedPreconditionError("settle: nothing has been moved since the layout was last solved");
-  }
-  ASSIGN_OR_RETURN(Acted acted, Solved(standing, {}, call));
-  acted.label = "settle";
-  return acted;
-}
-
-absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySentence& say, CallContext& call) const {
-  const std::string text(absl::StripAsciiWhitespace(say.text()));
-  if (text.empty() || text.size() > 400) {
-    return InvalidArgument("say.text: {} characters; one sentence of 1 to 400", text.size());
-  }
-  const v1::LayoutGraph& graph = standing.shown.graph();
-  v1::TranslateRequest request;
-  request.set_request_id("flair-session");
-  *request.mutable_room() = graph.room();
-  *request.mutable_zone_plan() = graph.zone_plan();
-  *request.mutable_object_list() = graph.object_list();
-  *request.mutable_style_sheet() = graph.style_sheet();
-  ASSIGN_OR_RETURN(*request.mutable_catalog(), stages_.Catalog(call));
-  v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
-  sentence.set_id(FreeId(graph.constraint_list().sentences(), "said_"));
-  sentence.set_text(text);
-  sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
-  sentence.set_weight(1);
-  sentence.set_reason(fmt::format("you said \"{}\"", text));
-  sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
-  RETURN_IF_ERROR(Validate(request));
-  ASSIGN_OR_RETURN(const v1::TranslateResponse translated, stages_.Translate(request, call));
-  const v1::LayoutGraph& understood = translated.layout_graph();
-  if (understood.edges().empty()) {
-    return InvalidArgument("say.text: \"{}\" is not understood{}", text,
-                           understood.diagnostics().empty() ? "" : ": " + understood.diagnostics(0).message());
-  }
-  v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
-  EditList edits;
-  for (v1::SolvedLayout* layout : {&shown, &settled}) {
-    *layout->mutable_graph()->mutable_constraint_list()->add_sentences() = sentence;
-  }
-  std::string id = FreeId(graph.edges(), "e");
-  for (const v1::ConstraintEdge& edge : understood.edges()) {
-    v1::ConstraintEdge& added = *edits.Add()->mutable_add_edge();
-    added = edge;
-    added.set_id(id);
-    id = "e" + std::to_string(std::stoi(id.substr(1)) + 1);
-  }
-  ASSIGN_OR_RETURN(Acted acted,
-                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending}, edits, call));
-  acted.label = fmt::format("say \"{}\"", text);
-  acted.diagnostics.insert(acted.diagnostics.end(), understood.diagnostics().begin(), understood.diagnostics().end());
-  return acted;
-}
-
-absl::StatusOr<Acted> LayoutActs::Weigh(const Standing& standing, const v1::WeighSentence& weigh,
-                                        CallContext& call) const {
-  if (!(weigh.weight() >= 0 && weigh.weight() <= 100)) {
-    return InvalidArgument("weigh.weight: {}; must be in [0, 100], 0 drops the sentence", weigh.weight());
-  }
-  EditList edits;
-  for (const v1::ConstraintEdge& edge : standing.shown.graph().edges()) {
-    if (edge.sentence_id() != weigh.sentence_id()) continue;
-    if (weigh.weight() == 0) {
-      edits.Add()->set_remove_edge_id(edge.id());
-    } else {
-      v1::SetEdgeWeight& set = *edits.Add()->mutable_set_edge_weight();
-      set.set_edge_id(edge.id());
-      set.set_weight(weigh.weight());
-    }
-  }
-  if (edits.empty()) {
-    return InvalidArgument("weigh.sentence_id: no constraint comes from a sentence \"{}\"",
-                           weigh.sentence_id().substr(0, 80));
+    edits = WhatStandsBadly(standing.shown);
+    if (edits.empty()) return absl::FailedPreconditionError("settle: everything holds, there is nothing to settle");
   }
   ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
-  acted.label = WeighLabel(standing.shown, weigh);
+  acted.label = "settle";
   return acted;
 }
 
@@ -521,8 +401,9 @@ absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1:
   acted.layout.clear_zone_regions();
   ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
   acted.producer = ByHand();
-  acted.settled = false;
-  acted.anew = true;
+  // Settling goes on from here: what stands well stays.
+  acted.settled = !acted.layout.placements().empty();
+  acted.anew = !acted.settled;
   acted.label = "change the room";
   return acted;
 }

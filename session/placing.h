@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "absl/status/status.h"
+#include "flair/v1/solved_layout.pb.h"
+
+namespace flair::session {
+
+// By object; as long as the layout's list does not change.
+using Placements = std::map<std::string, v1::Placement*>;
+Placements PlacementsOf(v1::SolvedLayout& layout);
+
+// Puts objects where `placements` says. What stands on them goes along, and what is drawn up to them, as chairs to a
+// table, unless it is named itself or locked. INVALID_ARGUMENT names the field, `path` first.
+absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
+                   std::string_view path);
+
+}  // namespace flair::session
