@@ -2,6 +2,7 @@
 // The list of tools, and those that make rooms.
 #include "cli/mcp/document_tools.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <string_view>
@@ -153,7 +154,10 @@ DocumentTools::Result DocumentTools::Design(const Json& arguments, ToolCall& cal
   brief.set_seed(arguments.value("seed", int64_t{0}));
   ASSIGN_OR_RETURN(const v1::CreateDocumentResponse made, documents_.Create(create, call.context()));
   const std::string& id = made.document().id();
-  const double stages = static_cast<double>(orchestrator::Stages().size());
+  const auto stages =
+      static_cast<double>(std::ranges::count_if(orchestrator::Stages(), [&](const orchestrator::Stage& stage) {
+        return stage.wanted == nullptr || stage.wanted(create.design());
+      }));
   double ended = 0;
   const auto see = [&](const v1::JobEvent& event) {
     const bool reused = event.kind() == v1::JOB_EVENT_KIND_STAGE_REUSED;

@@ -58,6 +58,7 @@ test('a room is designed with progress, edited, explained, drawn and written', a
   assert.deepEqual(JSON.parse(designed.content[0].text), room);
   assert.ok(told.some(({ message }) => /^objects: /.test(message)));
   told.forEach(({ progress, total }, i) => assert.ok(progress <= total && (i === 0 || progress > told[i - 1].progress)));
+  assert.equal(told.at(-1).progress, told.at(-1).total);
   const bed = room.objects.find(({ id }) => id === 'double_bed');
   assert.ok(bed && bed.x_m > 0 && bed.x_m < 4);
   assert.equal(room.room.openings.some(({ kind }) => kind === 'door'), true);
