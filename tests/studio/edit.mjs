@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a brief to an edited room: what one does in the studio, done with the mouse and the keys.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { call, layoutBytes, shown, until, withStudio } from './studio.mjs';
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-
-// What axe-core finds of the whole page that is serious or worse.
-async function seriousFaults(page) {
-  // The page's own policy takes no script of others; a test's comes from beside it.
-  const found = await page.evaluate(`${axe}; axe.run(document, { resultTypes: ['violations'] })`);
-  return found.violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-}
+import { call, layoutBytes, seriousFaults, shown, until, withStudio } from './studio.mjs';
 
 const placeOf = (layout, id) => layout.placements.find(({ objectId }) => objectId === id);
 const middleOf = async (page, id) => {

@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A room of one's own: an L is drawn by clicks and typed lengths, gets a door and a window, and is furnished.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { shown, until, withStudio } from './studio.mjs';
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-
-async function seriousFaults(page) {
-  const found = await page.evaluate(`${axe}; axe.run(document, { resultTypes: ['violations'] })`);
-  return found.violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-}
+import { seriousFaults, shown, until, withStudio } from './studio.mjs';
 
 const corners = (room) => room.floor.vertices.map(({ xM, yM }) => [xM ?? 0, yM ?? 0]);
 
@@ -46,6 +35,11 @@ await withStudio(async ({ page }) => {
   await page.locator('.room-floor').waitFor({ state: 'detached' });
   await page.keyboard.press('Control+Shift+z');
   await page.locator('.room-floor').waitFor();
+
+  // A reload loses nothing that was drawn.
+  await page.reload();
+  await page.locator('.room-floor').waitFor();
+  await canvas.focus();
 
   // A door in the north wall, a window in the south wall.
   const onWall = async (number, share) => {

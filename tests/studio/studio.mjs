@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A studio with a store of its own, and a real Chromium that looks at it. FLAIR names the program, FLAIR_CHROMIUM the browser.
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
 
-const PROGRAM = process.env.FLAIR ?? new URL('../../build/release/bin/flair', import.meta.url).pathname;
+export const PROGRAM = process.env.FLAIR ?? new URL('../../build/release/bin/flair', import.meta.url).pathname;
 const CHROMIUM = process.env.FLAIR_CHROMIUM ?? '/usr/bin/chromium';
 // Machines are shared: what takes seconds alone may take a minute.
 export const PATIENCE_MS = 120_000;
@@ -109,4 +110,15 @@ export async function until(page, look, what) {
     if (Date.now() > end) throw new Error(`never came: ${what}`);
     await page.evaluate(() => new Promise((next) => requestAnimationFrame(next)));
   }
+}
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** What axe-core finds of the whole page that is serious or worse. */
+export async function seriousFaults(page) {
+  // The page's own policy takes no script of others; a test's comes from beside it.
+  const found = await page.evaluate(`${axe}; axe.run(document, { resultTypes: ['violations'] })`);
+  return found.violations
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
 }

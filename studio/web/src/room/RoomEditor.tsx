@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page on which one draws a room of one's own, or changes the room of a document.
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import { Icon } from "../app/Icon";
 import type { Vec } from "../geometry/vec";
 import type { GetDocumentResponse } from "../gen/flair/v1/studio_service_pb";
 import { footprintOf, isOnFloor, piecesOf } from "../state/pieces";
@@ -10,73 +9,35 @@ import { useStudio } from "../state/studio";
 import { BeginPanel } from "./BeginPanel";
 import { Canvas } from "./Canvas";
 import { ChosenPanel } from "./ChosenPanel";
-import { DrawingContext, useDrawing } from "./context";
+import { DrawingContext } from "./context";
 import { RoomDrawing } from "./controller";
+import { Foot } from "./Foot";
+import { keepSketch, keptSketch } from "./kept";
 import { useDrawingKeys } from "./keys";
-import { saveChanged, saveNew } from "./save";
 import { ShapePanel } from "./ShapePanel";
 import { sketchOf } from "./to_room";
 
-function Foot({ shown }: { shown: GetDocumentResponse | undefined }) {
-  const drawing = useDrawing(),
-    [isSent, setSent] = useState(false);
-  const problems = drawing.problems.value,
-    isClosed = drawing.sketch.value.isClosed;
-  const done = async () => {
-    setSent(true);
-    const sketch = drawing.sketch.peek();
-    await (shown ? saveChanged(drawing.studio, sketch, shown) : saveNew(drawing.studio, sketch));
-    setSent(false);
-  };
-  const cancel = () => goTo(shown?.document ? { page: "document", id: shown.document.id } : { page: "start" });
-  const isUnchanged = shown !== undefined && !drawing.isEdited.value;
-  return (
-    <footer class="room-foot">
-      {problems.length > 0 && (
-        <ul class="notices" aria-live="polite">
-          {problems.slice(0, 4).map(({ text, about }) => (
-            <li key={text} class="notice is-bad">
-              {about[0] === undefined ? (
-                text
-              ) : (
-                <button
-                  onClick={() =>
-                    drawing.select(
-                      /^w\d+$/.test(about[0]!) ? { kind: "wall", key: about[0]! } : { kind: "fixture", id: about[0]! },
-                    )
-                  }
-                >
-                  {text}
-                </button>
-              )}
-            </li>
-          ))}
-        </ul>
-      )}
-      <div class="room-foot-buttons">
-        <button class="button" onClick={cancel}>
-          Cancel
-        </button>
-        <button
-          class="button is-primary"
-          disabled={!isClosed || problems.length > 0 || isSent || isUnchanged}
-          onClick={() => void done()}
-          title={isClosed ? undefined : "Close the walls first"}
-        >
-          <Icon name="check" />
-          Done
-        </button>
-      </div>
-    </footer>
-  );
+// A sketch of an older state of the room is of no use.
+function keptName(shown: GetDocumentResponse | undefined): string {
+  return shown?.document ? `${shown.document.id} ${shown.document.layoutId}` : "new";
 }
 
 function Editor({ shown }: { shown: GetDocumentResponse | undefined }) {
   const studio = useStudio();
   const drawing = useMemo(() => {
     const room = shown?.layout?.graph?.room;
-    return new RoomDrawing(studio, room && sketchOf(room));
+    const made = new RoomDrawing(studio, room && sketchOf(room));
+    const kept = keptSketch(keptName(shown));
+    if (kept) made.commit(kept, "go on where you were");
+    return made;
   }, [studio, shown]);
+  useEffect(
+    () =>
+      drawing.history.subscribe(({ past, now }) => {
+        if (past.length > 0) keepSketch(keptName(shown), now.state);
+      }),
+    [drawing],
+  );
   useEffect(
     () => () => {
       if (drawing.picture.peek()) URL.revokeObjectURL(drawing.picture.peek()!.address);

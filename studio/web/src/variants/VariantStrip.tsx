@@ -70,7 +70,6 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
                 <button
                   aria-pressed={isShown}
                   disabled={room.isBusy.value}
-                  aria-label={`Variant ${variant.index + 2}${aboutOf(variant) && `: ${aboutOf(variant)}`}`}
                   onClick={() => {
                     if (!isShown) take(variant);
                   }}
@@ -79,7 +78,7 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
                     <SmallPlan layout={variants.layout} placements={variant.placements} parts={room.parts.value} />
                   )}
                   <span class="variant-text">
-                    <strong>{variant.index + 2}</strong>
+                    <strong>Variant {variant.index + 2}</strong>
                     <span>{aboutOf(variant)}</span>
                   </span>
                 </button>

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A batch whose rooms are looked at, chosen by measure and opened; variants of a room side by side.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { PROGRAM, call, seriousFaults, shown, until, withStudio } from './studio.mjs';
+
+const BRIEFS = ['A bedroom that is 4m x 5m.', 'A small green boho dining room.', 'A home office for two with a bookshelf.',
+  'A kitchen that is 3m x 4m.', 'A study with a desk.', 'A library with two armchairs.'];
+
+await withStudio(async ({ page, studio, home, restart }) => {
+  // A batch that the program itself has run before.
+  await studio.stop();
+  const file = join(home, 'rooms.txt');
+  writeFileSync(file, `${BRIEFS.join('\n')}\n`);
+  execFileSync(PROGRAM, ['batch', file, '--out', join(home, 'out')], { env: { ...process.env, FLAIR_HOME: home }, stdio: 'ignore' });
+  await restart();
+
+  await page.getByText('Jobs and batches').click();
+  await page.locator('.job').nth(BRIEFS.length - 1).waitFor();
+  assert.deepEqual(await seriousFaults(page), [], 'the jobs');
+  await page.getByRole('button', { name: 'Batches', exact: true }).click();
+  await page.getByRole('link', { name: 'rooms.txt' }).click();
+  await page.getByText(`${BRIEFS.length} of ${BRIEFS.length} ended`).waitFor();
+  await page.locator('.tile img').nth(BRIEFS.length - 1).waitFor();
+  assert.deepEqual(await seriousFaults(page), [], 'the batch');
+
+  // Only rooms whose floor can be reached as far as that; measures come from the reports.
+  const { batches } = await call(page, 'ListBatches', {}, 'OrchestratorService');
+  const { jobs } = await call(page, 'ListJobs', { batchId: batches[0].id }, 'OrchestratorService');
+  assert.equal(jobs.length, BRIEFS.length);
+  const reached = [];
+  for (const { artifacts } of jobs) {
+    const { id } = artifacts.find(({ kind }) => kind === 'ARTIFACT_KIND_REPORT');
+    const { artifact } = await call(page, 'GetArtifact', { artifactId: id }, 'OrchestratorService');
+    reached.push(artifact.report.metrics.reachableFloorShare ?? 0);
+  }
+  await page.getByLabel('Floor within reach').fill('0.95');
+  const expected = reached.filter((share) => share >= 0.95).length;
+  await page.getByText(`${expected} of the ${BRIEFS.length} rooms`).waitFor();
+  await page.getByLabel('Floor within reach').fill('0');
+  await page.locator('.tile button').first().click();
+  await page.locator('[data-piece]').first().waitFor();
+
+  await page.goto(`${new URL(page.url()).origin}/#/jobs/workers`);
+  await page.getByRole('cell', { name: 'optimizer' }).waitFor();
+  assert.deepEqual(await seriousFaults(page), [], 'the workers');
+
+  // Three variants: one is taken, then the first again.
+  await page.getByRole('button', { name: 'New room' }).click();
+  await page.getByRole('button', { name: '3 variants' }).click();
+  await page.getByLabel('Brief').fill(BRIEFS[0]);
+  await page.keyboard.press('Enter');
+  const tile = (number) => page.getByRole('button', { name: new RegExp(`^Variant ${number}`) });
+  const isShown = (number) => until(page, async () => (await tile(number).getAttribute('aria-pressed')) === 'true', `variant ${number}`);
+  await tile(3).waitFor();
+  await isShown(1);
+  assert.deepEqual(await seriousFaults(page), [], 'the variants');
+  const first = await shown(page);
+  await tile(3).click();
+  await isShown(3);
+  assert.equal((await shown(page)).document.undoLabel, 'take variant 3');
+  await tile(1).click();
+  await isShown(1);
+  assert.equal((await shown(page)).document.layoutId, first.document.layoutId);
+});
+console.log('batch looked at, variant taken');
