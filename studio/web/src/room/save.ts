@@ -14,6 +14,14 @@ export async function saveNew(studio: Studio, sketch: Sketch): Promise<boolean> 
   return (await studio.create({ case: "room", value: room })) !== undefined;
 }
 
+const kToldOneByOne = 2;
+
+// What the change of walls and openings has made void.
+function tellDropped(studio: Studio, messages: readonly string[]): void {
+  if (messages.length <= kToldOneByOne) messages.forEach((message) => studio.toasts.note(message));
+  else studio.toasts.note(`${messages.length} wishes are dropped: they speak of walls or openings that are gone.`);
+}
+
 // What stands in the room stays where it is also when the room's lower left corner, from which all is measured, moves.
 export async function saveChanged(studio: Studio, sketch: Sketch, shown: GetDocumentResponse): Promise<boolean> {
   const before = shown.layout!.graph!.room!,
@@ -26,7 +34,10 @@ export async function saveChanged(studio: Studio, sketch: Sketch, shown: GetDocu
       revision: document.revision,
       act: { case: "room", value: room },
     });
-    changed.diagnostics.forEach(({ message }) => studio.toasts.note(message));
+    tellDropped(
+      studio,
+      changed.diagnostics.map(({ message }) => message),
+    );
     const placements = (changed.layout?.placements ?? []).map((one) => ({
       objectId: one.objectId,
       xM: one.xM + shift.x,
