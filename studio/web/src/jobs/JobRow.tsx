@@ -41,8 +41,9 @@ export function JobRow({ job, now, changed }: { job: Job; now: Date; changed(): 
         <p class="job-brief" title={briefOf(job)}>
           {briefOf(job)}
         </p>
-        <p class={job.state === JobState.FAILED ? "job-about is-bad" : "job-about"}>
-          {[aboutOf(job), whenText(job.createTime, now), tookText(job)].filter(Boolean).join(" · ")}
+        <p class="job-about">
+          <span class={job.state === JobState.FAILED ? "is-bad" : ""}>{aboutOf(job)}</span>
+          {["", whenText(job.createTime, now), tookText(job)].filter((text, i) => i === 0 || text).join(" · ")}
           {job.batchId && (
             <>
               {" "}
