@@ -2,10 +2,9 @@
 // Furniture to add: searched, dragged into the room, or put into its middle by a click.
 import { useEffect, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
-import { boxOf } from "../geometry/polygon";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
-import { addPiece, replacePiece } from "../state/commands";
+import { addPieceSomewhere, replacePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { theName } from "../state/pieces";
 import { useStudio } from "../state/studio";
@@ -45,10 +44,7 @@ export function Drawer({ room }: { room: OpenRoom }) {
   const chosen = [...room.selection.value].flatMap((id) => room.pieces.value.get(id) ?? []);
   const replaced = chosen.length === 1 ? chosen[0] : undefined;
   const groups = groupsOf(offers ?? []);
-  const add = (offer: FurnitureOffer) => {
-    const { min, max } = boxOf(room.floor.peek());
-    void addPiece(room, offer.object!, { x: (min.x + max.x) / 2, y: (min.y + max.y) / 2, theta: 0 });
-  };
+  const add = (offer: FurnitureOffer) => void addPieceSomewhere(room, offer.object!);
   return (
     <div class="drawer">
       <label class="search">

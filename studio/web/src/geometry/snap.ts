@@ -38,12 +38,16 @@ interface Candidate {
   guide(at: readonly Vec[]): Guide;
 }
 
+// How far into a wall something is pushed before it goes through.
+const kStopped = 0.5;
+
 const kParallel = Math.cos((88.5 * Math.PI) / 180);
 
 function wallCandidates(moving: Moving, floor: readonly Vec[], within: number): Candidate[] {
   return edgesOf(floor).flatMap(({ a, b, inward }) => {
     const d = -Math.min(...moving.polygon.map((p) => dot(sub(p, a), inward)));
-    if (Math.abs(d) > within) return [];
+    // Walls stop what is pushed into them.
+    if (d < -within || d > Math.max(within, kStopped)) return [];
     const along = unit(sub(b, a));
     const spots = moving.polygon.map((p) => dot(sub(p, a), along));
     const beside = Math.min(...spots) < dot(sub(b, a), along) && Math.max(...spots) > 0;

@@ -4,7 +4,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { figure, parseLength } from "../app/units";
 import { wrapped } from "../geometry/vec";
 import { placementOf, type Piece } from "../state/pieces";
-import { resizePiece } from "../state/commands";
+import { movePieces, resizePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import { kLargest, kSmallest } from "../geometry/resize";
@@ -48,8 +48,7 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
     void apply(metres);
     return true;
   };
-  const move = (to: Partial<typeof pose>) => void room.act(
-    { case: "move", value: { placements: [placementOf(piece, { ...piece.pose, ...to })] } });
+  const move = (to: Partial<typeof pose>) => void movePieces(room, [placementOf(piece, { ...piece.pose, ...to })]);
   const place = (text: string, axis: "x" | "y") => {
     const metres = parseLength(text, units);
     if (metres !== undefined) move({ [axis]: metres });

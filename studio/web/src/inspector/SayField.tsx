@@ -18,7 +18,10 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
     setRemark("");
     const answer = await say(room, text.trim(), (told) => setRemark((before) => [before, told].filter(Boolean).join(" ")));
     setSent(false);
-    if (answer) setText("");
+    if (!answer) return;
+    setText("");
+    // Keys are for the plan again: what was said can be undone.
+    (document.activeElement as HTMLElement | null)?.blur();
   };
   return (
     <form class="say" onSubmit={(event) => { event.preventDefault(); void send(); }}>

@@ -6,7 +6,7 @@ import type { Guide } from "../geometry/snap";
 import { vec, type Vec } from "../geometry/vec";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece, Poses } from "../state/pieces";
-import { moveAndSettle } from "../state/commands";
+import { movePieces } from "../state/commands";
 import { guestsOf, placementOf } from "../state/pieces";
 import { toObject, toRoom as fromObject, type Pose } from "../geometry/footprint";
 import type { Studio } from "../state/studio";
@@ -73,8 +73,7 @@ export class PlanController {
     // The server takes along what it knows to stand on them; what was merely put there is named.
     const isNamed = (id: string) => poses.has(id) || !all.has(pieces.get(id)!.object.hostId);
     const placements = [...all].filter(([id]) => isNamed(id)).map(([id, pose]) => placementOf(pieces.get(id)!, pose));
-    if (this.studio.settings.autoSettle.peek() === "on") await moveAndSettle(this.room, placements);
-    else await this.room.act({ case: "move", value: { placements } });
+    await movePieces(this.room, placements);
   }
 
   abandon(): void {

@@ -11,11 +11,13 @@ const directions: Record<string, Vec> = {
 
 const kSmall = 0.01;
 const kLarge = 0.1;
+const kTogether_ms = 400;
 
 export class Nudge {
   private by: Vec | undefined;
   private pieces: readonly Piece[] = [];
   private poses: Poses = new Map();
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly plan: PlanController) {}
 
@@ -25,6 +27,7 @@ export class Nudge {
     if (!direction || event.ctrlKey || event.metaKey || event.altKey) return false;
     if (!this.by) this.pieces = this.plan.chosen.peek().filter((piece) => !piece.pinned);
     if (this.pieces.length === 0) return false;
+    clearTimeout(this.timer);
     this.plan.room.isHeld.value = true;
     const step = event.shiftKey ? kLarge : kSmall;
     this.by = add(this.by ?? vec(0, 0), vec(direction.x * step, direction.y * step));
@@ -34,11 +37,13 @@ export class Nudge {
     return true;
   }
 
+  // Presses that follow soon are the same act.
   up(event: KeyboardEvent): void {
-    if (directions[event.key]) this.finish();
+    if (directions[event.key] && this.by) this.timer = setTimeout(() => this.finish(), kTogether_ms);
   }
 
   finish(): void {
+    clearTimeout(this.timer);
     if (!this.by) return;
     this.by = undefined;
     void this.plan.drop(this.poses);

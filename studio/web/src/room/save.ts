@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "Done": a new document of a drawn room, or a change of the room of one that is there.
-import { isConflict, sentenceOf } from "../api/problems";
+import { isConflict, isNothingToDo, sentenceOf } from "../api/problems";
 import { length } from "../geometry/vec";
 import { capital } from "../inspector/words";
 import type { GetDocumentResponse } from "../gen/flair/v1/studio_service_pb";
 import { goTo } from "../state/route";
+import type { Act } from "../state/open_room";
 import type { Studio } from "../state/studio";
 import type { Sketch } from "./sketch";
 import { roomOf } from "./to_room";
@@ -29,27 +30,29 @@ export async function saveChanged(studio: Studio, sketch: Sketch, shown: GetDocu
   const { room, shift } = roomOf(sketch, before.title, before);
   const call = studio.clients.studio;
   try {
-    const changed = await call.act({
-      documentId: document.id,
-      revision: document.revision,
-      act: { case: "room", value: room },
-    });
-    tellDropped(
-      studio,
-      changed.diagnostics.map(({ message }) => message),
-    );
-    const placements = (changed.layout?.placements ?? []).map((one) => ({
+    let { revision } = document;
+    const act = async (asked: Act) => {
+      const answer = await call.act({ documentId: document.id, revision, act: asked });
+      revision = answer.document!.revision;
+      return answer;
+    };
+    const placements = shown.layout!.placements.map((one) => ({
       objectId: one.objectId,
       xM: one.xM + shift.x,
       yM: one.yM + shift.y,
       zM: one.zM,
       thetaRad: one.thetaRad,
     }));
-    if (length(shift) > 1e-6 && placements.length > 0) {
-      await call.act({
-        documentId: document.id,
-        revision: changed.document!.revision,
-        act: { case: "move", value: { placements } },
+    // Before the room changes: what is moved after that would be held when the room is settled.
+    if (length(shift) > 1e-6 && placements.length > 0) await act({ case: "move", value: { placements } });
+    const changed = await act({ case: "room", value: room });
+    tellDropped(
+      studio,
+      changed.diagnostics.map(({ message }) => message),
+    );
+    if (studio.settings.autoSettle.peek() === "on" && placements.length > 0) {
+      await act({ case: "settle", value: {} }).catch((error: unknown) => {
+        if (!isNothingToDo(error)) throw error;
       });
     }
   } catch (error) {

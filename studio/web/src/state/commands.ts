@@ -17,19 +17,29 @@ function edit(room: OpenRoom, edits: Edit[], withoutSolving: boolean) {
   return room.act({ case: "edit", value: { edits, withoutSolving } });
 }
 
+// Changes pieces; what that affects is solved where the user wants it so ("Auto").
+const change = (room: OpenRoom, edits: Edit[]) => edit(room, edits, !room.settlesAlone());
+
+// Puts objects there; alone, or with all that this affects.
+export function movePieces(room: OpenRoom, placements: Placements) {
+  return room.settlesAlone() ? moveAndSettle(room, placements) : room.act({ case: "move", value: { placements } });
+}
+
 // Puts objects there and solves what that affects, as one act.
-export function moveAndSettle(room: OpenRoom, placements: Placements) {
+function moveAndSettle(room: OpenRoom, placements: Placements) {
   return edit(room, placements.map((value): Edit => ({ edit: { case: "moveObject", value } })), false);
 }
 
 export function resizePiece(room: OpenRoom, piece: Piece, { pose, size }: Resized, heightM?: number) {
   const value = { objectId: piece.id, widthM: size.width, depthM: size.depth, ...(heightM ? { heightM } : {}) };
   const move: Edit = { edit: { case: "moveObject", value: placementOf(piece, pose) } };
-  return edit(room, [{ edit: { case: "resizeObject", value } }, move], true);
+  return change(room, [{ edit: { case: "resizeObject", value } }, move]);
 }
 
-export function removePieces(room: OpenRoom, ids: readonly string[]) {
-  return edit(room, ids.map((id): Edit => ({ edit: { case: "removeObjectId", value: id } })), true);
+export async function removePieces(room: OpenRoom, ids: readonly string[]) {
+  const free = ids.filter((id) => !room.pieces.peek().get(id)?.pinned);
+  if (free.length < ids.length) room.tell("Locked pieces stay. Press L to unlock them.");
+  if (free.length > 0) await change(room, free.map((id): Edit => ({ edit: { case: "removeObjectId", value: id } })));
 }
 
 export function lockPieces(room: OpenRoom, pieces: readonly Piece[]) {
@@ -60,6 +70,13 @@ export async function addPiece(room: OpenRoom, object: MessageInitShape<typeof O
     { edit: { case: "moveObject", value: move } },
   ], true);
   if (response) room.select([id]);
+}
+
+// Adds an object where there is room for it, and selects it.
+export async function addPieceSomewhere(room: OpenRoom, object: MessageInitShape<typeof ObjectSchema>) {
+  const id = freeId(takenIds(room), object.name ?? "piece");
+  const added = { role: ObjectRole.SECONDARY, ...object, id, requested: true, spare: false };
+  if (await edit(room, [{ edit: { case: "addObject", value: { object: added } } }], false)) room.select([id]);
 }
 
 // Zones and hosts that the room does not have are left out, as of what was copied in another one.

@@ -56,10 +56,16 @@ export class OpenRoom {
   private endMotion = () => {};
   private isClosed = false;
 
-  constructor(document: Document, private readonly clients: Clients, private readonly toasts: Toasts) {
+  // `settlesAlone`: whether every change is settled without being asked.
+  constructor(document: Document, private readonly clients: Clients, private readonly toasts: Toasts,
+    readonly settlesAlone: () => boolean) {
     this.document = signal(document);
     this.judging = new Judging((placements) => clients.studio.judge(
       { documentId: this.id, revision: this.document.peek().revision, placements }));
+  }
+
+  tell(note: string): void {
+    this.toasts.note(note);
   }
 
   get id(): string {

@@ -81,7 +81,8 @@ export class Studio {
     const answer = await this.told(() => this.clients.studio.getDocument({ documentId: id }));
     if (route.peek().page !== "document" || route.peek().id !== id) return;
     if (!answer?.document) return goTo({ page: "start" });
-    const room = new OpenRoom(answer.document, this.clients, this.toasts);
+    const room = new OpenRoom(answer.document, this.clients, this.toasts,
+      () => this.settings.autoSettle.peek() === "on");
     this.open.value = room;
     room.start(answer.layout);
     this.catchUp();

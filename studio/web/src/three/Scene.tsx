@@ -75,6 +75,7 @@ export default function Scene({ room }: { room: OpenRoom }) {
   return (
     <div class="scene" ref={host} role="region" aria-label="The room in three dimensions">
       {state && <p class="scene-state">{state}</p>}
+      {!state && mode === "walk" && <p class="scene-state is-hint">Walk with W A S D or the arrow keys, drag to look around.</p>}
       <div class="scene-tools">
         <div class="segmented" role="group" aria-label="How to look">
           <button aria-pressed={mode === "orbit"} onClick={() => change("orbit")} title="Look from outside"><Icon name="orbit" />Orbit</button>
