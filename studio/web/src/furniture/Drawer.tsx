@@ -33,7 +33,7 @@ function useOffers(query: string): readonly FurnitureOffer[] | undefined {
 function groupsOf(offers: readonly FurnitureOffer[]): Array<{ name: string; offers: FurnitureOffer[] }> {
   const groups = new Map<string, FurnitureOffer[]>();
   for (const offer of offers) groups.set(offer.group, [...(groups.get(offer.group) ?? []), offer]);
-  const isSmall = (list: readonly FurnitureOffer[]) => !list.some((one) => one.object?.kind === ObjectKind.FLOOR);
+  const isSmall = (list: readonly FurnitureOffer[]) => !list.some(({ object }) => object?.kind === ObjectKind.FLOOR && !object.walkOver);
   return [...groups].map(([name, list]) => ({ name: name.replace(/_/g, " "), offers: list }))
     .sort((a, b) => Number(isSmall(a.offers)) - Number(isSmall(b.offers)));
 }

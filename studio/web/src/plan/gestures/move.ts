@@ -35,6 +35,7 @@ function hungAt(plan: PlanController, pieces: readonly Piece[], by: Vec) {
 
 // Drags the selected pieces; alt lets them go anywhere, shift keeps to one axis. A press without a move is a click.
 export function moveGesture(plan: PlanController, start: PointerEvent, pressed: string): Gesture {
+  const before = plan.room.selection.peek();
   const wasSelected = plan.room.selection.peek().has(pressed);
   if (start.shiftKey && !wasSelected) plan.room.select([...plan.room.selection.peek(), pressed]);
   else if (!wasSelected) plan.room.select([pressed]);
@@ -83,6 +84,9 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
       const rest = [...plan.room.selection.peek()].filter((id) => id !== pressed);
       plan.room.select(start.shiftKey ? rest : [pressed]);
     },
-    cancel() { plan.abandon(); },
+    cancel() {
+      plan.abandon();
+      plan.room.select(before);
+    },
   };
 }
