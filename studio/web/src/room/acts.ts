@@ -58,7 +58,7 @@ export function removeSelected(drawing: RoomDrawing): void {
     sketch = drawing.sketch.peek();
   if (!one) return;
   if (one.kind === "fixture") return drawing.commit(withoutFixture(sketch, one.id), `remove ${spokenFixture(one.id)}`);
-  if (one.kind === "wall") return;
+  if (one.kind === "wall") return drawing.studio.toasts.note("A wall goes with one of its corners: remove that.");
   if (sketch.isClosed && sketch.corners.length <= 3)
     return drawing.studio.toasts.note("A room has at least three corners.");
   drawing.commit(withoutCorner(sketch, cornerIndex(sketch, one.key)), "remove a corner");
