@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <tuple>
 #include <vector>
 
 #include "absl/strings/str_join.h"
@@ -61,8 +64,19 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> Offers(const StageChoice& stages
     object.set_walk_over(furniture.walk_over());
     object.set_round(furniture.round());
   }
-  // What stands on the floor is what people look for first.
-  std::ranges::stable_sort(offers, {}, [](const v1::FurnitureOffer& offer) { return offer.object().kind(); });
+  // What most kinds of rooms have is what people look for first, and what stands on the floor before the rest.
+  std::map<std::string, int> rooms;
+  for (const language::hb::Archetype& room : handbook->contents().archetypes()) {
+    std::set<std::string> pieces;
+    for (const language::hb::Band& band : room.bands()) {
+      for (const language::hb::ObjectEntry& entry : band.objects()) pieces.insert(entry.furniture());
+    }
+    for (const std::string& piece : pieces) ++rooms[piece];
+  }
+  std::ranges::stable_sort(offers, {}, [&](const v1::FurnitureOffer& offer) {
+    const v1::Object& object = offer.object();
+    return std::tuple(object.walk_over(), object.kind(), -rooms[object.name()]);
+  });
   return offers;
 }
 

@@ -52,7 +52,7 @@ v1::Diagnostic Describe(const SolveInput& input, const Misfit& misfit, const std
       fmt::format("{} {}{} by {:.2f} m", SizeOf(scene.objects[misfit.object]), misfit.what, whom, misfit.depth_m);
   if (input.pinned[misfit.object] && (misfit.other < 0 || input.pinned[misfit.other])) {
     diagnostic.set_code("pinned_collides");
-    diagnostic.set_message(fact + ": it is pinned there; move or unpin it");
+    diagnostic.set_message(fact + ": it is held there; move it or let it move");
     return diagnostic;
   }
   diagnostic.set_code("does_not_fit");
