@@ -55,17 +55,27 @@ function Pointed({ parts }: { parts: ReadonlyMap<string, PlanPart> }) {
   return <text class="is-pointed" font-size={kPlainSize} x={at.x} y={at.y - 8}>{nameOf(piece.object)}</text>;
 }
 
+// On paper one label stands for all that look alike, "4 × dining chair"; pieces that are moved apart have one each.
+const kFolded = /^\d+ × /;
+const kindOf = ({ object, size }: Piece) => [object.name, size.width, size.depth].join(" ");
+
 // The renderer's labels, upright; without a drawing, the names of what stands on the floor.
 export function Labels() {
   const { room } = usePlan();
   const parts = new Map(room.parts.value?.parts.map((part) => [part.objectId, part]));
   const pieces = [...room.pieces.value.values()];
+  const shared = new Map(pieces.flatMap((piece) => {
+    const part = parts.get(piece.id);
+    return part && kFolded.test(part.label) ? [[kindOf(piece), part] as const] : [];
+  }));
+  const labelOf = (piece: Piece) => shared.get(kindOf(piece)) ?? parts.get(piece.id);
   return (
     <g class="labels" pointer-events="none">
-      {pieces.filter((piece) => hasLabel(piece, parts.get(piece.id))).map((piece) => {
-        const { label = piece.object.name, labelSizeM: size = 0, labelXM: shiftX = 0, labelYM: shiftY = 0 } = parts.get(piece.id) ?? {};
+      {pieces.filter((piece) => hasLabel(piece, labelOf(piece))).map((piece) => {
+        const { label = piece.object.name, labelSizeM: size = 0, labelXM: shiftX = 0, labelYM: shiftY = 0 } = labelOf(piece) ?? {};
         // Computed signals keep what they have read of their component: what that depends on is in the key.
-        return <Label key={[piece.id, size, shiftX, shiftY].join(" ")} piece={piece} text={label} size={size} shiftX={shiftX} shiftY={shiftY} />;
+        return <Label key={[piece.id, size, shiftX, shiftY].join(" ")} piece={piece} text={label.replace(kFolded, "")} size={size}
+          shiftX={shiftX} shiftY={shiftY} />;
       })}
       <Pointed parts={parts} />
     </g>
