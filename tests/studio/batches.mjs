@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A batch whose rooms are looked at, chosen by measure and opened; variants of a room side by side.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { PROGRAM, call, seriousFaults, shown, until, withStudio } from './studio.mjs';
@@ -65,4 +65,34 @@ await withStudio(async ({ page, studio, home, restart }) => {
   await isShown(1);
   assert.equal((await shown(page)).document.layoutId, first.document.layoutId);
 });
-console.log('batch looked at, variant taken');
+
+// A batch whose program was killed waits in the store; it goes on here, is paused and cancelled.
+await withStudio(async ({ page, studio, home, restart }) => {
+  await studio.stop();
+  const file = join(home, 'many.txt');
+  writeFileSync(file, Array.from({ length: 200 }, (_, i) => `A bedroom that is 4m x ${3 + i / 100}m.\n`).join(''));
+  const batch = spawn(PROGRAM, ['batch', file, '--out', join(home, 'out')], {
+    env: { ...process.env, FLAIR_HOME: home },
+    stdio: ['ignore', 'ignore', 'pipe'],
+  });
+  await new Promise((begun) => {
+    let said = '';
+    batch.stderr.on('data', (bytes) => {
+      said += bytes;
+      if (said.includes('/200')) begun();
+    });
+  });
+  batch.kill('SIGKILL');
+  await restart();
+  await page.goto(`${new URL(page.url()).origin}/#/jobs/batches`);
+  await page.getByText('waiting ·').waitFor();
+  await page.getByRole('button', { name: 'Resume' }).click();
+  await page.getByText('running ·').first().waitFor();
+  await page.getByRole('link', { name: 'many.txt' }).click();
+  await page.locator('.tile img').first().waitFor();
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await page.getByText('paused').waitFor();
+  await page.getByRole('button', { name: 'Cancel', exact: true }).click();
+  await page.getByText('200 of 200 ended').waitFor();
+});
+console.log('batch looked at, variant taken; batch resumed, paused, cancelled');

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { BatchState, type Batch } from "../gen/flair/v1/orchestrator_service_pb";
 import { useStudio } from "../state/studio";
-import { batchText, count, endedCount, failureText, percent } from "./words";
+import { batchText, count, endedCount, failureText, isWaiting, percent } from "./words";
 
 export function BatchBar({ batch }: { batch: Batch }) {
   const all = Math.max(batch.jobCount, 1);
@@ -69,7 +69,7 @@ export function BatchButtons({ batch, changed }: { batch: Batch; changed(): void
           Pause
         </button>
       )}
-      {batch.state === BatchState.PAUSED && (
+      {(batch.state === BatchState.PAUSED || isWaiting(batch)) && (
         <button class="button" disabled={isBusy} onClick={() => run(() => call.resumeBatch({ batchId }))}>
           <Icon name="play" />
           Resume

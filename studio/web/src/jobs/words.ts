@@ -30,10 +30,15 @@ export const stateText = (state: JobState): string => states[state] ?? "";
 export const isOpen = ({ state }: Job): boolean => state === JobState.QUEUED || state === JobState.RUNNING;
 export const endedCount = ({ jobCount, openCount }: Batch): number => jobCount - openCount;
 
+// Nothing of it runs though it may: others are before it, or the program that ran it has ended.
+export const isWaiting = ({ state, openCount, runningCount }: Batch): boolean =>
+  state === BatchState.ACTIVE && openCount > 0 && runningCount === 0;
+
 export function batchText(batch: Batch): string {
   if (batch.state === BatchState.PAUSED) return "paused";
   if (batch.state === BatchState.CANCELLED) return "cancelled";
   if (batch.open) return "more follow";
+  if (isWaiting(batch)) return "waiting";
   return batch.openCount > 0 ? "running" : "done";
 }
 
