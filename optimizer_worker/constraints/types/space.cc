@@ -202,9 +202,13 @@ std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
       const double into = -Gap<double>(strip, call.BoxOf(i));
       misses.push_back({fmt::format("{} reaches {:.2f} m into {}", call.Name(i), into, floor), into, "m"});
     }
-    for (const Wall& wall : call.scene().room.walls) {
-      double beyond = 0;
-      for (int k = 0; k < 4; ++k) beyond = std::max(beyond, -wall.Height(strip.value(k)));
+    // Which wall each corner of it is behind: the nearest one, for a room that is not convex has walls to all sides.
+    for (int k = 0; k < 4; ++k) {
+      const Vec2<double> corner = strip.value(k);
+      if (call.scene().room.walls.empty() || Contains(call.scene().room.floor, corner)) continue;
+      const auto distance = [&](const Wall& wall) { return DistanceTo(Segment{wall.start, wall.end}, corner); };
+      const Wall& wall = *std::ranges::min_element(call.scene().room.walls, {}, distance);
+      const double beyond = distance(wall);
       misses.push_back({fmt::format("{} are cut off by {} by {:.2f} m", floor, WallName(wall), beyond), beyond, "m"});
     }
   }
