@@ -14,7 +14,7 @@ function figures(measures: Measures | undefined): string {
   const texts = [share("held", measures?.held), share("uses", measures?.uses), share("floor", measures?.floor)].filter(
     Boolean,
   );
-  return texts.length > 0 ? `${texts.join(" · ")} %` : "";
+  return texts.length > 0 ? `${texts.join(" · ")}\u00a0%` : "";
 }
 
 export function JobTile({ job, pictures }: { job: Job; pictures: JobPictures }) {

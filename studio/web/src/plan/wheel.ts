@@ -9,7 +9,7 @@ const kPixelsPerLine = 16;
 const kZoomPerPixel = 0.0022;
 
 // What is panned and zoomed: the plan, or a room that is drawn.
-type Viewed = Pick<PlanController, "view" | "setView" | "pixelOf">;
+export type Viewed = Pick<PlanController, "view" | "setView" | "pixelOf">;
 
 export function usePlanWheel(plan: Viewed, host: { current: HTMLElement | null }): void {
   useEffect(() => {

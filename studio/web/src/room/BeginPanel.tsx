@@ -25,14 +25,24 @@ function Rectangle() {
     <form class="rectangle" onSubmit={make} onKeyDown={(event) => event.stopPropagation()}>
       <label class="field">
         <span>Width</span>
-        <input value={width} inputMode="decimal" onFocus={(event) => event.currentTarget.select()} onInput={(event) => setWidth(event.currentTarget.value)} />
+        <input
+          value={width}
+          inputMode="decimal"
+          onFocus={(event) => event.currentTarget.select()}
+          onInput={(event) => setWidth(event.currentTarget.value)}
+        />
       </label>
       <span class="rectangle-by" aria-hidden="true">
         ×
       </span>
       <label class="field">
         <span>Depth</span>
-        <input value={depth} inputMode="decimal" onFocus={(event) => event.currentTarget.select()} onInput={(event) => setDepth(event.currentTarget.value)} />
+        <input
+          value={depth}
+          inputMode="decimal"
+          onFocus={(event) => event.currentTarget.select()}
+          onInput={(event) => setDepth(event.currentTarget.value)}
+        />
       </label>
       <button class="button" type="submit" disabled={!isGood}>
         Make

@@ -3,6 +3,7 @@
 import { useMemo } from "preact/hooks";
 import type { Vec } from "../geometry/vec";
 import { kSnapPixels, type Gesture } from "../plan/gesture";
+import { Pinch } from "../plan/gestures/pinch";
 import { dot, sub } from "../geometry/vec";
 import { addCornerOn } from "./acts";
 import type { RoomDrawing, Selection, Tool } from "./controller";
@@ -110,46 +111,56 @@ function hover(drawing: RoomDrawing, event: PointerEvent): void {
   drawing.hovered.value = mode === "select" ? under(event) : undefined;
 }
 
+function cancel(drawing: RoomDrawing): void {
+  const gesture = drawing.gesture.peek();
+  drawing.gesture.value = undefined;
+  gesture?.cancel();
+}
+
+function handlers(drawing: RoomDrawing) {
+  const pinch = new Pinch(drawing);
+  return {
+    onPointerDown(event: PointerEvent) {
+      if (pinch.down(event)) return cancel(drawing);
+      if (drawing.gesture.peek() || attribute(event, "field") !== undefined) return;
+      const gesture = gestureFor(drawing, event);
+      if (!gesture) return;
+      event.preventDefault();
+      drawing.element?.parentElement?.focus({ preventScroll: true });
+      drawing.element?.setPointerCapture(event.pointerId);
+      drawing.gesture.value = gesture;
+    },
+    onPointerMove(event: PointerEvent) {
+      if (pinch.move(event)) return;
+      const gesture = drawing.gesture.peek();
+      if (gesture) gesture.move(event);
+      else hover(drawing, event);
+    },
+    onPointerUp(event: PointerEvent) {
+      pinch.up(event);
+      const gesture = drawing.gesture.peek();
+      drawing.gesture.value = undefined;
+      gesture?.end(event);
+    },
+    onPointerCancel(event: PointerEvent) {
+      pinch.up(event);
+      cancel(drawing);
+    },
+    onPointerLeave() {
+      drawing.hovered.value = undefined;
+      drawing.ghost.value = undefined;
+      if (!drawing.typed.peek()) drawing.pen.value = undefined;
+    },
+    onDblClick(event: MouseEvent) {
+      const key = drawing.mode.peek() === "select" ? attribute(event, "wall") : undefined;
+      const wall = drawing.walls.peek().find((one) => one.key === key);
+      if (!wall || attribute(event, "field") !== undefined) return;
+      const along = dot(sub(drawing.pointOf(event), wall.a), wall.along);
+      addCornerOn(drawing, wall.index, Math.round(along / kPenStep) * kPenStep);
+    },
+  };
+}
+
 export function useDrawingPointer(drawing: RoomDrawing) {
-  return useMemo(
-    () => ({
-      onPointerDown(event: PointerEvent) {
-        if (drawing.gesture.peek() || attribute(event, "field") !== undefined) return;
-        const gesture = gestureFor(drawing, event);
-        if (!gesture) return;
-        event.preventDefault();
-        drawing.element?.parentElement?.focus({ preventScroll: true });
-        drawing.element?.setPointerCapture(event.pointerId);
-        drawing.gesture.value = gesture;
-      },
-      onPointerMove(event: PointerEvent) {
-        const gesture = drawing.gesture.peek();
-        if (gesture) gesture.move(event);
-        else hover(drawing, event);
-      },
-      onPointerUp(event: PointerEvent) {
-        const gesture = drawing.gesture.peek();
-        drawing.gesture.value = undefined;
-        gesture?.end(event);
-      },
-      onPointerCancel() {
-        const gesture = drawing.gesture.peek();
-        drawing.gesture.value = undefined;
-        gesture?.cancel();
-      },
-      onPointerLeave() {
-        drawing.hovered.value = undefined;
-        drawing.ghost.value = undefined;
-        if (!drawing.typed.peek()) drawing.pen.value = undefined;
-      },
-      onDblClick(event: MouseEvent) {
-        const key = drawing.mode.peek() === "select" ? attribute(event, "wall") : undefined;
-        const wall = drawing.walls.peek().find((one) => one.key === key);
-        if (!wall || attribute(event, "field") !== undefined) return;
-        const along = dot(sub(drawing.pointOf(event), wall.a), wall.along);
-        addCornerOn(drawing, wall.index, Math.round(along / kPenStep) * kPenStep);
-      },
-    }),
-    [drawing],
-  );
+  return useMemo(() => handlers(drawing), [drawing]);
 }

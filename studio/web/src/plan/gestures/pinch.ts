@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { distance, middle, sub, type Vec } from "../../geometry/vec";
-import type { PlanController } from "../controller";
 import { panned, zoomedAt } from "../view";
+import type { Viewed } from "../wheel";
 
 // Two fingers on glass: they pan and zoom at once.
 export class Pinch {
   private readonly fingers = new Map<number, Vec>();
 
-  constructor(private readonly plan: PlanController) {}
+  constructor(private readonly plan: Viewed) {}
 
   // Whether two fingers are down from now on.
   down(event: PointerEvent): boolean {
