@@ -111,6 +111,11 @@ test("a piece is duplicated, locked and removed by keys", async () => {
   await page.waitForSelector(".outline.is-selected");
   await page.keyboard.press("l");
   await page.waitForSelector(".outline.is-locked");
+  // What is locked stays.
+  await page.keyboard.press("Delete");
+  await page.waitForSelector(".toast");
+  await page.keyboard.press("l");
+  await page.waitForSelector(".outline.is-locked", { state: "detached" });
   await page.keyboard.press("Delete");
   await page.waitForFunction((n) => document.querySelectorAll(".piece").length === n, count);
 });

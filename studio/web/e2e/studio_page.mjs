@@ -22,7 +22,11 @@ export class StudioPage {
       executablePath: process.env.FLAIR_CHROMIUM ?? "/usr/bin/chromium",
       args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
     });
-    self.page = await self.browser.newPage({ viewport: { width, height }, colorScheme: theme, reducedMotion: "reduce" });
+    self.page = await self.browser.newPage({
+      viewport: { width, height },
+      colorScheme: theme,
+      reducedMotion: "reduce",
+    });
     self.page.on("pageerror", (error) => self.faults.push(error.message));
     self.page.on("console", (message) => { if (message.type() === "error") self.faults.push(message.text()); });
     await self.page.goto(self.server.url);

@@ -22,9 +22,18 @@ generate();
 const out = mkdtempSync(join(tmpdir(), "flair-studio-test-"));
 try {
   await build({
-    absWorkingDir: root, entryPoints: filesBelow(join(root, "src"), ".test.ts"), bundle: true, format: "esm", platform: "node",
-    outdir: out, outExtension: { ".js": ".mjs" }, entryNames: "[dir]/[name]", jsx: "automatic",
-    jsxImportSource: "preact", logLevel: "warning", sourcemap: "inline",
+    absWorkingDir: root,
+    entryPoints: filesBelow(join(root, "src"), ".test.ts"),
+    bundle: true,
+    format: "esm",
+    platform: "node",
+    outdir: out,
+    outExtension: { ".js": ".mjs" },
+    entryNames: "[dir]/[name]",
+    jsx: "automatic",
+    jsxImportSource: "preact",
+    logLevel: "warning",
+    sourcemap: "inline",
   });
   const run = spawnSync(process.execPath, ["--enable-source-maps", "--test", ...filesBelow(out, ".mjs")],
     { stdio: "inherit" });

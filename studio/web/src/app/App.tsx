@@ -28,7 +28,9 @@ function Panes({ room }: { room: OpenRoom }) {
     <div class={`panes is-${panes}`}>
       {panes !== "3d" && <Plan key={room.id} room={room} />}
       {panes !== "plan" && (
-        <Suspense fallback={<div class="scene is-loading">Loading the view...</div>}><Scene key={room.id} room={room} /></Suspense>
+        <Suspense fallback={<div class="scene is-loading">Loading the view...</div>}>
+          <Scene key={room.id} room={room} />
+        </Suspense>
       )}
     </div>
   );
@@ -38,7 +40,12 @@ function RoomPage({ room }: { room: OpenRoom }) {
   const { jobState } = room.document.value;
   const isWorking = jobState === JobState.QUEUED || jobState === JobState.RUNNING;
   const hasRoom = room.layout.value?.graph?.room !== undefined;
-  if (!hasRoom || (isWorking && room.pieces.value.size === 0)) return <main class="stage"><Progress room={room} /></main>;
+  if (!hasRoom || (isWorking && room.pieces.value.size === 0))
+    return (
+      <main class="stage">
+        <Progress room={room} />
+      </main>
+    );
   return (
     <>
       <main class="stage has-variants" aria-label="Room">
@@ -54,9 +61,23 @@ function Middle() {
   const room = useStudio().open.value;
   if (route.value.page === "document") return room ? <RoomPage room={room} /> : <main class="stage" aria-busy="true" />;
   const { page, id } = route.value;
-  if (page === "draw") return <Suspense fallback={<main class="stage" aria-busy="true" />}><RoomEditor key={id} id={id} /></Suspense>;
-  if (page === "jobs") return <Suspense fallback={<main class="stage" aria-busy="true" />}><JobsPage id={id} /></Suspense>;
-  return <main class="stage is-start"><Start /></main>;
+  if (page === "draw")
+    return (
+      <Suspense fallback={<main class="stage" aria-busy="true" />}>
+        <RoomEditor key={id} id={id} />
+      </Suspense>
+    );
+  if (page === "jobs")
+    return (
+      <Suspense fallback={<main class="stage" aria-busy="true" />}>
+        <JobsPage id={id} />
+      </Suspense>
+    );
+  return (
+    <main class="stage is-start">
+      <Start />
+    </main>
+  );
 }
 
 export function App() {

@@ -43,9 +43,18 @@ export function Documents() {
   const documents = studio.documents.value;
   return (
     <>
-      <button class="button is-wide" onClick={() => goTo({ page: "start" })}><Icon name="plus" />New room</button>
-      <button class="sidebar-link" aria-current={route.value.page === "jobs" ? "page" : undefined} onClick={() => goTo({ page: "jobs" })}>
-        <Icon name="queue" />Jobs and batches</button>
+      <button class="button is-wide" onClick={() => goTo({ page: "start" })}>
+        <Icon name="plus" />
+        New room
+      </button>
+      <button
+        class="sidebar-link"
+        aria-current={route.value.page === "jobs" ? "page" : undefined}
+        onClick={() => goTo({ page: "jobs" })}
+      >
+        <Icon name="queue" />
+        Jobs and batches
+      </button>
       {documents.length === 0 && studio.isListed.value && <p class="hint">Rooms that you make are listed here.</p>}
       <ul class="documents">{documents.map((one) => <Entry key={one.id} document={one} now={now} />)}</ul>
     </>

@@ -44,7 +44,14 @@ export function Menu({ label, class: name = "icon-button", items, children }: Me
   };
   return (
     <div class="menu" ref={root} onKeyDown={onKeyDown}>
-      <button class={name} aria-label={label} title={label} aria-haspopup="menu" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)}>
+      <button
+        class={name}
+        aria-label={label}
+        title={label}
+        aria-haspopup="menu"
+        aria-expanded={isOpen}
+        onClick={() => setOpen(!isOpen)}
+      >
         {children}
       </button>
       {isOpen && (

@@ -22,7 +22,12 @@ export function Sidebar() {
             onClick={() => { sidebarTab.value = "furniture"; }}><Icon name="chair" />Furniture</button>
         </div>
       )}
-      <div class="sidebar-panel" id="sidebar-panel" role={room ? "tabpanel" : undefined} aria-labelledby={room ? `tab-${tab}` : undefined}>
+      <div
+        class="sidebar-panel"
+        id="sidebar-panel"
+        role={room ? "tabpanel" : undefined}
+        aria-labelledby={room ? `tab-${tab}` : undefined}
+      >
         {tab === "furniture" && room ? <Drawer room={room} /> : <Documents />}
       </div>
     </nav>

@@ -10,7 +10,9 @@ export function ToastList() {
         <div key={id} class={`toast is-${kind}`}>
           {kind === "error" && <Icon name="warning" />}
           <span>{text}</span>
-          <button class="icon-button" aria-label="Dismiss" onClick={() => toasts.dismiss(id)}><Icon name="close" size={12} /></button>
+          <button class="icon-button" aria-label="Dismiss" onClick={() => toasts.dismiss(id)}>
+            <Icon name="close" size={12} />
+          </button>
         </div>
       ))}
     </div>

@@ -24,11 +24,21 @@ function Title({ room }: { room: OpenRoom }) {
     else input.value = title;
   };
   return (
-    <h1 class="title-heading"><input class="title" key={`${room.id} ${title}`} defaultValue={title} aria-label="Title" maxLength={200} spellcheck={false}
-      onBlur={(event) => take(event.currentTarget)} onKeyDown={(event) => {
-        if (event.key === "Escape") event.currentTarget.value = title;
-        if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
-      }} /></h1>
+    <h1 class="title-heading">
+      <input
+        class="title"
+        key={`${room.id} ${title}`}
+        defaultValue={title}
+        aria-label="Title"
+        maxLength={200}
+        spellcheck={false}
+        onBlur={(event) => take(event.currentTarget)}
+        onKeyDown={(event) => {
+          if (event.key === "Escape") event.currentTarget.value = title;
+          if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
+        }}
+      />
+    </h1>
   );
 }
 
@@ -39,10 +49,24 @@ function RoomTools({ room }: { room: OpenRoom }) {
   return (
     <>
       <div class="button-group">
-        <button class="icon-button" disabled={!undoLabel} onClick={() => void undo(room)} aria-label={`Undo: ${undoLabel || "nothing"}`}
-          title={undoLabel ? `Undo: ${undoLabel} (Ctrl Z)` : "Nothing to undo"}><Icon name="undo" /></button>
-        <button class="icon-button" disabled={!redoLabel} onClick={() => void redo(room)} aria-label={`Redo: ${redoLabel || "nothing"}`}
-          title={redoLabel ? `Redo: ${redoLabel} (Ctrl Shift Z)` : "Nothing to redo"}><Icon name="redo" /></button>
+        <button
+          class="icon-button"
+          disabled={!undoLabel}
+          onClick={() => void undo(room)}
+          aria-label={`Undo: ${undoLabel || "nothing"}`}
+          title={undoLabel ? `Undo: ${undoLabel} (Ctrl Z)` : "Nothing to undo"}
+        >
+          <Icon name="undo" />
+        </button>
+        <button
+          class="icon-button"
+          disabled={!redoLabel}
+          onClick={() => void redo(room)}
+          aria-label={`Redo: ${redoLabel || "nothing"}`}
+          title={redoLabel ? `Redo: ${redoLabel} (Ctrl Shift Z)` : "Nothing to redo"}
+        >
+          <Icon name="redo" />
+        </button>
       </div>
       <div class="button-group settle">
         <button class="button" onClick={() => void settle(room)} title="Move what stands badly after your changes (S)">
@@ -52,8 +76,15 @@ function RoomTools({ room }: { room: OpenRoom }) {
       </div>
       <div class="segmented" role="group" aria-label="What is shown">
         {panes.map(({ value, label, icon }) => (
-          <button key={value} aria-pressed={settings.panes.value === value} onClick={() => { settings.panes.value = value; }}>
-            <Icon name={icon} /><span>{label}</span>
+          <button
+            key={value}
+            aria-pressed={settings.panes.value === value}
+            onClick={() => {
+              settings.panes.value = value;
+            }}
+          >
+            <Icon name={icon} />
+            <span>{label}</span>
           </button>
         ))}
       </div>
@@ -67,16 +98,52 @@ export function TopBar() {
   const room = studio.open.value, theme = settings.theme.value, units = settings.units.value;
   return (
     <header class="top-bar">
-      <button class="icon-button" aria-label="Sidebar" aria-expanded={settings.sidebar.value === "open"} title="Sidebar ([)"
-        onClick={() => { settings.sidebar.value = settings.sidebar.value === "open" ? "closed" : "open"; }}><Icon name="sidebar" /></button>
-      <button class="brand" onClick={() => goTo({ page: "start" })} aria-label="Flair: start page">Flair</button>
+      <button
+        class="icon-button"
+        aria-label="Sidebar"
+        aria-expanded={settings.sidebar.value === "open"}
+        title="Sidebar ([)"
+        onClick={() => {
+          settings.sidebar.value = settings.sidebar.value === "open" ? "closed" : "open";
+        }}
+      >
+        <Icon name="sidebar" />
+      </button>
+      <button class="brand" onClick={() => goTo({ page: "start" })} aria-label="Flair: start page">
+        Flair
+      </button>
       {room ? <Title room={room} /> : <span class="spacer" />}
       {room && <RoomTools room={room} />}
-      <button class="icon-button units" aria-label={`Units: ${units === "m" ? "metres" : "feet"}`} title="Metres or feet (U)"
-        onClick={() => { settings.units.value = units === "m" ? "ft" : "m"; }}>{units}</button>
-      <button class="icon-button" aria-label={`Theme: ${theme}`} title={`Theme: ${theme}`}
-        onClick={() => { settings.theme.value = nextTheme[theme]; }}><Icon name={themeIcons[theme]} /></button>
-      <button class="icon-button" aria-label="Keys" title="Keys (?)" onClick={() => { isShowingKeys.value = true; }}><Icon name="question" /></button>
+      <button
+        class="icon-button units"
+        aria-label={`Units: ${units === "m" ? "metres" : "feet"}`}
+        title="Metres or feet (U)"
+        onClick={() => {
+          settings.units.value = units === "m" ? "ft" : "m";
+        }}
+      >
+        {units}
+      </button>
+      <button
+        class="icon-button"
+        aria-label={`Theme: ${theme}`}
+        title={`Theme: ${theme}`}
+        onClick={() => {
+          settings.theme.value = nextTheme[theme];
+        }}
+      >
+        <Icon name={themeIcons[theme]} />
+      </button>
+      <button
+        class="icon-button"
+        aria-label="Keys"
+        title="Keys (?)"
+        onClick={() => {
+          isShowingKeys.value = true;
+        }}
+      >
+        <Icon name="question" />
+      </button>
     </header>
   );
 }

@@ -8,7 +8,11 @@ import { sidebarTab } from "./Sidebar";
 
 function isTyping(event: KeyboardEvent): boolean {
   const target = event.target as HTMLElement;
-  return target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName) || document.querySelector("dialog[open]") !== null;
+  return (
+    target.isContentEditable ||
+    /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName) ||
+    document.querySelector("dialog[open]") !== null
+  );
 }
 
 function onCommand(studio: Studio, event: KeyboardEvent): boolean {

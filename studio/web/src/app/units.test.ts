@@ -4,10 +4,24 @@ import { test } from "node:test";
 import { lengthText, parseLength } from "./units";
 
 const cases: Array<[string, "m" | "ft", number | undefined]> = [
-  ["0.9", "m", 0.9], [".9", "m", 0.9], ["0,9", "m", 0.9], ["90 cm", "m", 0.9], ["900mm", "ft", 0.9], ["1 m 20 cm", "m", 1.2],
-  ["3", "ft", 0.9144], ["3'", "m", 0.9144], ["3' 2\"", "m", 0.9652], ["3′ 2″", "ft", 0.9652], ["3'2", "ft", 0.9652],
-  ["3 ft 2 in", "m", 0.9652], ["2″", "m", 0.0508], ["-0.1", "m", -0.1],
-  ["", "m", undefined], ["wide", "m", undefined], ["3 ells", "m", undefined], ["1 2", "m", undefined],
+  ["0.9", "m", 0.9],
+  [".9", "m", 0.9],
+  ["0,9", "m", 0.9],
+  ["90 cm", "m", 0.9],
+  ["900mm", "ft", 0.9],
+  ["1 m 20 cm", "m", 1.2],
+  ["3", "ft", 0.9144],
+  ["3'", "m", 0.9144],
+  ["3' 2\"", "m", 0.9652],
+  ["3′ 2″", "ft", 0.9652],
+  ["3'2", "ft", 0.9652],
+  ["3 ft 2 in", "m", 0.9652],
+  ["2″", "m", 0.0508],
+  ["-0.1", "m", -0.1],
+  ["", "m", undefined],
+  ["wide", "m", undefined],
+  ["3 ells", "m", undefined],
+  ["1 2", "m", undefined],
 ];
 
 for (const [text, units, metres] of cases) {

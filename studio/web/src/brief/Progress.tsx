@@ -9,8 +9,17 @@ import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
 
 const names: Record<string, string> = {
-  brief: "Brief", room: "Room", zones: "Zones", objects: "Furniture", style: "Style", constraints: "Wishes",
-  cleaning: "Wishes, tidied", completion: "Wishes, completed", translation: "Constraints", solve: "Layout", render: "Drawing",
+  brief: "Brief",
+  room: "Room",
+  zones: "Zones",
+  objects: "Furniture",
+  style: "Style",
+  constraints: "Wishes",
+  cleaning: "Wishes, tidied",
+  completion: "Wishes, completed",
+  translation: "Constraints",
+  solve: "Layout",
+  render: "Drawing",
   report: "Report",
 };
 
@@ -34,7 +43,12 @@ export function Progress({ room }: { room: OpenRoom }) {
           </li>
         ))}
         {stages.length === 0 && !isFailed && (
-          <li class="is-running"><span class="stage-mark"><span class="spinner" /></span><span class="stage-name">Starting</span></li>
+          <li class="is-running">
+            <span class="stage-mark">
+              <span class="spinner" />
+            </span>
+            <span class="stage-name">Starting</span>
+          </li>
         )}
       </ol>
       {spent.calls > 0 && <p class="hint spent">The model: {spentInWords(spent)}</p>}

@@ -40,9 +40,18 @@ export function Start() {
           <span class="hint">Say sizes, furniture, wishes. Enter designs it.</span>
           <div class="brief-options">
             <ModelChip />
-            <button type="button" class="chip" aria-pressed={hasVariants} title="Three layouts of the room, side by side; take one"
-              onClick={() => setVariants(!hasVariants)}>{kVariants} variants</button>
-            <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>Design</button>
+            <button
+              type="button"
+              class="chip"
+              aria-pressed={hasVariants}
+              title="Three layouts of the room, side by side; take one"
+              onClick={() => setVariants(!hasVariants)}
+            >
+              {kVariants} variants
+            </button>
+            <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>
+              Design
+            </button>
           </div>
         </div>
       </form>

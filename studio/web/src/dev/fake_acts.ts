@@ -92,11 +92,21 @@ export function act(room: FakeRoom, { act: asked }: ActRequest): Diagnostic[] {
         throw new ConnectError(`There is nothing to ${asked.case}.`, Code.FailedPrecondition);
       }
       return [];
-    case "title": room.document.title = asked.value; room.touch(); return [];
-    case "say": return [create(DiagnosticSchema, {
-      severity: Severity.WARNING, code: "unknown_sentence", message: `"${asked.value.text}" is not understood: say which piece faces what`,
-    })];
-    case "weigh": room.put("weigh a sentence", layout); return [];
+    case "title":
+      room.document.title = asked.value;
+      room.touch();
+      return [];
+    case "say":
+      return [
+        create(DiagnosticSchema, {
+          severity: Severity.WARNING,
+          code: "unknown_sentence",
+          message: `"${asked.value.text}" is not understood: say which piece faces what`,
+        }),
+      ];
+    case "weigh":
+      room.put("weigh a sentence", layout);
+      return [];
     case "replace": {
       const object = layout.graph!.objectList!.objects.find((one) => one.id === asked.value.objectId)!;
       const { name, widthM, depthM, heightM, category } = asked.value.by!;

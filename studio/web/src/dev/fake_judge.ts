@@ -7,7 +7,12 @@ import { area, clipped } from "../geometry/polygon";
 import { distance, vec } from "../geometry/vec";
 import type { ConstraintEdge } from "../gen/flair/v1/layout_graph_pb";
 import { FindingKind, FindingSchema, type Finding } from "../gen/flair/v1/layout_metrics_pb";
-import { EdgeOutcomeSchema, OutcomeStatus, type EdgeOutcome, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
+import {
+  EdgeOutcomeSchema,
+  OutcomeStatus,
+  type EdgeOutcome,
+  type SolvedLayout,
+} from "../gen/flair/v1/solved_layout_pb";
 import { floorOf, footprintOf, guestsOf, isSolid, nameOf, piecesOf, type Piece, type Pieces } from "../state/pieces";
 
 function text(edge: ConstraintEdge, name: string): string {
@@ -28,7 +33,9 @@ function missedBy(edge: ConstraintEdge, layout: SolvedLayout, pieces: Pieces): n
     among.map((one) => ({ id: one.id, polygon: footprintOf(one) }))).find((one) => one.side === side)?.metres ?? 0;
   if (edge.type === "against_wall") return free("back", []) - 0.02;
   if (edge.type === "accessible") {
-    const solid = [...pieces.values()].filter((one) => one.id !== piece.id && isSolid(one) && one.object.category !== "chair");
+    const solid = [...pieces.values()].filter(
+      (one) => one.id !== piece.id && isSolid(one) && one.object.category !== "chair",
+    );
     const sides = edge.arguments.find((one) => one.name === "sides")?.value?.value;
     const asked = sides?.case === "texts" ? sides.value.items as Side[] : [];
     return Math.max(0, ...asked.map((side) => number(edge, "min_clearance_m", 0.6) - 0.15 - free(side, solid)));
@@ -53,7 +60,10 @@ function overlaps(pieces: Pieces, ids: ReadonlySet<string>): Finding[] {
   }));
 }
 
-export function judge(layout: SolvedLayout, about: readonly string[]): { edgeOutcomes: EdgeOutcome[]; findings: Finding[] } {
+export function judge(
+  layout: SolvedLayout,
+  about: readonly string[],
+): { edgeOutcomes: EdgeOutcome[]; findings: Finding[] } {
   const pieces = piecesOf(layout);
   const ids = new Set([...about, ...guestsOf(pieces, about)]);
   const edgeOutcomes = (layout.graph?.edges ?? [])

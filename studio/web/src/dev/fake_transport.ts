@@ -5,7 +5,12 @@ import { createRouterTransport, Code, ConnectError, type Transport } from "@conn
 import { JobEventKind, JobEventSchema, JobState } from "../gen/flair/v1/job_pb";
 import { ObjectKind, ObjectRole, ObjectSchema } from "../gen/flair/v1/object_list_pb";
 import { ArtifactSchema } from "../gen/flair/v1/artifact_pb";
-import { DocumentSchema, StudioService, WatchDocumentsResponseSchema, type WatchDocumentsResponse } from "../gen/flair/v1/studio_service_pb";
+import {
+  DocumentSchema,
+  StudioService,
+  WatchDocumentsResponseSchema,
+  type WatchDocumentsResponse,
+} from "../gen/flair/v1/studio_service_pb";
 import { act } from "./fake_acts";
 import { drawing, symbol } from "./fake_drawing";
 import { judge } from "./fake_judge";
@@ -61,15 +66,26 @@ export function fakeTransport(): Transport {
 
   return createRouterTransport(({ service }) => {
     service(StudioService, {
-      listDocuments: () => ({ documents: [...rooms.values()].reverse().map((room) => clone(DocumentSchema, room.document)) }),
+      listDocuments: () => ({
+        documents: [...rooms.values()].reverse().map((room) => clone(DocumentSchema, room.document)),
+      }),
       createDocument: ({ source }) => {
         if (source.case === "file") {
-          const { content } = fromJson(ArtifactSchema, JSON.parse(new TextDecoder().decode(source.value)), { ignoreUnknownFields: true });
-          if (content.case !== "solvedLayout") throw new ConnectError("The file holds neither a layout nor a room.", Code.InvalidArgument);
+          const { content } = fromJson(ArtifactSchema, JSON.parse(new TextDecoder().decode(source.value)), {
+            ignoreUnknownFields: true,
+          });
+          if (content.case !== "solvedLayout")
+            throw new ConnectError("The file holds neither a layout nor a room.", Code.InvalidArgument);
           return { document: clone(DocumentSchema, add(new FakeRoom("An opened room", content.value)).document) };
         }
-        if (source.case === "room") return { document: clone(DocumentSchema, add(new FakeRoom(source.value.title || "My room", emptyLayout(source.value))).document) };
-        const room = add(new FakeRoom(source.case === "design" ? source.value.brief?.text ?? "" : "A room"));
+        if (source.case === "room")
+          return {
+            document: clone(
+              DocumentSchema,
+              add(new FakeRoom(source.value.title || "My room", emptyLayout(source.value))).document,
+            ),
+          };
+        const room = add(new FakeRoom(source.case === "design" ? (source.value.brief?.text ?? "") : "A room"));
         void pause(50).then(() => design(room));
         room.document.jobState = JobState.RUNNING;
         room.document.jobId = `job-${room.document.id}`;
@@ -86,7 +102,8 @@ export function fakeTransport(): Transport {
       },
       act: async (request) => {
         const room = roomOf(request.documentId);
-        if (request.revision !== room.document.revision) throw new ConnectError("The document has changed.", Code.Aborted);
+        if (request.revision !== room.document.revision)
+          throw new ConnectError("The document has changed.", Code.Aborted);
         await pause(request.act.case === "settle" ? 60 : 15);
         const diagnostics = act(room, request);
         told(room);
@@ -94,13 +111,17 @@ export function fakeTransport(): Transport {
       },
       judge: async ({ documentId, placements }) => {
         const layout = roomOf(documentId).copy();
-        for (const at of placements) Object.assign(layout.placements.find((one) => one.objectId === at.objectId) ?? {}, at);
+        for (const at of placements)
+          Object.assign(layout.placements.find((one) => one.objectId === at.objectId) ?? {}, at);
         await pause(12);
         return { ...judge(layout, placements.map((one) => one.objectId)), reachableFloorShare: 1 };
       },
       explain: ({ documentId }) => ({
-        revision: roomOf(documentId).document.revision, note: roomOf(documentId).note(),
-        notAsAsked: roomOf(documentId).document.title.includes("vampire") ? ["A coffin was asked for and is not known; nothing stands for it."] : [],
+        revision: roomOf(documentId).document.revision,
+        note: roomOf(documentId).note(),
+        notAsAsked: roomOf(documentId).document.title.includes("vampire")
+          ? ["A coffin was asked for and is not known; nothing stands for it."]
+          : [],
       }),
       drawDocument: ({ documentId }) => ({
         revision: roomOf(documentId).document.revision, parts: drawing(roomOf(documentId).copy()),
@@ -113,10 +134,20 @@ export function fakeTransport(): Transport {
         return { fileName: "bedroom.glb", mediaType: "model/gltf-binary", content };
       },
       listFurniture: ({ query }) => ({
-        offers: furniture.filter(([name, , group]) => `${name} ${group}`.includes(query.toLowerCase())).map(([name, category, group, widthM, depthM, heightM]) => {
-          const object = create(ObjectSchema, { name, category, widthM, depthM, heightM, kind: ObjectKind.FLOOR, role: ObjectRole.SECONDARY });
-          return { object, group, svg: symbol(object) };
-        }),
+        offers: furniture
+          .filter(([name, , group]) => `${name} ${group}`.includes(query.toLowerCase()))
+          .map(([name, category, group, widthM, depthM, heightM]) => {
+            const object = create(ObjectSchema, {
+              name,
+              category,
+              widthM,
+              depthM,
+              heightM,
+              kind: ObjectKind.FLOOR,
+              role: ObjectRole.SECONDARY,
+            });
+            return { object, group, svg: symbol(object) };
+          }),
       }),
       async *watchDocuments(_request, context) {
         const waiting: Array<WatchDocumentsResponse["event"]> = [];

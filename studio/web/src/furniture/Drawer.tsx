@@ -29,12 +29,14 @@ function useOffers(query: string): readonly FurnitureOffer[] | undefined {
   return offers;
 }
 
-// What stands on the floor first, then what goes on walls, tables and ceilings; a search keeps the order of its matches.
+// What stands on the floor first, then rugs and what goes on walls, tables and ceilings.
 function groupsOf(offers: readonly FurnitureOffer[]): Array<{ name: string; offers: FurnitureOffer[] }> {
   const groups = new Map<string, FurnitureOffer[]>();
   for (const offer of offers) groups.set(offer.group, [...(groups.get(offer.group) ?? []), offer]);
-  const isSmall = (list: readonly FurnitureOffer[]) => !list.some(({ object }) => object?.kind === ObjectKind.FLOOR && !object.walkOver);
-  return [...groups].map(([name, list]) => ({ name: name.replace(/_/g, " "), offers: list }))
+  const isSmall = (list: readonly FurnitureOffer[]) =>
+    !list.some(({ object }) => object?.kind === ObjectKind.FLOOR && !object.walkOver);
+  return [...groups]
+    .map(([name, list]) => ({ name: name.replace(/_/g, " "), offers: list }))
     .sort((a, b) => Number(isSmall(a.offers)) - Number(isSmall(b.offers)));
 }
 

@@ -26,8 +26,13 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
           carried.value = object;
           event.dataTransfer?.setData("text/plain", object.name);
         }}
-        onDragEnd={() => { carried.value = undefined; }}>
-        <svg viewBox={`${-size / 2} ${-size / 2} ${size} ${size}`} aria-hidden="true"><Drawn svg={offer.svg || plainSymbol({ width: object.widthM, depth: object.depthM }, object.round)} /></svg>
+        onDragEnd={() => {
+          carried.value = undefined;
+        }}
+      >
+        <svg viewBox={`${-size / 2} ${-size / 2} ${size} ${size}`} aria-hidden="true">
+          <Drawn svg={offer.svg || plainSymbol({ width: object.widthM, depth: object.depthM }, object.round)} />
+        </svg>
         <span class="offer-name">{object.name}</span>
         <small>{sizes}</small>
       </button>

@@ -78,7 +78,9 @@ export function clearances(pose: Pose, size: Size, floor: readonly Vec[], pieces
     }
     if (!best) return [];
     const metres = Math.max(best.metres, 0);
-    return [{ side, metres, from: strip.origin, to: add(strip.origin, times(strip.ahead, metres)), target: best.target }];
+    return [
+      { side, metres, from: strip.origin, to: add(strip.origin, times(strip.ahead, metres)), target: best.target },
+    ];
   });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a piece stands and which floor it covers. In its own frame O, x is its right and y its front; a heading of 0 turns
-// the front north, and headings grow counter-clockwise.
+// Where a piece stands and which floor it covers. In its own frame O, x is its right and y its front; a heading of 0
+// turns the front north, and headings grow counter-clockwise.
 import { add, turned, vec, type Vec } from "./vec";
 
 export interface Pose {

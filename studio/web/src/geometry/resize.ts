@@ -3,7 +3,8 @@
 import { toObject, toRoom, type Pose, type Size } from "./footprint";
 import { vec, type Vec } from "./vec";
 
-// Which side is pulled, in frame O: x is -1 for the left one, 1 for the right one, y is 1 for the front, -1 for the back.
+// Which side is pulled, in frame O: x is -1 for the left one, 1 for the right one; y is 1 for the front, -1 for the
+// back.
 export interface Grip {
   readonly x: -1 | 0 | 1;
   readonly y: -1 | 0 | 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where something that is dragged comes to rest: at walls, in line with other pieces, on the room's axes.
 //
-// A candidate asks for an advance d along a direction n. The nearest one is taken, then the nearest in another direction,
-// and both are met exactly: corners need no case of their own, nor do walls at an angle.
+// A candidate asks for an advance d along a direction n. The nearest one is taken, then the nearest in another
+// direction, and both are met exactly: corners need no case of their own, nor do walls at an angle.
 import { boxesMeet, boxOf, edgesOf } from "./polygon";
 import { add, cross, dot, left, length, sub, times, turned, unit, vec, type Vec } from "./vec";
 

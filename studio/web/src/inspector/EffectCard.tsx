@@ -10,11 +10,29 @@ export function EffectCard({ room }: { room: OpenRoom }) {
     <section class="effect" aria-label="What the last change did">
       <header>
         <h3 class="eyebrow">The last change</h3>
-        <button class="icon-button" aria-label="Close" onClick={() => { room.effect.value = undefined; }}><Icon name="close" size={12} /></button>
+        <button
+          class="icon-button"
+          aria-label="Close"
+          onClick={() => {
+            room.effect.value = undefined;
+          }}
+        >
+          <Icon name="close" size={12} />
+        </button>
       </header>
       <ul>
-        {effect.lost.map((text) => <li key={text} class="is-lost"><Icon name="cross" size={13} /><span>No longer: {text}</span></li>)}
-        {effect.gained.map((text) => <li key={text} class="is-gained"><Icon name="check" size={13} /><span>Now: {text}</span></li>)}
+        {effect.lost.map((text) => (
+          <li key={text} class="is-lost">
+            <Icon name="cross" size={13} />
+            <span>No longer: {text}</span>
+          </li>
+        ))}
+        {effect.gained.map((text) => (
+          <li key={text} class="is-gained">
+            <Icon name="check" size={13} />
+            <span>Now: {text}</span>
+          </li>
+        ))}
       </ul>
     </section>
   );

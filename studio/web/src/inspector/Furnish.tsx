@@ -16,8 +16,13 @@ export function Furnish({ room }: { room: OpenRoom }) {
     <form class="furnish" onSubmit={(event) => { event.preventDefault(); void send(); }}>
       <label>
         <span class="eyebrow">Furnish it</span>
-        <textarea rows={3} value={text} maxLength={4000} placeholder="A living room with a piano and two armchairs by the window"
-          onInput={(event) => setText(event.currentTarget.value)} onKeyDown={(event) => {
+        <textarea
+          rows={3}
+          value={text}
+          maxLength={4000}
+          placeholder="A living room with a piano and two armchairs by the window"
+          onInput={(event) => setText(event.currentTarget.value)}
+          onKeyDown={(event) => {
             if (event.key !== "Enter" || event.shiftKey || event.isComposing) return;
             event.preventDefault();
             void send();

@@ -15,10 +15,18 @@ function measuresOf(note: Note, metrics: LayoutMetrics | undefined): Measure[] {
   const asked = count ? (count.holds ?? 0) + (count.missed ?? 0) : 0;
   const uses = note.uses;
   return [
-    uses?.asked ? { label: "Uses met", value: `${uses.met ?? 0} of ${uses.asked}`, share: (uses.met ?? 0) / uses.asked } : undefined,
-    asked > 0 ? { label: "Wishes met", value: `${count!.holds ?? 0} of ${asked}`, share: (count!.holds ?? 0) / asked } : undefined,
-    metrics ? { label: "Floor reached", value: percent(metrics.reachableFloorShare), share: metrics.reachableFloorShare } : undefined,
-    metrics ? { label: "Fronts reached", value: percent(metrics.reachableFrontShare), share: metrics.reachableFrontShare } : undefined,
+    uses?.asked
+      ? { label: "Uses met", value: `${uses.met ?? 0} of ${uses.asked}`, share: (uses.met ?? 0) / uses.asked }
+      : undefined,
+    asked > 0
+      ? { label: "Wishes met", value: `${count!.holds ?? 0} of ${asked}`, share: (count!.holds ?? 0) / asked }
+      : undefined,
+    metrics
+      ? { label: "Floor reached", value: percent(metrics.reachableFloorShare), share: metrics.reachableFloorShare }
+      : undefined,
+    metrics
+      ? { label: "Fronts reached", value: percent(metrics.reachableFrontShare), share: metrics.reachableFrontShare }
+      : undefined,
   ].filter((one) => one !== undefined);
 }
 

@@ -16,7 +16,7 @@ function groupsOf(room: OpenRoom, note: Note): Array<{ name: string; pieces: Pie
   return groups;
 }
 
-// Everything in the room, by zones: the way to it for those who use no mouse, and for what is hidden below something else.
+// Everything in the room, by zones: the way to it without a mouse, and to what is hidden below something else.
 export function PieceList({ room, note }: { room: OpenRoom; note: Note }) {
   return (
     <section>
@@ -25,10 +25,21 @@ export function PieceList({ room, note }: { room: OpenRoom; note: Note }) {
           <h3 class="eyebrow">{name}</h3>
           <ul class="pieces">
             {pieces.map((piece) => (
-              <li key={piece.id}><button class="piece-row" onClick={() => room.select([piece.id])}
-                onPointerEnter={() => { room.hovered.value = piece.id; }} onPointerLeave={() => { room.hovered.value = ""; }}>
-                {capital(nameOf(piece.object))}{piece.pinned && <Icon name="lock" size={13} />}
-              </button></li>
+              <li key={piece.id}>
+                <button
+                  class="piece-row"
+                  onClick={() => room.select([piece.id])}
+                  onPointerEnter={() => {
+                    room.hovered.value = piece.id;
+                  }}
+                  onPointerLeave={() => {
+                    room.hovered.value = "";
+                  }}
+                >
+                  {capital(nameOf(piece.object))}
+                  {piece.pinned && <Icon name="lock" size={13} />}
+                </button>
+              </li>
             ))}
           </ul>
         </div>

@@ -46,29 +46,61 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
       <header class="panel-head">
         <PieceName room={room} piece={piece} />
         <div class="button-group">
-          <button class="icon-button" aria-pressed={piece.pinned} aria-label={piece.pinned ? "Unlock" : "Lock"}
-            title={piece.pinned ? "Unlock (L)" : "Lock where it is (L)"} onClick={() => void lockPieces(room, [piece])}>
-            <Icon name={piece.pinned ? "lock" : "unlock"} /></button>
-          <button class="icon-button" aria-label="Duplicate" title="Duplicate (Ctrl D)" onClick={() => void duplicatePieces(room, [piece])}>
-            <Icon name="copy" /></button>
-          <button class="icon-button" aria-label="Remove" title="Remove (Delete)" onClick={() => void removePieces(room, [piece.id])}>
-            <Icon name="trash" /></button>
+          <button
+            class="icon-button"
+            aria-pressed={piece.pinned}
+            aria-label={piece.pinned ? "Unlock" : "Lock"}
+            title={piece.pinned ? "Unlock (L)" : "Lock where it is (L)"}
+            onClick={() => void lockPieces(room, [piece])}
+          >
+            <Icon name={piece.pinned ? "lock" : "unlock"} />
+          </button>
+          <button
+            class="icon-button"
+            aria-label="Duplicate"
+            title="Duplicate (Ctrl D)"
+            onClick={() => void duplicatePieces(room, [piece])}
+          >
+            <Icon name="copy" />
+          </button>
+          <button
+            class="icon-button"
+            aria-label="Remove"
+            title="Remove (Delete)"
+            onClick={() => void removePieces(room, [piece.id])}
+          >
+            <Icon name="trash" />
+          </button>
         </div>
       </header>
       {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}
       <PieceFields room={room} piece={piece} />
       {findings.length > 0 && (
-        <ul class="notices">{findings.map((one) => <li key={one.message} class="notice is-bad">{withStop(capital(one.message))}</li>)}</ul>
+        <ul class="notices">
+          {findings.map((one) => (
+            <li key={one.message} class="notice is-bad">
+              {withStop(capital(one.message))}
+            </li>
+          ))}
+        </ul>
       )}
       <h3 class="eyebrow">Why it stands there</h3>
       {demands.length === 0 && <p class="hint">Nothing is asked of it. Say a sentence below.</p>}
       <ul class="sentences">
-        {demands.map((demand, i) => <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={piece.id} />)}
+        {demands.map((demand, i) => (
+          <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={piece.id} />
+        ))}
       </ul>
       {about?.followers && about.followers.length > 0 && (
         <p class="hint followers">Placed by it: {about.followers.join(", ")}.</p>
       )}
-      {about?.remarks?.filter((remark) => !told.has(remark.replace(/\.$/, ""))).map((remark) => <p key={remark} class="hint">{withStop(remark)}</p>)}
+      {about?.remarks
+        ?.filter((remark) => !told.has(remark.replace(/\.$/, "")))
+        .map((remark) => (
+          <p key={remark} class="hint">
+            {withStop(remark)}
+          </p>
+        ))}
     </>
   );
 }

@@ -44,13 +44,25 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
       <header class="panel-head">
         <h2>{capital(shape?.roomType || "room")}</h2>
         <span class="hint">{areaText(area(room.floor.value), units.value)}</span>
-        <button class="link-button room-edit" title="Change walls, doors and windows" onClick={() => goTo({ page: "draw", id: room.id })}>Edit room</button>
+        <button
+          class="link-button room-edit"
+          title="Change walls, doors and windows"
+          onClick={() => goTo({ page: "draw", id: room.id })}
+        >
+          Edit room
+        </button>
       </header>
       {note.room && <p class="stands">{note.room}</p>}
       {explanation && explanation.notAsAsked.length > 0 && (
         <section>
           <h3 class="eyebrow">Not as asked</h3>
-          <ul class="notices">{explanation.notAsAsked.map((line) => <li key={line} class="notice is-warning">{withStop(capital(line))}</li>)}</ul>
+          <ul class="notices">
+            {explanation.notAsAsked.map((line) => (
+              <li key={line} class="notice is-warning">
+                {withStop(capital(line))}
+              </li>
+            ))}
+          </ul>
         </section>
       )}
       {findings.length > 0 && (
@@ -70,7 +82,9 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
         <section>
           <h3 class="eyebrow">Wishes that do not hold</h3>
           <ul class="sentences">
-            {missed.map(({ demand, objectId }, i) => <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={objectId} />)}
+            {missed.map(({ demand, objectId }, i) => (
+              <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={objectId} />
+            ))}
           </ul>
         </section>
       )}

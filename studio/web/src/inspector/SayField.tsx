@@ -16,7 +16,9 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
     if (!text.trim() || isSent) return;
     setSent(true);
     setRemark("");
-    const answer = await say(room, text.trim(), (told) => setRemark((before) => [before, told].filter(Boolean).join(" ")));
+    const answer = await say(room, text.trim(), (told) =>
+      setRemark((before) => [before, told].filter(Boolean).join(" ")),
+    );
     setSent(false);
     if (!answer) return;
     setText("");

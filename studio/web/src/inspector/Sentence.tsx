@@ -23,7 +23,8 @@ const fateWords: Record<Fate, string> = {
 function liveFate(room: OpenRoom, demand: Demand): { fate: Fate; shortfall: string; isLive: boolean } {
   const outcomes = room.judging.verdict.value?.outcomes;
   const asked = demand.edge_ids?.flatMap((id) => outcomes?.get(id) ?? []) ?? [];
-  if (asked.length === 0 || demand.fate === "dropped") return { fate: demand.fate, shortfall: demand.shortfall ?? "", isLive: false };
+  if (asked.length === 0 || demand.fate === "dropped")
+    return { fate: demand.fate, shortfall: demand.shortfall ?? "", isLive: false };
   const missed = asked.find((one) => one.status === OutcomeStatus.VIOLATED);
   return { fate: missed ? "missed" : "holds", shortfall: missed?.reason ?? "", isLive: true };
 }
@@ -63,9 +64,21 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
   const mark = fate === "holds" ? "check" : fate === "missed" ? "cross" : "dash";
   const missed = fate === "missed" ? (isLive ? shortfall : shortfall || missedText(demand, units.value)) : shortfall;
   return (
-    <li class={`sentence is-${fate.replace(" ", "-")} ${isLive ? "is-live" : ""}`} onPointerEnter={point} onPointerLeave={unpoint}>
-      <button class="sentence-line" aria-expanded={isOpen} onClick={() => setOpen(!isOpen)} onFocus={point} onBlur={unpoint}>
-        <span class="sentence-mark" role="img" aria-label={fateWords[fate]}><Icon name={mark} size={14} /></span>
+    <li
+      class={`sentence is-${fate.replace(" ", "-")} ${isLive ? "is-live" : ""}`}
+      onPointerEnter={point}
+      onPointerLeave={unpoint}
+    >
+      <button
+        class="sentence-line"
+        aria-expanded={isOpen}
+        onClick={() => setOpen(!isOpen)}
+        onFocus={point}
+        onBlur={unpoint}
+      >
+        <span class="sentence-mark" role="img" aria-label={fateWords[fate]}>
+          <Icon name={mark} size={14} />
+        </span>
         <span class="sentence-text">{text}</span>
       </button>
       {missed && <p class="sentence-missed">{missed}</p>}
@@ -76,9 +89,15 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
           {demand.sentence_id && (
             <div class="sentence-acts">
               {!isGone && <Weight room={room} demand={demand} text={text} />}
-              {isGone
-                ? <button class="link-button" onClick={() => void say(room, demand.sentence || text)}>Ask for it again</button>
-                : <button class="link-button" onClick={() => void weigh(room, demand.sentence_id!, 0)}>Drop</button>}
+              {isGone ? (
+                <button class="link-button" onClick={() => void say(room, demand.sentence || text)}>
+                  Ask for it again
+                </button>
+              ) : (
+                <button class="link-button" onClick={() => void weigh(room, demand.sentence_id!, 0)}>
+                  Drop
+                </button>
+              )}
             </div>
           )}
         </div>

@@ -12,21 +12,55 @@ export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonl
       <header class="panel-head">
         <h2>{pieces.length} pieces</h2>
         <div class="button-group">
-          <button class="icon-button" aria-pressed={isLocked} aria-label={isLocked ? "Unlock them" : "Lock them"}
-            title={isLocked ? "Unlock (L)" : "Lock (L)"} onClick={() => void lockPieces(room, pieces)}>
-            <Icon name={isLocked ? "lock" : "unlock"} /></button>
-          <button class="icon-button" aria-label="Duplicate them" title="Duplicate (Ctrl D)" onClick={() => void duplicatePieces(room, pieces)}>
-            <Icon name="copy" /></button>
-          <button class="icon-button" aria-label="Remove them" title="Remove (Delete)"
-            onClick={() => void removePieces(room, pieces.map((piece) => piece.id))}><Icon name="trash" /></button>
+          <button
+            class="icon-button"
+            aria-pressed={isLocked}
+            aria-label={isLocked ? "Unlock them" : "Lock them"}
+            title={isLocked ? "Unlock (L)" : "Lock (L)"}
+            onClick={() => void lockPieces(room, pieces)}
+          >
+            <Icon name={isLocked ? "lock" : "unlock"} />
+          </button>
+          <button
+            class="icon-button"
+            aria-label="Duplicate them"
+            title="Duplicate (Ctrl D)"
+            onClick={() => void duplicatePieces(room, pieces)}
+          >
+            <Icon name="copy" />
+          </button>
+          <button
+            class="icon-button"
+            aria-label="Remove them"
+            title="Remove (Delete)"
+            onClick={() =>
+              void removePieces(
+                room,
+                pieces.map((piece) => piece.id),
+              )
+            }
+          >
+            <Icon name="trash" />
+          </button>
         </div>
       </header>
       <ul class="pieces">
         {pieces.map((piece) => (
-          <li key={piece.id}><button class="piece-row" onClick={() => room.select([piece.id])}
-            onPointerEnter={() => { room.hovered.value = piece.id; }} onPointerLeave={() => { room.hovered.value = ""; }}>
-            {capital(nameOf(piece.object))}{piece.pinned && <Icon name="lock" size={13} />}
-          </button></li>
+          <li key={piece.id}>
+            <button
+              class="piece-row"
+              onClick={() => room.select([piece.id])}
+              onPointerEnter={() => {
+                room.hovered.value = piece.id;
+              }}
+              onPointerLeave={() => {
+                room.hovered.value = "";
+              }}
+            >
+              {capital(nameOf(piece.object))}
+              {piece.pinned && <Icon name="lock" size={13} />}
+            </button>
+          </li>
         ))}
       </ul>
     </>

@@ -33,7 +33,10 @@ export function useSpent(clients: Clients, events: readonly JobEvent[]): Spent {
   const [isAsked, setAsked] = useState(false);
   const [byArtifact, setByArtifact] = useState<ReadonlyMap<string, Spent>>(new Map());
   useEffect(() => {
-    clients.studio.getModel({}).then(({ model, canChoose }) => setAsked(!canChoose || Boolean(model?.baseUrl)), () => {});
+    clients.studio.getModel({}).then(
+      ({ model, canChoose }) => setAsked(!canChoose || Boolean(model?.baseUrl)),
+      () => {},
+    );
   }, []);
   useEffect(() => {
     if (!isAsked) return;
@@ -42,7 +45,8 @@ export function useSpent(clients: Clients, events: readonly JobEvent[]): Spent {
       if (kind !== JobEventKind.STAGE_FINISHED || !id || byArtifact.has(id)) continue;
       setByArtifact((known) => new Map(known).set(id, kNothingSpent));
       clients.orchestrator.getArtifact({ artifactId: id }).then(
-        ({ artifact: whole }) => setByArtifact((known) => new Map(known).set(id, plus(kNothingSpent, whole?.modelCalls ?? []))),
+        ({ artifact: whole }) =>
+          setByArtifact((known) => new Map(known).set(id, plus(kNothingSpent, whole?.modelCalls ?? []))),
         () => {},
       );
     }

@@ -17,7 +17,8 @@ export function ClearanceField() {
   const input = useRef<HTMLInputElement>(null);
   const edited = editedClearance.value;
   const shown = edited && shownClearances(plan);
-  const clearance = shown?.piece.id === edited?.pieceId ? shown?.list.find((one) => one.side === edited?.side) : undefined;
+  const clearance =
+    shown?.piece.id === edited?.pieceId ? shown?.list.find((one) => one.side === edited?.side) : undefined;
   const units = plan.studio.settings.units.value;
   const at = clearance && middle(toScreen(plan.view.value, clearance.from), toScreen(plan.view.value, clearance.to));
   useEffect(() => {
@@ -41,14 +42,26 @@ export function ClearanceField() {
     }
   };
   return (
-    <input ref={input} key={edited.side} class="clearance-field" defaultValue={figure(clearance.metres, units)} aria-label={`${edited.side} clearance`}
-      onBlur={() => { if (editedClearance.peek() === edited) close(); }} onKeyDown={(event) => {
+    <input
+      ref={input}
+      key={edited.side}
+      class="clearance-field"
+      defaultValue={figure(clearance.metres, units)}
+      aria-label={`${edited.side} clearance`}
+      onBlur={() => {
+        if (editedClearance.peek() === edited) close();
+      }}
+      onKeyDown={(event) => {
         event.stopPropagation();
         if (event.key === "Enter") take();
         if (event.key === "Tab") {
           event.preventDefault();
-          const sides = shown.list.map((one) => one.side), by = event.shiftKey ? sides.length - 1 : 1;
-          editedClearance.value = { pieceId: edited.pieceId, side: sides[(sides.indexOf(edited.side) + by) % sides.length]! };
+          const sides = shown.list.map((one) => one.side),
+            by = event.shiftKey ? sides.length - 1 : 1;
+          editedClearance.value = {
+            pieceId: edited.pieceId,
+            side: sides[(sides.indexOf(edited.side) + by) % sides.length]!,
+          };
         }
         if (event.key === "Escape") close();
       }} />

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Floor, pieces, walls, in the order of the renderer's plan. A piece's element is made once; only its transform changes.
+// Floor, pieces, walls, in the order of the renderer's plan. A piece's element is made once; its transform changes.
 import { useComputed } from "@preact/signals";
 import { memo } from "preact/compat";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
@@ -28,28 +28,41 @@ interface PieceProps {
   name: string;
 }
 
-const PieceElement = memo(function PieceElement({ id, svg, shadow, width, depth, isCeiling, name }: PieceProps) {
-  const { room } = usePlan();
-  const transformAt = (shiftX: number, shiftY: number) => {
-    const pulled = resizing.value?.id === id ? resizing.value.to : undefined;
-    const pose = pulled?.pose ?? room.poseOf(id);
-    if (!pose) return "";
-    const scale = pulled ? ` scale(${pulled.size.width / width} ${pulled.size.depth / depth})` : "";
-    return `translate(${pose.x + shiftX} ${shiftY - pose.y}) rotate(${-pose.theta * kDegrees})${scale}`;
-  };
-  const transform = useComputed(() => transformAt(0, 0));
-  const shadowTransform = useComputed(() => (shadow ? transformAt(shadow.x, shadow.y) : ""));
-  const state = useComputed(() => (room.selection.value.has(id) ? "piece is-selected" : "piece"));
-  return (
-    <>
-      {shadow && <g transform={shadowTransform} pointer-events="none"><Drawn svg={shadow.svg} /></g>}
-      <g class={state} transform={transform} data-piece={id} aria-hidden="true" data-name={name}>
-        <Drawn svg={svg} />
-        <rect class={isCeiling ? "hit hit-outline" : "hit"} x={-width / 2} y={-depth / 2} width={width} height={depth} />
-      </g>
-    </>
-  );
-}, (a, b) => a.svg === b.svg && a.name === b.name && a.shadow?.svg === b.shadow?.svg);
+const PieceElement = memo(
+  function PieceElement({ id, svg, shadow, width, depth, isCeiling, name }: PieceProps) {
+    const { room } = usePlan();
+    const transformAt = (shiftX: number, shiftY: number) => {
+      const pulled = resizing.value?.id === id ? resizing.value.to : undefined;
+      const pose = pulled?.pose ?? room.poseOf(id);
+      if (!pose) return "";
+      const scale = pulled ? ` scale(${pulled.size.width / width} ${pulled.size.depth / depth})` : "";
+      return `translate(${pose.x + shiftX} ${shiftY - pose.y}) rotate(${-pose.theta * kDegrees})${scale}`;
+    };
+    const transform = useComputed(() => transformAt(0, 0));
+    const shadowTransform = useComputed(() => (shadow ? transformAt(shadow.x, shadow.y) : ""));
+    const state = useComputed(() => (room.selection.value.has(id) ? "piece is-selected" : "piece"));
+    return (
+      <>
+        {shadow && (
+          <g transform={shadowTransform} pointer-events="none">
+            <Drawn svg={shadow.svg} />
+          </g>
+        )}
+        <g class={state} transform={transform} data-piece={id} aria-hidden="true" data-name={name}>
+          <Drawn svg={svg} />
+          <rect
+            class={isCeiling ? "hit hit-outline" : "hit"}
+            x={-width / 2}
+            y={-depth / 2}
+            width={width}
+            height={depth}
+          />
+        </g>
+      </>
+    );
+  },
+  (a, b) => a.svg === b.svg && a.name === b.name && a.shadow?.svg === b.shadow?.svg,
+);
 
 function shadowOf(part: PlanPart | undefined): Shadow | undefined {
   return part?.shadowSvg ? { svg: part.shadowSvg, x: part.shadowXM, y: part.shadowYM } : undefined;

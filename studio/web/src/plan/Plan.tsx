@@ -62,10 +62,29 @@ export function Plan({ room }: { room: OpenRoom }) {
   useEffect(() => cursor.subscribe((value) => { host.current!.style.cursor = value; }), [cursor]);
   return (
     <PlanContext.Provider value={plan}>
-      <div class="plan" ref={host} tabIndex={0} role="application" aria-label="Plan of the room. Tab goes to the pieces, arrows move what is selected."
-        {...keys}>
-        <svg class="plan-drawing" ref={(element) => { plan.element = element; }} {...pointer}>
-          {isMeasured.value && <><g transform={world}><PieceLayers /></g><Overlay /></>}
+      <div
+        class="plan"
+        ref={host}
+        tabIndex={0}
+        role="application"
+        aria-label="Plan of the room. Tab goes to the pieces, arrows move what is selected."
+        {...keys}
+      >
+        <svg
+          class="plan-drawing"
+          ref={(element) => {
+            plan.element = element;
+          }}
+          {...pointer}
+        >
+          {isMeasured.value && (
+            <>
+              <g transform={world}>
+                <PieceLayers />
+              </g>
+              <Overlay />
+            </>
+          )}
         </svg>
         <ClearanceField />
         <Spoken room={room} />

@@ -16,7 +16,12 @@ function ScaleBar() {
   const bar = useRef<HTMLDivElement>(null);
   useEffect(() => { bar.current!.style.width = `${metres * scale}px`; }, [metres, scale]);
   const text = units === "m" ? `${metres} m` : `${Math.round(metres / 0.3048)} ft`;
-  return <div class="scale-bar" aria-label={`Scale: this bar is ${text} long`}><div ref={bar} /><span>{text}</span></div>;
+  return (
+    <div class="scale-bar" aria-label={`Scale: this bar is ${text} long`}>
+      <div ref={bar} />
+      <span>{text}</span>
+    </div>
+  );
 }
 
 export function PlanTools() {
@@ -27,9 +32,15 @@ export function PlanTools() {
     <div class="plan-tools">
       <ScaleBar />
       <div class="button-group">
-        <button class="icon-button" aria-label="Zoom out" title="Zoom out (-)" onClick={() => zoom(1 / 1.25)}><Icon name="minus" /></button>
-        <button class="icon-button" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}><Icon name="plus" /></button>
-        <button class="icon-button" aria-label="Fit the room" title="Fit the room (0)" onClick={() => plan.fit()}><Icon name="fit" /></button>
+        <button class="icon-button" aria-label="Zoom out" title="Zoom out (-)" onClick={() => zoom(1 / 1.25)}>
+          <Icon name="minus" />
+        </button>
+        <button class="icon-button" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}>
+          <Icon name="plus" />
+        </button>
+        <button class="icon-button" aria-label="Fit the room" title="Fit the room (0)" onClick={() => plan.fit()}>
+          <Icon name="fit" />
+        </button>
       </div>
     </div>
   );

@@ -100,7 +100,8 @@ export function usePlanKeys(plan: PlanController) {
     const down = (event: KeyboardEvent) => {
       const target = event.target as HTMLElement;
       const isNowhere = target === document.body && event.key !== "Tab";
-      const isOnButton = target.closest("button, a") && !target.closest("dialog, [role=menu]") && !kOfButtons.test(event.key);
+      const isOnButton =
+        target.closest("button, a") && !target.closest("dialog, [role=menu]") && !kOfButtons.test(event.key);
       if ((isNowhere || isOnButton) && !event.defaultPrevented) keys.onKeyDown(event);
     };
     const up = (event: KeyboardEvent) => {

@@ -17,7 +17,9 @@ export interface Link {
 }
 
 function textsOf(edge: ConstraintEdge): Map<string, string> {
-  return new Map(edge.arguments.flatMap(({ name, value }) => value?.value.case === "text" ? [[name, value.value.value]] : []));
+  return new Map(
+    edge.arguments.flatMap(({ name, value }) => (value?.value.case === "text" ? [[name, value.value.value]] : [])),
+  );
 }
 
 // Ids of the pieces that an edge names, the one it is about first.
@@ -48,7 +50,11 @@ function segmentsOf(room: Room, word: string): Array<{ id: string; a: Vec; b: Ve
     || (word === "window" && kind === OpeningKind.WINDOW) || (word === "door" && kind === OpeningKind.DOOR));
   const sockets = room.sockets.filter(({ id }) => id === word || word === "socket");
   return [
-    ...openings.map(({ id, wall: on, offsetM, widthM }) => ({ id, a: along(room, on, offsetM), b: along(room, on, offsetM + widthM) })),
+    ...openings.map(({ id, wall: on, offsetM, widthM }) => ({
+      id,
+      a: along(room, on, offsetM),
+      b: along(room, on, offsetM + widthM),
+    })),
     ...sockets.map(({ id, wall: on, offsetM }) => ({ id, a: along(room, on, offsetM), b: along(room, on, offsetM) })),
   ].flatMap(({ id, a, b }) => (a && b ? [{ id, a, b }] : []));
 }
@@ -81,7 +87,12 @@ function toNearestWall(room: Room, piece: Piece, pose: Pose, side: Side): [Vec, 
 }
 
 // Lines from the piece that the edge is about to each of its operands.
-export function linksOf(edge: ConstraintEdge, room: Room, pieces: Pieces, poseOf: (id: string) => Pose | undefined): Link[] {
+export function linksOf(
+  edge: ConstraintEdge,
+  room: Room,
+  pieces: Pieces,
+  poseOf: (id: string) => Pose | undefined,
+): Link[] {
   const [subject, ...others] = piecesNamed(edge, pieces);
   const piece = subject ? pieces.get(subject) : undefined;
   const pose = subject ? poseOf(subject) : undefined;

@@ -23,7 +23,7 @@ function wantsStillness(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
-// Calls `show` with poses on the way of all that differs, and `done` when they are there. Returns how to end it at once.
+// Calls `show` with poses on the way of all that differs, and `done` when they are there. Returns how to end it.
 export function animate(from: Poses, to: Poses, show: (poses: Poses) => void, done: () => void): () => void {
   const moving = [...from].filter(([id, pose]) => to.has(id) && differs(pose, to.get(id)!));
   if (moving.length === 0 || wantsStillness()) {

@@ -103,15 +103,19 @@ export class OpenRoom {
     if (document && !isOld && !this.isClosed) this.show(document, layout);
   }
 
-  // Changes the document; one act after the other. Errors and remarks are told to the user, by a toast unless `tell` does;
-  // after an error the answer is undefined.
+  // Changes the document; one act after the other. Errors and remarks are told to the user, by a toast unless `tell`
+  // does; after an error the answer is undefined.
   act(act: Act, tell?: (text: string) => void): Promise<ActResponse | undefined> {
     const answer = this.queue.then(() => this.send(act, tell));
     this.queue = answer;
     return answer;
   }
 
-  private async send(act: Act, tell = (text: string) => this.toasts.error(text), isAgain = false): Promise<ActResponse | undefined> {
+  private async send(
+    act: Act,
+    tell = (text: string) => this.toasts.error(text),
+    isAgain = false,
+  ): Promise<ActResponse | undefined> {
     this.isBusy.value = true;
     try {
       const { revision } = this.document.peek();
@@ -132,7 +136,9 @@ export class OpenRoom {
         await this.reload().catch(() => {});
         // Only its title or its job has changed: nothing is in the way.
         if (!isAgain && layoutId === this.document.peek().layoutId) return await this.send(act, tell, true);
-        this.toasts.error("The room was changed in another window meanwhile. Here is its newest state; please try again.");
+        this.toasts.error(
+          "The room was changed in another window meanwhile. Here is its newest state; please try again.",
+        );
       } else {
         this.show(this.document.peek(), this.layout.peek());
         if (isNothingToDo(error)) this.toasts.note(sentenceOf(error));
@@ -158,7 +164,16 @@ export class OpenRoom {
         this.select([...this.selection.peek()].filter((id) => pieces.has(id)));
       }
       const goal = new Map([...pieces].map(([id, piece]) => [id, piece.pose]));
-      this.endMotion = animate(seen, goal, (poses) => { this.draft.value = poses; }, () => { this.draft.value = kNothing; });
+      this.endMotion = animate(
+        seen,
+        goal,
+        (poses) => {
+          this.draft.value = poses;
+        },
+        () => {
+          this.draft.value = kNothing;
+        },
+      );
     });
     if (!next) return;
     if (!this.parts.peek() || !isDrawnAlike(before, next)) void this.redraw();

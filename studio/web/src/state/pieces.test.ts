@@ -9,17 +9,27 @@ import { carrierOf, guestsOf, nameOf, piecesOf } from "./pieces";
 
 const floor = { kind: ObjectKind.FLOOR, widthM: 1.2, depthM: 0.6, heightM: 0.74 };
 const small = { kind: ObjectKind.SURFACE, widthM: 0.2, depthM: 0.2, heightM: 0.1 };
-const pieces = piecesOf(create(SolvedLayoutSchema, {
-  graph: { objectList: { objects: [
-    { id: "desk", name: "desk", ...floor }, { id: "tray", name: "tray", ...small, hostId: "desk" },
-    { id: "cup_2", name: "cup", ...small, hostId: "tray" }, { id: "rug", name: "rug", ...floor, walkOver: true, hostId: "desk" },
-    { id: "lost", name: "lost", ...floor },
-  ] } },
-  placements: [
-    { objectId: "desk", xM: 1, yM: 1 }, { objectId: "tray", xM: 1.2, yM: 1, zM: 0.74 },
-    { objectId: "cup_2", xM: 1.2, yM: 1, zM: 0.84 }, { objectId: "rug", xM: 1, yM: 1 },
-  ],
-}));
+const pieces = piecesOf(
+  create(SolvedLayoutSchema, {
+    graph: {
+      objectList: {
+        objects: [
+          { id: "desk", name: "desk", ...floor },
+          { id: "tray", name: "tray", ...small, hostId: "desk" },
+          { id: "cup_2", name: "cup", ...small, hostId: "tray" },
+          { id: "rug", name: "rug", ...floor, walkOver: true, hostId: "desk" },
+          { id: "lost", name: "lost", ...floor },
+        ],
+      },
+    },
+    placements: [
+      { objectId: "desk", xM: 1, yM: 1 },
+      { objectId: "tray", xM: 1.2, yM: 1, zM: 0.74 },
+      { objectId: "cup_2", xM: 1.2, yM: 1, zM: 0.84 },
+      { objectId: "rug", xM: 1, yM: 1 },
+    ],
+  }),
+);
 
 test("what has no place is no piece", () => {
   assert.deepEqual([...pieces.keys()], ["desk", "tray", "cup_2", "rug"]);

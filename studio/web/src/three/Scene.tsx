@@ -17,7 +17,10 @@ function followDocument(studio: Studio, room: OpenRoom, view: View3d, told: (sta
   const fetchScene = async () => {
     const { layoutId } = room.document.peek();
     try {
-      const { content } = await studio.clients.studio.exportDocument({ documentId: room.id, format: DocumentFormat.SCENE_GLB });
+      const { content } = await studio.clients.studio.exportDocument({
+        documentId: room.id,
+        format: DocumentFormat.SCENE_GLB,
+      });
       if (isEnded) return;
       await view.load(content);
       shown = layoutId;
@@ -75,11 +78,23 @@ export default function Scene({ room }: { room: OpenRoom }) {
   return (
     <div class="scene" ref={host} role="region" aria-label="The room in three dimensions">
       {state && <p class="scene-state">{state}</p>}
-      {!state && mode === "walk" && <p class="scene-state is-hint">Walk with W A S D or the arrow keys, drag to look around.</p>}
+      {!state && mode === "walk" && (
+        <p class="scene-state is-hint">Walk with W A S D or the arrow keys, drag to look around.</p>
+      )}
       <div class="scene-tools">
         <div class="segmented" role="group" aria-label="How to look">
-          <button aria-pressed={mode === "orbit"} onClick={() => change("orbit")} title="Look from outside"><Icon name="orbit" />Orbit</button>
-          <button aria-pressed={mode === "walk"} onClick={() => change("walk")} title="Walk: W A S D, drag to look around"><Icon name="walk" />Walk</button>
+          <button aria-pressed={mode === "orbit"} onClick={() => change("orbit")} title="Look from outside">
+            <Icon name="orbit" />
+            Orbit
+          </button>
+          <button
+            aria-pressed={mode === "walk"}
+            onClick={() => change("walk")}
+            title="Walk: W A S D, drag to look around"
+          >
+            <Icon name="walk" />
+            Walk
+          </button>
         </div>
         <button class="button" onClick={() => setTracing(true)}><Icon name="camera" />Ray-trace</button>
       </div>

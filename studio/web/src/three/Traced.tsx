@@ -6,7 +6,8 @@ import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 
 const views = [
-  { format: DocumentFormat.BIRDSEYE_PNG, label: "From above" }, { format: DocumentFormat.PERSPECTIVE_PNG, label: "From within" },
+  { format: DocumentFormat.BIRDSEYE_PNG, label: "From above" },
+  { format: DocumentFormat.PERSPECTIVE_PNG, label: "From within" },
 ];
 
 // A ray-traced picture in a dialog.
@@ -33,7 +34,9 @@ export function Traced({ room, onClose }: { room: OpenRoom; onClose(): void }) {
       <div class="traced-choice">
         <div class="segmented" role="group" aria-label="From where">
           {views.map((one) => (
-            <button key={one.format} aria-pressed={format === one.format} onClick={() => setFormat(one.format)}>{one.label}</button>
+            <button key={one.format} aria-pressed={format === one.format} onClick={() => setFormat(one.format)}>
+              {one.label}
+            </button>
           ))}
         </div>
       </div>

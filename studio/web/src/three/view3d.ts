@@ -190,7 +190,10 @@ export class View3d {
     canvas.addEventListener("pointerup", (event) => {
       if (event.button !== 0 || from.distanceTo(new Vector2(event.clientX, event.clientY)) > 4 || !this.model) return;
       const box = canvas.getBoundingClientRect();
-      const at = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+      const at = new Vector2(
+        ((event.clientX - box.left) / box.width) * 2 - 1,
+        1 - ((event.clientY - box.top) / box.height) * 2,
+      );
       const ray = new Raycaster();
       ray.setFromCamera(at, this.camera);
       const hit = ray.intersectObject(this.model, true).find(({ object }) => object.visible && this.isSeen(object));

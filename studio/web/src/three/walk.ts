@@ -7,7 +7,14 @@ const kTurnPerPixel = 0.0035;
 const kMargin = 0.25;
 
 const directions: Record<string, [number, number]> = {
-  KeyW: [0, -1], ArrowUp: [0, -1], KeyS: [0, 1], ArrowDown: [0, 1], KeyA: [-1, 0], ArrowLeft: [-1, 0], KeyD: [1, 0], ArrowRight: [1, 0],
+  KeyW: [0, -1],
+  ArrowUp: [0, -1],
+  KeyS: [0, 1],
+  ArrowDown: [0, 1],
+  KeyA: [-1, 0],
+  ArrowLeft: [-1, 0],
+  KeyD: [1, 0],
+  ArrowRight: [1, 0],
 };
 
 export class Walk {
@@ -18,7 +25,11 @@ export class Walk {
   private isOn = false;
   private ending = new AbortController();
 
-  constructor(private readonly camera: Camera, private readonly canvas: HTMLElement, private readonly draw: () => void) {}
+  constructor(
+    private readonly camera: Camera,
+    private readonly canvas: HTMLElement,
+    private readonly draw: () => void,
+  ) {}
 
   start(): void {
     if (this.isOn) return;

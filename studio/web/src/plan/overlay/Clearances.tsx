@@ -32,7 +32,8 @@ export function Clearances() {
           <g key={one.side} class="clearance">
             <line x1={a.x} y1={a.y} x2={b.x} y2={b.y} />
             {ends.map(({ p, q }, i) => <line key={i} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />)}
-            <g data-field="" role="button" aria-label={`${one.side} clearance of ${theName(shown.piece.object)}: ${text}`}
+            <g data-field="" role="button"
+              aria-label={`${one.side} clearance of ${theName(shown.piece.object)}: ${text}`}
               class="figure" transform={`translate(${at.x} ${at.y})`} onClick={edit}>
               <rect x={-width / 2} y={-9} width={width} height={18} rx={4} />
               <text y={4}>{text}</text>

@@ -14,7 +14,8 @@ function findingsOf(room: OpenRoom): readonly Finding[] {
   const stored = room.layout.value?.metrics?.findings ?? [];
   const verdict = room.judging.verdict.value;
   if (!verdict) return stored;
-  const isAsked = (finding: Finding) => verdict.objectIds.has(finding.objectId) || verdict.objectIds.has(finding.partnerId);
+  const isAsked = (finding: Finding) =>
+    verdict.objectIds.has(finding.objectId) || verdict.objectIds.has(finding.partnerId);
   return [...stored.filter((finding) => !isAsked(finding)), ...verdict.findings];
 }
 
@@ -37,7 +38,8 @@ const Mark = memo(function Mark({ finding }: { finding: Finding }) {
     const partner = polygonOf(finding.partnerId) ?? (layoutRoom && doorSweep(layoutRoom, finding.partnerId));
     const shared = partner ? clipped(partner, own) : own;
     return {
-      own: partner ? pixelPoints(view.value, own) : "", shared: shared.length > 2 ? pixelPoints(view.value, shared) : "",
+      own: partner ? pixelPoints(view.value, own) : "",
+      shared: shared.length > 2 ? pixelPoints(view.value, shared) : "",
     };
   });
   const own = useComputed(() => shape.value.own), shared = useComputed(() => shape.value.shared);
@@ -55,8 +57,11 @@ export function Findings() {
           <line x1="0" y1="0" x2="0" y2="7" class="hatch-line" />
         </pattern>
       </defs>
-      {findingsOf(room).filter((finding) => kShown.has(finding.kind))
-        .map((finding, i) => <Mark key={[finding.objectId, finding.partnerId, finding.kind, i].join(" ")} finding={finding} />)}
+      {findingsOf(room)
+        .filter((finding) => kShown.has(finding.kind))
+        .map((finding, i) => (
+          <Mark key={[finding.objectId, finding.partnerId, finding.kind, i].join(" ")} finding={finding} />
+        ))}
     </g>
   );
 }

@@ -14,7 +14,7 @@ const kGrip = 4;
 const kRoomForGrips = 36;
 const kRoomForMiddles = 64;
 
-// Off the front right corner of a lone piece, above the box of several: clear of the distances, which begin at the middles.
+// Off the front right corner of a lone piece, above the box of several: clear of the distances, which begin at middles.
 function rotateHandle(view: View, pieces: readonly Piece[], poseOf: (piece: Piece) => Piece["pose"]): [Vec, Vec] {
   const [only] = pieces;
   if (pieces.length === 1 && only) {
@@ -38,8 +38,12 @@ export function Handles() {
   const [from, to] = rotateHandle(view, pieces, poseOf);
   const size = pulled?.size ?? only.size;
   const small = Math.min(size.width, size.depth) * view.scale;
-  const shown = pieces.length > 1 || small < kRoomForGrips ? []
-    : grips.map((grip, i) => ({ grip, i })).filter(({ grip }) => small >= kRoomForMiddles || (grip.x !== 0 && grip.y !== 0));
+  const shown =
+    pieces.length > 1 || small < kRoomForGrips
+      ? []
+      : grips
+          .map((grip, i) => ({ grip, i }))
+          .filter(({ grip }) => small >= kRoomForMiddles || (grip.x !== 0 && grip.y !== 0));
   return (
     <g class="handles">
       {!pulled && (

@@ -24,22 +24,30 @@ interface LabelProps {
 }
 
 // Only its transform changes while a piece is dragged.
-const Label = memo(function Label({ piece, text, size, shiftX, shiftY }: LabelProps) {
-  const { room, view } = usePlan();
-  const pixels = useComputed(() => (size > 0 ? Math.min(size * view.value.scale, kLargest) : kPlainSize));
-  const place = useComputed(() => {
-    const at = toScreen(view.value, room.poseOf(piece.id) ?? piece.pose), { scale } = view.value;
-    return `translate(${(at.x + shiftX * scale).toFixed(1)} ${(at.y + shiftY * scale).toFixed(1)})`;
-  });
-  const isShown = useComputed(() => pixels.value >= kSmallest);
-  const lines = text.split("\n");
-  if (!isShown.value) return null;
-  return (
-    <text transform={place} font-size={pixels}>
-      {lines.map((line, i) => <tspan key={i} x="0" y={`${0.35 + (i - (lines.length - 1) / 2) * kLeading}em`}>{line}</tspan>)}
-    </text>
-  );
-}, (a, b) => a.text === b.text);
+const Label = memo(
+  function Label({ piece, text, size, shiftX, shiftY }: LabelProps) {
+    const { room, view } = usePlan();
+    const pixels = useComputed(() => (size > 0 ? Math.min(size * view.value.scale, kLargest) : kPlainSize));
+    const place = useComputed(() => {
+      const at = toScreen(view.value, room.poseOf(piece.id) ?? piece.pose),
+        { scale } = view.value;
+      return `translate(${(at.x + shiftX * scale).toFixed(1)} ${(at.y + shiftY * scale).toFixed(1)})`;
+    });
+    const isShown = useComputed(() => pixels.value >= kSmallest);
+    const lines = text.split("\n");
+    if (!isShown.value) return null;
+    return (
+      <text transform={place} font-size={pixels}>
+        {lines.map((line, i) => (
+          <tspan key={i} x="0" y={`${0.35 + (i - (lines.length - 1) / 2) * kLeading}em`}>
+            {line}
+          </tspan>
+        ))}
+      </text>
+    );
+  },
+  (a, b) => a.text === b.text,
+);
 
 function hasLabel(piece: Piece, part: PlanPart | undefined): boolean {
   return part ? part.label !== "" : isSolid(piece);
@@ -71,12 +79,27 @@ export function Labels() {
   const labelOf = (piece: Piece) => shared.get(kindOf(piece)) ?? parts.get(piece.id);
   return (
     <g class="labels" pointer-events="none">
-      {pieces.filter((piece) => hasLabel(piece, labelOf(piece))).map((piece) => {
-        const { label = piece.object.name, labelSizeM: size = 0, labelXM: shiftX = 0, labelYM: shiftY = 0 } = labelOf(piece) ?? {};
-        // Computed signals keep what they have read of their component: what that depends on is in the key.
-        return <Label key={[piece.id, size, shiftX, shiftY].join(" ")} piece={piece} text={label.replace(kFolded, "")} size={size}
-          shiftX={shiftX} shiftY={shiftY} />;
-      })}
+      {pieces
+        .filter((piece) => hasLabel(piece, labelOf(piece)))
+        .map((piece) => {
+          const {
+            label = piece.object.name,
+            labelSizeM: size = 0,
+            labelXM: shiftX = 0,
+            labelYM: shiftY = 0,
+          } = labelOf(piece) ?? {};
+          // Computed signals keep what they have read of their component: what that depends on is in the key.
+          return (
+            <Label
+              key={[piece.id, size, shiftX, shiftY].join(" ")}
+              piece={piece}
+              text={label.replace(kFolded, "")}
+              size={size}
+              shiftX={shiftX}
+              shiftY={shiftY}
+            />
+          );
+        })}
       <Pointed parts={parts} />
     </g>
   );

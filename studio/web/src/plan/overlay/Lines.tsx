@@ -11,8 +11,8 @@ interface Line extends Link {
   readonly isMissed: boolean;
 }
 
-// Constraints as lines to what they are about: those of the piece in hand in the colour of their verdict while it is dragged,
-// and those of the sentence that is pointed at with their distances.
+// Constraints as lines to what they are about: those of the piece in hand, in the colour of their verdict while it is
+// dragged, and those of the sentence that is pointed at with their distances.
 export function Lines() {
   const plan = usePlan(), { room } = plan;
   const layoutRoom = room.layout.value?.graph?.room, demand = room.pointedAt.value;

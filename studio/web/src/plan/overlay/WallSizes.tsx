@@ -30,8 +30,12 @@ export function WallSizes() {
         return (
           <g key={i}>
             <line x1={from.x} y1={from.y} x2={to.x} y2={to.y} />
-            {[from, to].map((end, j) => <line key={j} x1={end.x - tick.x} y1={end.y - tick.y} x2={end.x + tick.x} y2={end.y + tick.y} />)}
-            <text transform={`translate(${at.x} ${at.y}) rotate(${angleOf(sub(to, from))})`} y="4">{figure(metres, units)}</text>
+            {[from, to].map((end, j) => (
+              <line key={j} x1={end.x - tick.x} y1={end.y - tick.y} x2={end.x + tick.x} y2={end.y + tick.y} />
+            ))}
+            <text transform={`translate(${at.x} ${at.y}) rotate(${angleOf(sub(to, from))})`} y="4">
+              {figure(metres, units)}
+            </text>
           </g>
         );
       })}
