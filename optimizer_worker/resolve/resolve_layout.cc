@@ -80,6 +80,20 @@ std::vector<LeftOut> WithoutCarrier(const std::map<int, Object>& lost_carriers, 
   return left_out;
 }
 
+// That a spare piece has no place was said when the room was solved.
+void DropWhatIsSpare(v1::SolvedLayout& layout) {
+  IdSet spares;
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    if (object.spare() && !object.requested()) spares.insert(object.id());
+  }
+  auto& diagnostics = *layout.mutable_diagnostics();
+  for (int i = diagnostics.size() - 1; i >= 0; --i) {
+    if (diagnostics[i].code() == "not_placed" && spares.contains(diagnostics[i].subject_id())) {
+      diagnostics.DeleteSubrange(i, 1);
+    }
+  }
+}
+
 // Everything anew, but for the pins.
 absl::StatusOr<WarmResult> SolveAnew(const SolveInput& input) {
   ASSIGN_OR_RETURN(std::vector<Branch> branches, Driver(input, LocalRestartRunner()).Run());
@@ -262,6 +276,7 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   branch.left_out = WithoutCarrier(start.lost_carriers, branch.state);
   if (input.settings.leave_out_misfits) LeaveOutOf(input, branch);
   result.layout = MakeSolvedLayout(input, {branch});
+  DropWhatIsSpare(result.layout);
   for (const v1::Diagnostic& diagnostic : problem.diagnostics) *result.layout.add_diagnostics() = diagnostic;
   return result;
 }

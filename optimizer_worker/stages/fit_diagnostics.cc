@@ -115,11 +115,7 @@ std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const SceneC
                                            const PartialLayout& state) {
   std::vector<v1::Diagnostic> diagnostics;
   for (size_t i = 0; i < input.scene.objects.size(); ++i) {
-    // A spare piece has a place only where there is a good one.
-    const v1::Object& object = input.graph.object_list().objects(static_cast<int>(i));
-    if (!state.placed[i] && (!object.spare() || object.requested())) {
-      diagnostics.push_back(NotPlaced(input.scene.objects[i]));
-    }
+    if (!state.placed[i]) diagnostics.push_back(NotPlaced(input.scene.objects[i]));
   }
   // Of an object that is in the way of many the free places are looked for once.
   std::map<int, std::string> no_free_place;

@@ -2,6 +2,7 @@
 #include "studio/gateway/site.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -39,7 +40,7 @@ class SiteTest : public ::testing::Test {
   }
   Site Read() { return *Site::Read(root_ / "page"); }
 
-  const std::filesystem::path root_ = std::filesystem::path(::testing::TempDir()) / "flair_site_test";
+  const std::filesystem::path root_ = std::filesystem::path(::testing::TempDir()) / ("flair_site_test_" + std::to_string(::getpid()));
 };
 
 std::string HeaderIn(const Reply& reply, std::string_view name) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
@@ -67,7 +68,7 @@ class TlsTest : public ::testing::Test {
         {{"Host", fmt::format("{}:{}", host, port)}, {"Origin", fmt::format("https://{}:{}", host, port)}});
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) / "flair_studio_tls_test";
+  const std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) / ("flair_studio_tls_test_" + std::to_string(::getpid()));
   FakeStudio studio_;
   ::flair::testing::CertificateAuthority authority_{(std::filesystem::create_directories(folder_), folder_),
                                                     "authority"};
