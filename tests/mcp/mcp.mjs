@@ -98,7 +98,7 @@ test('a room is designed with progress, edited, explained, drawn and written', a
   const loose = (await call(client, 'move', { document_id, object: wardrobe.id, x_m: 2, y_m: 2.5, heading_deg: 90, settle: false })).structuredContent;
   assert.ok(loose.moved.every(({ id, stands_on }) => id === wardrobe.id || stands_on));
   await call(client, 'settle', { document_id });
-  assert.match(await fault(client, 'settle', { document_id }), /nothing has been moved/);
+  assert.match(await fault(client, 'redo', { document_id }), /nothing to do again/);
 
   const before = (await call(client, 'describe', { document_id })).structuredContent;
   const found = (await call(client, 'alternatives', { document_id, count: 2 })).structuredContent;
