@@ -25,6 +25,11 @@ namespace {
 struct StudioArguments : Options {
   using Options::Options;
   int& port = Whole("--port N", 0, 65535, 0, "Port of 127.0.0.1 to serve on, 1 to 65535; 0 takes a free one (0)");
+  std::string& listen =
+      Text("--listen IP", "Serve other machines too, on this address (0.0.0.0: all); needs --certificate");
+  std::string& certificate = Text("--certificate FILE", "Certificate chain for them, PEM; needs --key");
+  std::string& key = Text("--key FILE", "Its key, PEM");
+  std::string& host_name = Text("--host-name NAME", "What they call this machine, as the certificate does");
   std::string& orchestrator =
       Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
   StageFlags stages{command()};
@@ -59,7 +64,15 @@ absl::Status Studio(const StudioArguments& arguments) {
   ASSIGN_OR_RETURN(const auto service, runtime::InProcessServer::Start("flair-studio", runtime,
                                                                        v1::StudioService::service_full_name(), make));
   studio::GatewayOptions options;
-  options.listen_address = fmt::format("127.0.0.1:{}", arguments.port);
+  const std::string ip = arguments.listen.empty() ? "127.0.0.1" : arguments.listen;
+  options.listen_address =
+      (ip.find(':') == std::string::npos ? ip : "[" + ip + "]") + fmt::format(":{}", arguments.port);
+  if (!arguments.certificate.empty()) {
+    options.tls.emplace();
+    options.tls->set_certificate_path(arguments.certificate);
+    options.tls->set_key_path(arguments.key);
+  }
+  if (!arguments.host_name.empty()) options.host_names = {arguments.host_name};
   options.page_folder = runtime::InstalledFolder("studio", FLAIR_STUDIO_PAGE);
   options.services = {{.full_name = v1::StudioService::service_full_name(),
                        .channel = service->channel(),
@@ -84,8 +97,8 @@ absl::Status Studio(const StudioArguments& arguments) {
 
 void AddStudio(const Commands& program) {
   program.Add("studio", "Design, move and explain furniture in a browser.", Studio,
-              "Serves the studio on this machine only, and prints its address, which holds a key. Documents survive "
-              "the browser and this program: start it again and go on.");
+              "Serves the studio on this machine only, unless --listen says otherwise, and prints its address, which "
+              "holds a key. Documents survive the browser and this program: start it again and go on.");
 }
 
 }  // namespace flair::cli
