@@ -4,11 +4,15 @@
 #include <utility>
 
 #include "fmt/format.h"
+#include "orchestrator/pipeline/stage_clients.h"
 #include "room/validation/validate.h"
 #include "session/documents.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
+
+// A second apart: after these its job is taken for failed.
+constexpr int kMostLooks = 600;
 
 using runtime::CallContext;
 using store::v1::LayoutState;
@@ -98,19 +102,26 @@ void Documents::FollowToEnd(const std::string& document_id, const std::string& j
     if (closing_) return;
     followed_.push_back(call);
   }
-  absl::Status status = stages_.WatchJob(
-      job_id, 0,
-      [&](const v1::JobEvent& event) {
-        v1::WatchDocumentsResponse told;
-        *told.mutable_job_event() = event;
-        events_.Tell(told);
-      },
-      *call);
+  int64_t seen = 0;
   v1::Job job;
-  if (status.ok()) {
-    absl::StatusOr<v1::Job> ended = stages_.GetJob(job_id, *call);
-    status = ended.status();
-    if (ended.ok()) job = *std::move(ended);
+  const auto look = [&]() -> absl::Status {
+    RETURN_IF_ERROR(stages_.WatchJob(
+        job_id, seen,
+        [&](const v1::JobEvent& event) {
+          v1::WatchDocumentsResponse told;
+          *told.mutable_job_event() = event;
+          seen = event.sequence();
+          events_.Tell(told);
+        },
+        *call));
+    ASSIGN_OR_RETURN(job, stages_.GetJob(job_id, *call));
+    return absl::OkStatus();
+  };
+  absl::Status status = look();
+  // An orchestrator elsewhere may be restarting; its jobs go on.
+  for (int i = 0; i < kMostLooks && absl::IsUnavailable(status) && !call->cancelled(); ++i) {
+    orchestrator::WaitUnlessCancelled(absl::Seconds(1), *call);
+    status = look();
   }
   if (!status.ok() && !call->cancelled()) {
     job.set_id(job_id);
@@ -144,10 +155,7 @@ absl::Status Documents::AdoptOnce(const std::string& document_id, const v1::Job&
   LayoutState state;
   state.set_label(label);
   state.set_settled_layout_id("shown");
-  int variants = 0;
-  for (const v1::RunnerUp& other : artifact.solved_layout().runner_ups()) variants += !other.edge_outcomes().empty();
-  document.set_variant_count(variants);
-  record.set_variants_layout_id(variants > 0 ? artifact.id() : "");
+  SetVariants(record, artifact);
   return PushState(record, std::move(artifact), std::move(state));
 }
 

@@ -98,6 +98,8 @@ class Documents {
   absl::StatusOr<Record> GetAt(const std::string& id, int64_t revision);
   // The next revision: stores it, tells it, and fills in what follows from the states.
   absl::Status Commit(Record& record, std::span<const orchestrator::SealedArtifact> added);
+  // The document's variants are the complete runner-ups of this layout.
+  static void SetVariants(Record& record, v1::Artifact& artifact);
   // Shows another layout from now on.
   absl::Status PushState(Record& record, v1::Artifact artifact, store::v1::LayoutState state);
   absl::StatusOr<v1::ActResponse> ActOnHistory(Record record, int step);

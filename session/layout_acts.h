@@ -9,12 +9,11 @@
 #include "flair/v1/layout_edit.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "flair/v1/studio_service.pb.h"
+#include "session/edit_lists.h"
 #include "session/stages.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::session {
-
-using EditList = google::protobuf::RepeatedPtrField<v1::LayoutEdit>;
 
 // Where a document stands before an act.
 struct Standing {

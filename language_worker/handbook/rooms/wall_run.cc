@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Over 400 lines: one search and what it is given are read together.
 #include "language_worker/handbook/rooms/wall_run.h"
 
 #include <algorithm>

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "session/testing/documents_for_test.h"
+
+namespace flair::session {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class ActsTest : public DocumentsTest {};
+
+TEST_F(ActsTest, WhatIsMovedStaysJustThereUntilItIsSettled) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string desk = IdOf(made.layout(), "wardrobe");
+  const v1::Placement to = Inward(PlacementOf(made.layout(), desk));
+  const auto moved = Act(made.document(), [&](v1::ActRequest& act) { *act.mutable_move()->add_placements() = to; });
+  ASSERT_TRUE(moved.ok()) << moved.status();
+  EXPECT_FALSE(moved->layout().has_graph());
+  EXPECT_EQ(PlacementOf(moved->layout(), desk).SerializeAsString(), to.SerializeAsString());
+  EXPECT_EQ(moved->document().undo_label(), "move the wardrobe");
+  for (const v1::Placement& other : made.layout().placements()) {
+    if (other.object_id() == desk) continue;
+    EXPECT_EQ(PlacementOf(moved->layout(), other.object_id()).SerializeAsString(), other.SerializeAsString());
+  }
+
+  const auto settled = Act(moved->document(), [](v1::ActRequest& act) { act.mutable_settle(); });
+  ASSERT_TRUE(settled.ok()) << settled.status();
+  EXPECT_EQ(PlacementOf(settled->layout(), desk).x_m(), to.x_m());
+  EXPECT_LT(settled->layout().metrics().deepest_overlap_m(), 1e-6);
+  EXPECT_THAT(Get(made.document().id()).layout().graph().pinned_placements(), IsEmpty());
+}
+
+TEST_F(ActsTest, OnlyWhatStandsOnAPieceGoesWithIt) {
+  const v1::GetDocumentResponse made = Designed();
+  std::map<std::string, v1::Object> objects;
+  for (const v1::Object& object : made.layout().graph().object_list().objects()) objects[object.id()] = object;
+  std::set<std::string> hosts;
+  for (const v1::Placement& at : made.layout().placements()) hosts.insert(objects[at.object_id()].host_id());
+  hosts.erase("");
+  v1::Document document = made.document();
+  int carried = 0, left = 0;
+  for (const std::string& host : hosts) {
+    const v1::Placement to = Inward(PlacementOf(made.layout(), host));
+    const auto moved = Act(document, [&](v1::ActRequest& act) { *act.mutable_move()->add_placements() = to; });
+    ASSERT_TRUE(moved.ok()) << moved.status();
+    document = moved->document();
+    for (const v1::Placement& at : made.layout().placements()) {
+      const v1::Object& object = objects[at.object_id()];
+      if (object.host_id() != host) continue;
+      const bool stands = object.kind() == v1::OBJECT_KIND_SURFACE;
+      EXPECT_EQ(PlacementOf(moved->layout(), object.id()).x_m() != at.x_m(), stands) << object.id();
+      ++(stands ? carried : left);
+    }
+  }
+  EXPECT_GT(carried, 0);
+  EXPECT_GT(left, 0);
+}
+
+TEST_F(ActsTest, JudgingSaysWhatMovingWouldAndChangesNothing) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string bed = IdOf(made.layout(), "bed");
+  v1::JudgeRequest judge;
+  judge.set_document_id(made.document().id());
+  judge.set_revision(made.document().revision());
+  *judge.add_placements() = Inward(PlacementOf(made.layout(), bed));
+  const auto judged = documents_->Judge(judge, call_);
+  ASSERT_TRUE(judged.ok()) << judged.status();
+  EXPECT_THAT(judged->edge_outcomes(), Not(IsEmpty()));
+  EXPECT_EQ(Get(made.document().id()).document().revision(), made.document().revision());
+
+  const auto moved =
+      Act(made.document(), [&](v1::ActRequest& act) { *act.mutable_move()->add_placements() = judge.placements(0); });
+  ASSERT_TRUE(moved.ok());
+  for (const v1::EdgeOutcome& outcome : judged->edge_outcomes()) {
+    for (const v1::EdgeOutcome& then : moved->layout().edge_outcomes()) {
+      if (then.edge_id() != outcome.edge_id()) continue;
+      EXPECT_EQ(then.status(), outcome.status()) << outcome.edge_id();
+    }
+  }
+}
+
+TEST_F(ActsTest, ASentenceIsTranslatedSolvedAndKeptOrRefusedInWords) {
+  const v1::GetDocumentResponse made = Designed();
+  const auto said = Act(made.document(), [](v1::ActRequest& act) {
+    act.mutable_say()->set_text("The wardrobe is against the west wall.");
+  });
+  ASSERT_TRUE(said.ok()) << said.status();
+  const v1::LayoutGraph& graph = said->layout().graph();
+  EXPECT_EQ(graph.constraint_list().sentences_size(), made.layout().graph().constraint_list().sentences_size() + 1);
+  EXPECT_EQ(said->document().undo_label(), "say \"The wardrobe is against the west wall.\"");
+  const auto refused =
+      Act(said->document(), [](v1::ActRequest& act) { act.mutable_say()->set_text("Green ideas sleep furiously."); });
+  EXPECT_TRUE(absl::IsInvalidArgument(refused.status()));
+  EXPECT_THAT(std::string(refused.status().message()), HasSubstr("is not understood"));
+
+  const std::string sentence = graph.constraint_list().sentences().rbegin()->id();
+  const auto dropped =
+      Act(said->document(), [&](v1::ActRequest& act) { act.mutable_weigh()->set_sentence_id(sentence); });
+  ASSERT_TRUE(dropped.ok()) << dropped.status();
+  for (const v1::ConstraintEdge& edge : dropped->layout().graph().edges()) EXPECT_NE(edge.sentence_id(), sentence);
+}
+
+TEST_F(ActsTest, APieceIsAddedWhereItIsDroppedAndGoesAgain) {
+  const v1::GetDocumentResponse made = Designed();
+  const auto added = Act(made.document(), [](v1::ActRequest& act) {
+    act.mutable_edit()->set_without_solving(true);
+    v1::Object& lamp = *act.mutable_edit()->add_edits()->mutable_add_object()->mutable_object();
+    lamp.set_name("floor lamp");
+    lamp.set_width_m(0.4);
+    lamp.set_depth_m(0.4);
+    lamp.set_height_m(1.6);
+    v1::Placement& at = *act.mutable_edit()->add_edits()->mutable_move_object();
+    at.set_x_m(2);
+    at.set_y_m(2.5);
+  });
+  ASSERT_TRUE(added.ok()) << added.status();
+  EXPECT_THAT(added->moved_object_ids(), ElementsAre("floor_lamp"));
+  EXPECT_EQ(PlacementOf(added->layout(), "floor_lamp").y_m(), 2.5);
+  EXPECT_EQ(added->document().undo_label(), "add a floor lamp");
+  const auto settled = Act(added->document(), [](v1::ActRequest& act) { act.mutable_settle(); });
+  ASSERT_TRUE(settled.ok()) << settled.status();
+  EXPECT_EQ(PlacementOf(settled->layout(), "floor_lamp").y_m(), 2.5);
+  const auto removed = Act(settled->document(), [](v1::ActRequest& act) {
+    act.mutable_edit()->add_edits()->set_remove_object_id("floor_lamp");
+  });
+  ASSERT_TRUE(removed.ok()) << removed.status();
+  EXPECT_EQ(IdOf(removed->layout(), "floor lamp"), "");
+}
+
+TEST_F(ActsTest, APieceIsAddedNearAnotherWithoutKnowingItsId) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string bed = IdOf(made.layout(), "bed");
+  const auto added = Act(made.document(), [&](v1::ActRequest& act) {
+    v1::AddObject& add = *act.mutable_edit()->add_edits()->mutable_add_object();
+    add.mutable_object()->set_name("ottoman");
+    add.mutable_object()->set_width_m(0.4);
+    add.mutable_object()->set_depth_m(0.4);
+    add.mutable_object()->set_height_m(0.4);
+    v1::ConstraintEdge& near = *add.add_edges();
+    near.set_type("near");
+    near.set_weight(1);
+    for (const auto& [name, id] : {std::pair("object", std::string()), {"target", bed}}) {
+      v1::Argument& argument = *near.add_arguments();
+      argument.set_name(name);
+      argument.mutable_value()->set_text(id);
+    }
+  });
+  ASSERT_TRUE(added.ok()) << added.status();
+  EXPECT_EQ(added->document().undo_label(), "add an ottoman");
+  const v1::ConstraintEdge& near = *added->layout().graph().edges().rbegin();
+  EXPECT_EQ(near.arguments(0).value().text(), "ottoman");
+  EXPECT_EQ(added->layout().edge_outcomes().rbegin()->status(), v1::OUTCOME_STATUS_SATISFIED);
+}
+
+TEST_F(ActsTest, TheChairGoesWithItsDesk) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string desk = IdOf(made.layout(), "desk"), chair = IdOf(made.layout(), "chair");
+  const v1::Placement from = PlacementOf(made.layout(), desk), seat = PlacementOf(made.layout(), chair);
+  const auto moved = Act(made.document(), [&](v1::ActRequest& act) {
+    v1::Placement& to = *act.mutable_move()->add_placements();
+    to = from;
+    to.set_y_m(from.y_m() + 0.4);
+  });
+  ASSERT_TRUE(moved.ok()) << moved.status();
+  EXPECT_NEAR(PlacementOf(moved->layout(), chair).y_m(), seat.y_m() + 0.4, 1e-9);
+  EXPECT_NEAR(PlacementOf(moved->layout(), chair).x_m(), seat.x_m(), 1e-9);
+}
+
+TEST_F(ActsTest, WhatIsSaidOfAPieceThatWasMovedMovesIt) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string wardrobe = IdOf(made.layout(), "wardrobe");
+  const auto moved = Act(made.document(), [&](v1::ActRequest& act) {
+    *act.mutable_move()->add_placements() = Inward(PlacementOf(made.layout(), wardrobe));
+  });
+  ASSERT_TRUE(moved.ok()) << moved.status();
+  const auto said = Act(moved->document(),
+                        [](v1::ActRequest& act) { act.mutable_say()->set_text("The wardrobe is against a wall."); });
+  ASSERT_TRUE(said.ok()) << said.status();
+  const std::string sentence = said->layout().graph().constraint_list().sentences().rbegin()->id();
+  for (int i = 0; i < said->layout().edge_outcomes_size(); ++i) {
+    if (said->layout().graph().edges(i).sentence_id() != sentence) continue;
+    EXPECT_EQ(said->layout().edge_outcomes(i).status(), v1::OUTCOME_STATUS_SATISFIED);
+  }
+}
+
+TEST_F(ActsTest, AlternativesAreOtherLayoutsOfWhatIsShown) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::string id = made.document().id();
+  const auto found = documents_->FindAlternatives(id, made.document().revision(), 2, 0, call_);
+  ASSERT_TRUE(found.ok()) << found.status();
+  ASSERT_EQ(found->layout().runner_ups_size(), 2);
+  EXPECT_EQ(found->document().variant_count(), 2);
+  EXPECT_EQ(found->document().layout_id(), made.document().layout_id());
+  const auto taken = Act(found->document(), [](v1::ActRequest& act) { act.mutable_take_variant()->set_index(1); });
+  ASSERT_TRUE(taken.ok()) << taken.status();
+  EXPECT_EQ(PlacementOf(taken->layout(), "double_bed").SerializeAsString(), [&] {
+    v1::SolvedLayout other;
+    *other.mutable_placements() = found->layout().runner_ups(1).placements();
+    return PlacementOf(other, "double_bed").SerializeAsString();
+  }());
+  const auto artifact = documents_->GetArtifact(taken->document().layout_id(), call_);
+  ASSERT_TRUE(artifact.ok()) << artifact.status();
+  EXPECT_EQ(artifact->solved_layout().placements_size(), taken->layout().placements_size());
+  EXPECT_TRUE(documents_->GetArtifact(made.document().layout_id(), call_).ok());
+  EXPECT_TRUE(absl::IsNotFound(documents_->GetArtifact(std::string(64, '0'), call_).status()));
+}
+
+TEST_F(ActsTest, WrongPlacesAreRefusedByField) {
+  const v1::GetDocumentResponse made = Designed();
+  const auto unknown =
+      Act(made.document(), [](v1::ActRequest& act) { act.mutable_move()->add_placements()->set_object_id("throne"); });
+  EXPECT_THAT(std::string(unknown.status().message()), HasSubstr("move.placements[0].object_id: \"throne\""));
+  const auto far = Act(made.document(), [&](v1::ActRequest& act) {
+    v1::Placement& at = *act.mutable_move()->add_placements();
+    at.set_object_id(IdOf(made.layout(), "bed"));
+    at.set_x_m(NAN);
+  });
+  EXPECT_THAT(std::string(far.status().message()), HasSubstr("move.placements[0].x_m"));
+  EXPECT_TRUE(absl::IsInvalidArgument(Act(made.document(), [](v1::ActRequest&) {}).status()));
+}
+
+TEST_F(ActsTest, SettlingTriesAgainForWhatDoesNotHoldAndIsRefusedInAnEmptyRoom) {
+  const v1::GetDocumentResponse made = Designed();
+  v1::CreateDocumentRequest empty;
+  empty.set_request_id("empty");
+  *empty.mutable_room() = made.layout().graph().room();
+  const auto bare = documents_->Create(empty, call_);
+  ASSERT_TRUE(bare.ok()) << bare.status();
+  EXPECT_TRUE(
+      absl::IsFailedPrecondition(Act(bare->document(), [](v1::ActRequest& act) { act.mutable_settle(); }).status()));
+  v1::Room room = made.layout().graph().room();
+  for (v1::Point2& corner : *room.mutable_floor()->mutable_vertices()) {
+    if (corner.x_m() > 1) corner.set_x_m(corner.x_m() + 0.5);
+  }
+  const auto wider = Act(made.document(), [&](v1::ActRequest& act) { *act.mutable_room() = room; });
+  ASSERT_TRUE(wider.ok()) << wider.status();
+  const auto violated = [](const v1::SolvedLayout& layout) {
+    return std::ranges::count(layout.edge_outcomes(), v1::OUTCOME_STATUS_VIOLATED, &v1::EdgeOutcome::status);
+  };
+  ASSERT_GT(violated(wider->layout()), 0);
+  const auto settled = Act(wider->document(), [](v1::ActRequest& act) { act.mutable_settle(); });
+  ASSERT_TRUE(settled.ok()) << settled.status();
+  EXPECT_LT(violated(settled->layout()), violated(wider->layout()));
+}
+
+}  // namespace
+}  // namespace flair::session

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the files of Documents share: no business of those who call it.
+#pragma once
+
+#include <google/protobuf/util/time_util.h>
+
+#include <cstddef>
+#include <string>
+
+#include "absl/time/clock.h"
+#include "absl/time/time.h"
+#include "flair/store/v1/document_record.pb.h"
+#include "flair/v1/artifact.pb.h"
+#include "flair/v1/studio_service.pb.h"
+
+namespace flair::session {
+
+inline constexpr size_t kMostTitleLetters = 200;
+
+inline google::protobuf::Timestamp NowProto() {
+  return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(absl::Now()));
+}
+
+// What callers see of a record.
+inline v1::Document DocumentOf(const store::v1::DocumentRecord& record) {
+  v1::Document document = record.document();
+  if (record.states().empty()) return document;
+  const int at = record.position();
+  document.set_layout_id(record.states(at).layout_id());
+  if (at > 0) document.set_undo_label(record.states(at).label());
+  if (at + 1 < record.states_size()) document.set_redo_label(record.states(at + 1).label());
+  return document;
+}
+
+inline v1::Artifact ArtifactOf(v1::SolvedLayout layout, const v1::Producer& producer, const std::string& made_from) {
+  v1::Artifact artifact;
+  if (!made_from.empty()) artifact.add_made_from_ids(made_from);
+  *artifact.mutable_producer() = producer;
+  artifact.mutable_solved_layout()->Swap(&layout);
+  return artifact;
+}
+
+}  // namespace flair::session
