@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { Icon } from "../app/Icon";
 import type { OpenRoom } from "../state/open_room";
-import { nameOf, type Piece } from "../state/pieces";
-import { capital } from "./words";
+import type { Piece } from "../state/pieces";
+import { PieceRows } from "./PieceRows";
 import type { Note } from "./note";
 
 function groupsOf(room: OpenRoom, note: Note): Array<{ name: string; pieces: Piece[] }> {
@@ -23,25 +22,7 @@ export function PieceList({ room, note }: { room: OpenRoom; note: Note }) {
       {groupsOf(room, note).map(({ name, pieces }) => (
         <div key={name}>
           <h3 class="eyebrow">{name}</h3>
-          <ul class="pieces">
-            {pieces.map((piece) => (
-              <li key={piece.id}>
-                <button
-                  class="piece-row"
-                  onClick={() => room.select([piece.id])}
-                  onPointerEnter={() => {
-                    room.hovered.value = piece.id;
-                  }}
-                  onPointerLeave={() => {
-                    room.hovered.value = "";
-                  }}
-                >
-                  {capital(nameOf(piece.object))}
-                  {piece.pinned && <Icon name="lock" size={13} />}
-                </button>
-              </li>
-            ))}
-          </ul>
+          <PieceRows room={room} pieces={pieces} />
         </div>
       ))}
     </section>

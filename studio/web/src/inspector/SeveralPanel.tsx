@@ -2,8 +2,8 @@
 import { Icon } from "../app/Icon";
 import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
-import { nameOf, type Piece } from "../state/pieces";
-import { capital } from "./words";
+import type { Piece } from "../state/pieces";
+import { PieceRows } from "./PieceRows";
 
 export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonly Piece[] }) {
   const isLocked = pieces.every((piece) => piece.pinned);
@@ -44,25 +44,7 @@ export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonl
           </button>
         </div>
       </header>
-      <ul class="pieces">
-        {pieces.map((piece) => (
-          <li key={piece.id}>
-            <button
-              class="piece-row"
-              onClick={() => room.select([piece.id])}
-              onPointerEnter={() => {
-                room.hovered.value = piece.id;
-              }}
-              onPointerLeave={() => {
-                room.hovered.value = "";
-              }}
-            >
-              {capital(nameOf(piece.object))}
-              {piece.pinned && <Icon name="lock" size={13} />}
-            </button>
-          </li>
-        ))}
-      </ul>
+      <PieceRows room={room} pieces={pieces} />
     </>
   );
 }

@@ -15,7 +15,7 @@ import { usePlanPointer } from "./pointer";
 import { usePlanWheel } from "./wheel";
 import { ClearanceField } from "./ClearanceField";
 import { FirstHint } from "./FirstHint";
-import { PlanTools } from "./PlanTools";
+import { ViewTools } from "./ViewTools";
 import { usePlanDrop } from "./drop";
 
 function useSize(plan: PlanController, host: { current: HTMLDivElement | null }): void {
@@ -88,7 +88,7 @@ export function Plan({ room }: { room: OpenRoom }) {
         </svg>
         <ClearanceField />
         <Spoken room={room} />
-        <PlanTools />
+        <ViewTools of={plan} />
         <FirstHint />
       </div>
     </PlanContext.Provider>

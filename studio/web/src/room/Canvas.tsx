@@ -6,7 +6,8 @@ import type { Vec } from "../geometry/vec";
 import { pixelPoints } from "../plan/overlay/pixels";
 import { usePlanWheel } from "../plan/wheel";
 import { Grid, Underlay } from "./Backdrop";
-import { Advice, ZoomTools } from "./CanvasTools";
+import { ViewTools } from "../plan/ViewTools";
+import { Advice } from "./Advice";
 import { useDrawing } from "./context";
 import type { RoomDrawing } from "./controller";
 import { Handles } from "./Handles";
@@ -91,7 +92,7 @@ export function Canvas({ below }: { below: ReadonlyArray<readonly Vec[]> }) {
       <ScaleField />
       <Toolbar />
       <Advice />
-      <ZoomTools />
+      <ViewTools of={drawing} />
     </div>
   );
 }

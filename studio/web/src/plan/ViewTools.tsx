@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zoom buttons and the scale bar in the plan's corner.
+// Zoom buttons and the scale bar in the corner of a drawing.
+import type { Signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { vec } from "../geometry/vec";
-import { usePlan } from "./context";
-import { zoomedAt } from "./view";
+import { useStudio } from "../state/studio";
+import { zoomedAt, type View } from "./view";
 
 const kSteps = { m: [0.1, 0.25, 0.5, 1, 2, 5, 10], ft: [0.3048, 0.6096, 1.524, 3.048, 6.096, 15.24] };
 const kWidest = 130;
 
-function ScaleBar() {
-  const plan = usePlan();
-  const units = plan.studio.settings.units.value, scale = plan.view.value.scale;
+// What is looked at through a view: the plan, the editor of a room.
+export interface Viewed {
+  readonly view: Signal<View>;
+  readonly width: Signal<number>;
+  readonly height: Signal<number>;
+  setView(view: View): void;
+  fit(): void;
+}
+
+function ScaleBar({ scale }: { scale: number }) {
+  const units = useStudio().settings.units.value;
   const metres = [...kSteps[units]].reverse().find((step) => step * scale <= kWidest) ?? kSteps[units][0]!;
   const bar = useRef<HTMLDivElement>(null);
   useEffect(() => { bar.current!.style.width = `${metres * scale}px`; }, [metres, scale]);
@@ -24,13 +33,12 @@ function ScaleBar() {
   );
 }
 
-export function PlanTools() {
-  const plan = usePlan();
+export function ViewTools({ of }: { of: Viewed }) {
   const zoom = (factor: number) =>
-    plan.setView(zoomedAt(plan.view.peek(), vec(plan.width.peek() / 2, plan.height.peek() / 2), factor));
+    of.setView(zoomedAt(of.view.peek(), vec(of.width.peek() / 2, of.height.peek() / 2), factor));
   return (
     <div class="plan-tools">
-      <ScaleBar />
+      <ScaleBar scale={of.view.value.scale} />
       <div class="button-group">
         <button class="icon-button" aria-label="Zoom out" title="Zoom out (-)" onClick={() => zoom(1 / 1.25)}>
           <Icon name="minus" />
@@ -38,7 +46,7 @@ export function PlanTools() {
         <button class="icon-button" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}>
           <Icon name="plus" />
         </button>
-        <button class="icon-button" aria-label="Fit the room" title="Fit the room (0)" onClick={() => plan.fit()}>
+        <button class="icon-button" aria-label="Fit the room" title="Fit the room (0)" onClick={() => of.fit()}>
           <Icon name="fit" />
         </button>
       </div>
