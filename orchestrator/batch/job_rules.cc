@@ -104,11 +104,14 @@ bool HasEnded(const v1::Job& job) {
   return job.state() != v1::JOB_STATE_QUEUED && job.state() != v1::JOB_STATE_RUNNING;
 }
 
-store::v1::JobRecord NewRecord(const v1::Job& job, const std::string& request_id) {
+store::v1::JobRecord NewRecord(const v1::Job& job, const std::string& request_id, const GivenArtifact* given) {
   store::v1::JobRecord record;
   *record.mutable_job() = job;
   record.mutable_job()->set_state(v1::JOB_STATE_QUEUED);
   record.set_request_id(request_id);
+  if (given == nullptr) return record;
+  AddStageRecords(record, std::span(&given->record, 1));
+  record.clear_lost_run_count();
   return record;
 }
 

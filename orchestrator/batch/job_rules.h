@@ -24,8 +24,8 @@ namespace flair::orchestrator {
 bool HasEnded(const v1::Job& job);
 inline bool HasEnded(const store::v1::JobRecord& record) { return HasEnded(record.job()); }
 
-// A job that waits for its first run.
-store::v1::JobRecord NewRecord(const v1::Job& job, const std::string& request_id);
+// A job that waits for its first run, with what it was given, if anything.
+store::v1::JobRecord NewRecord(const v1::Job& job, const std::string& request_id, const GivenArtifact* given = nullptr);
 
 // A run begins; whoever ran it before is out.
 void BeginRun(store::v1::JobRecord& record, const std::string& holder);

@@ -268,8 +268,9 @@ class MeteredWorkQueue final : public WorkQueue {
                    std::shared_ptr<spdlog::logger> logger)
       : metrics_(metrics), clock_(clock), logger_(std::move(logger)), inner_(std::move(inner)) {}
 
-  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) override {
-    absl::StatusOr<v1::Job> made = inner_->CreateJob(job, request_id);
+  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id,
+                                    const GivenArtifact* given) override {
+    absl::StatusOr<v1::Job> made = inner_->CreateJob(job, request_id, given);
     if (!made.ok() || made->id() != job.id()) return made;
     metrics_.CountCreated(false, 1);
     Log(*logger_, spdlog::level::info, "job made", {{"job_id", job.id()}, {"request_id", request_id}});

@@ -70,6 +70,14 @@ struct StageRecord {
   std::string result_key;
 };
 
+// An artifact that a job has from its beginning on, instead of running the stage that would make it.
+struct GivenArtifact {
+  SealedArtifact artifact;
+  StageRecord record;
+  // Outlives it.
+  ArtifactStore* store = nullptr;
+};
+
 // How a job ended.
 struct JobEnd {
   v1::JobState state = v1::JOB_STATE_SUCCEEDED;
@@ -214,8 +222,13 @@ class WorkQueue {
 
   // ---- Asking for work
 
-  // Queues the job. When the request made one before, returns that one instead.
-  virtual absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) = 0;
+  // Queues the job. When the request made one before, returns that one instead. With `given`, which may be null, stores
+  // that first, so that it is there when somebody takes the job, and as long as there is the job.
+  virtual absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id,
+                                            const GivenArtifact* given) = 0;
+  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) {
+    return CreateJob(job, request_id, nullptr);
+  }
 
   // Makes a batch without jobs. When the request made one before, returns that one instead.
   virtual absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) = 0;

@@ -171,7 +171,8 @@ class JetStreamWorkQueue final : public WorkQueue {
 
   void Listen(Listener listener) override;
 
-  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) override;
+  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id,
+                                    const GivenArtifact* given) override;
   absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) override;
   absl::StatusOr<bool> HasRequest(RequestKind kind, const std::string& owner, const std::string& request_id) override;
   absl::StatusOr<v1::Batch> AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs, bool last) override;
@@ -210,6 +211,7 @@ class JetStreamWorkQueue final : public WorkQueue {
 
   // requests.cc
   absl::StatusOr<std::string> IdOfRequest(const std::string& key, const std::string& id);
+  absl::Status Give(const GivenArtifact& given, const v1::Job& job);
   absl::Status AddRecords(const std::string& batch_id, std::span<const v1::Job> jobs);
   absl::Status CompareSpecs(std::span<const v1::Job> jobs);
   absl::Status PutIntoQueue(std::span<const v1::Job> jobs);

@@ -23,12 +23,30 @@ absl::StatusOr<std::string> JetStreamWorkQueue::IdOfRequest(const std::string& k
   }
 }
 
-absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id) {
+// Makes the job a user of the artifact and stores that; not when the request made the job before, even if that is being
+// deleted.
+absl::Status JetStreamWorkQueue::Give(const GivenArtifact& given, const v1::Job& job) {
+  ASSIGN_OR_RETURN(const std::optional<RevisedJob> known, IfFound(parts_->GetAnyJob(job.id())));
+  if (known.has_value()) return absl::OkStatus();
+  const ArtifactUsers::Use use{.artifact_id = given.artifact.ref.id(), .result_key = ""};
+  ArtifactUsers::User user;
+  user.set_id(job.id());
+  user.set_owner_token(OwnerToken(job.owner()));
+  RETURN_IF_ERROR(users_.Add(std::span(&use, 1), user).status());
+  RETURN_IF_ERROR(given.store->PutAll(std::span(&given.artifact, 1)));
+  return given.store->Flush(std::span(&given.artifact.ref, 1));
+}
+
+absl::StatusOr<v1::Job> JetStreamWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id,
+                                                      const GivenArtifact* given) {
   const std::string key = RequestKey(job.owner(), RequestKind::kJob, request_id, job.id());
-  store::v1::JobRecord record = NewRecord(job, request_id);
+  store::v1::JobRecord record;
   while (true) {
+    v1::Job named = job;
     ASSIGN_OR_RETURN(const std::string id, IdOfRequest(key, job.id()));
-    record.mutable_job()->set_id(id);
+    named.set_id(id);
+    if (given != nullptr) RETURN_IF_ERROR(Give(*given, named));
+    record = NewRecord(named, request_id, given);
     const absl::StatusOr<uint64_t> made = parts_->jobs.Update(id, runtime::CanonicalBytes(record), 0);
     if (made.ok()) break;
     if (!absl::IsAborted(made.status())) return made.status();

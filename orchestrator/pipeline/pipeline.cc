@@ -25,9 +25,12 @@ class Progress {
   // Stages that are wanted and not done and whose inputs are.
   std::vector<int> Ready() const {
     std::vector<int> ready;
+    const int solve = StageIndex(kSolve);
     for (int i = 0; i < static_cast<int>(outputs_.size()); ++i) {
       const Stage& stage = Stages()[i];
-      const bool wanted = stage.wanted == nullptr || stage.wanted(spec_);
+      // All between the brief and a layout is there for the layout.
+      const bool too_late = 0 < i && i < solve && outputs_[solve].has_value();
+      const bool wanted = !too_late && (stage.wanted == nullptr || stage.wanted(spec_));
       if (wanted && !outputs_[i].has_value() && InputsOf(i).size() == stage.inputs.size()) ready.push_back(i);
     }
     return ready;
@@ -117,6 +120,11 @@ PipelineResult Pipeline::RunStages(Lease& lease, StepLog& steps) const {
   const v1::Job& job = lease.job();
   StageRunner runner(queue_, artifacts_, clients_, catalogs_, clock_, options_, lease, steps);
   Progress progress(job.spec());
+  if (const v1::ArtifactRef* given = GivenLayout(job); given != nullptr) {
+    absl::StatusOr<Output> layout = runner.Reuse(StageIndex(kSolve), *given);
+    if (!layout.ok()) return {layout.status(), std::string(kSolve)};
+    progress.Set(StageIndex(kSolve), *std::move(layout));
+  }
   for (std::vector<int> ready = progress.Ready(); !ready.empty(); ready = progress.Ready()) {
     const std::vector<v1::StageTiming> timings = progress.Timings();
     const v1::ModelUsage usage = progress.ModelUsage();

@@ -123,6 +123,8 @@ class StageRunner {
   };
   absl::StatusOr<Output> Run(int stage_index, std::span<const v1::Artifact* const> inputs,
                              std::span<const v1::StageTiming> timings, const v1::ModelUsage& model_usage) const;
+  // What is stored, instead of running the stage.
+  absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
 
  private:
   using Revision = std::optional<std::string>;
@@ -133,7 +135,6 @@ class StageRunner {
   absl::StatusOr<v1::Artifact> Make(const Stage& stage, const StageRun& run, Revision& revision) const;
   std::string KeyOf(const Stage& stage, const StageRun& run, const Revision& revision) const;
   absl::StatusOr<Output> MakeAndStore(int stage_index, const StageRun& run, Revision revision) const;
-  absl::StatusOr<Output> Reuse(int stage_index, const v1::ArtifactRef& ref) const;
   absl::StatusOr<Output> TakeFromEarlierJob(int stage_index) const;
   absl::Status Record(StageRecord record, std::optional<SealedArtifact> artifact, bool paid_for = false) const;
   v1::JobEvent Event(v1::JobEventKind kind, const Stage& stage) const;

@@ -150,6 +150,15 @@ std::string StageNames() {
   return names;
 }
 
+const v1::ArtifactRef* GivenLayout(const v1::Job& job) {
+  const auto of_kind = [&job](v1::ArtifactKind kind) {
+    return std::ranges::find(job.artifacts(), kind, &v1::ArtifactRef::kind);
+  };
+  const auto layout = of_kind(v1::ARTIFACT_KIND_SOLVED_LAYOUT);
+  const bool solved = of_kind(v1::ARTIFACT_KIND_LAYOUT_GRAPH) != job.artifacts().end();
+  return solved || layout == job.artifacts().end() ? nullptr : &*layout;
+}
+
 int FirstStageOf(const v1::Replay& replay) { return replay.from_stage().empty() ? 0 : StageIndex(replay.from_stage()); }
 
 absl::Status CheckReplay(const v1::JobSpec& spec, const v1::Job& earlier) {

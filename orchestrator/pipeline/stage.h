@@ -98,6 +98,9 @@ absl::Status CheckAnswer(const Stage& stage, const v1::Artifact& artifact);
 // another run at the same time.
 std::span<const Stage> Stages();
 
+// The stage that makes layouts.
+inline constexpr std::string_view kSolve = "solve";
+
 // Its place in Stages(); -1 when there is no stage of that name.
 int StageIndex(std::string_view name);
 
@@ -109,6 +112,10 @@ inline constexpr int kFurtherViewLimit = 4;
 
 // What a spec asks of the first stage.
 std::string AskedBrief(const v1::JobSpec& spec);
+
+// The layout that a job had from its beginning on, which is one without the graph that it would have been solved from;
+// null when it had none.
+const v1::ArtifactRef* GivenLayout(const v1::Job& job);
 
 // Index of the first stage that a replay runs. The stage must be known (CheckReplay).
 int FirstStageOf(const v1::Replay& replay);

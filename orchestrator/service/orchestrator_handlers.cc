@@ -5,12 +5,18 @@
 #include <google/protobuf/util/time_util.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "orchestrator/pipeline/stage.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
+namespace {
+
+constexpr int64_t kMostLayoutBytes = int64_t{4} << 20;
+
+}  // namespace
 
 v1::Job OrchestratorHandlers::NewJob(const v1::JobSpec& spec) const {
   v1::Job job;
@@ -46,19 +52,49 @@ absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, 
   return NotFound("job_id: no job \"{}\" in this store", id.substr(0, 80));
 }
 
+absl::StatusOr<GivenArtifact> OrchestratorHandlers::Given(v1::Artifact layout) {
+  if (!layout.has_solved_layout()) return absl::InvalidArgumentError("layout: holds no solved_layout");
+  const std::string stated = layout.id();
+  GivenArtifact given{.artifact = SealArtifact(layout), .record = {}, .store = &artifacts_};
+  const v1::ArtifactRef& ref = given.artifact.ref;
+  if (!stated.empty() && stated != ref.id()) {
+    return InvalidArgument("layout.id: \"{}\" is not that of its bytes, {}", stated.substr(0, 80), ref.id());
+  }
+  if (ref.size_bytes() > kMostLayoutBytes) {
+    return InvalidArgument("layout: {} bytes; at most {}", ref.size_bytes(), kMostLayoutBytes);
+  }
+  v1::JobEvent& event = given.record.event;
+  event.set_kind(v1::JOB_EVENT_KIND_STAGE_REUSED);
+  event.set_stage(std::string(kSolve));
+  event.set_message(Summarize(layout));
+  *event.mutable_artifact() = ref;
+  event.set_state(v1::JOB_STATE_QUEUED);
+  given.record.stage_index = StageIndex(kSolve);
+  return given;
+}
+
 absl::StatusOr<v1::CreateJobResponse> OrchestratorHandlers::CreateJob(const v1::CreateJobRequest& request,
                                                                       const Caller& caller) {
   RETURN_IF_ERROR(Validate(request));
   RETURN_IF_ERROR(CheckSpec(request.spec(), caller));
+  std::optional<GivenArtifact> given;
+  if (request.has_layout()) {
+    if (request.spec().has_replay()) return absl::InvalidArgumentError("layout: a replay makes or takes its own");
+    ASSIGN_OR_RETURN(given, Given(request.layout()));
+  }
   JobAdmission::Entry entry(admission_, caller);
   RETURN_IF_ERROR(UnlessRepeated(entry.Grant(1), RequestKind::kJob, request.request_id(), caller));
   v1::Job job = NewJob(request.spec());
   job.set_id(ids_.Next());
   job.set_owner(caller.name);
-  ASSIGN_OR_RETURN(v1::Job made, queue_.CreateJob(job, caller.RequestKey(request.request_id())));
-  if (runtime::CanonicalBytes(made.spec()) != runtime::CanonicalBytes(request.spec())) {
-    return absl::AlreadyExistsError(
-        fmt::format("request_id: \"{}\" made job {} with another spec; use a new id", request.request_id(), made.id()));
+  ASSIGN_OR_RETURN(v1::Job made, queue_.CreateJob(job, caller.RequestKey(request.request_id()),
+                                                  given.has_value() ? &*given : nullptr));
+  const v1::ArtifactRef* const layout = GivenLayout(made);
+  const bool same_layout =
+      (layout == nullptr ? "" : layout->id()) == (given.has_value() ? given->artifact.ref.id() : "");
+  if (!same_layout || runtime::CanonicalBytes(made.spec()) != runtime::CanonicalBytes(request.spec())) {
+    return absl::AlreadyExistsError(fmt::format(
+        "request_id: \"{}\" made job {} with another spec or layout; use a new id", request.request_id(), made.id()));
   }
   runner_.Request({made.id()});
   v1::CreateJobResponse response;

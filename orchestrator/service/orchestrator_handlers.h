@@ -138,6 +138,8 @@ class OrchestratorHandlers {
  private:
   v1::Job NewJob(const v1::JobSpec& spec) const;
   absl::Status CheckSpec(const v1::JobSpec& spec, const Caller& caller);
+  // What a job with that layout is given.
+  absl::StatusOr<GivenArtifact> Given(v1::Artifact layout);
   // OK instead of a refusal for want of room, when the request made its jobs before and so needs none.
   absl::Status UnlessRepeated(const absl::Status& refusal, RequestKind kind, const std::string& request_id,
                               const Caller& caller);

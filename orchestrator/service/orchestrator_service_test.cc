@@ -95,6 +95,84 @@ TEST_F(OrchestratorServiceTest, ReturnsTheFirstJobForARepeatedRequest) {
   EXPECT_NE(orchestrator_->CreateJob("r2", Spec())->id(), job.id());
 }
 
+v1::Artifact LayoutOf(EmbeddedForTest& orchestrator, const v1::Job& job) {
+  for (const v1::ArtifactRef& ref : job.artifacts()) {
+    v1::GetArtifactRequest get;
+    get.set_artifact_id(ref.id());
+    if (ref.kind() == v1::ARTIFACT_KIND_SOLVED_LAYOUT) return orchestrator.Ask(&Stub::GetArtifact, get)->artifact();
+  }
+  return {};
+}
+
+TEST_F(OrchestratorServiceTest, ALayoutThatIsThereIsDrawnAndNothingElseIsDone) {
+  Start();
+  const v1::Job designed = *orchestrator_->CreateJob("r1", Spec());
+  orchestrator_->Watch(designed.id());
+  v1::Artifact layout = LayoutOf(*orchestrator_, *orchestrator_->GetJob(designed.id()));
+  layout.mutable_producer()->set_method("placed by hand");
+  layout.set_id(ComputeArtifactId(layout));
+  const int calls = stages_.all_calls();
+  v1::CreateJobRequest request;
+  request.set_request_id("r2");
+  *request.mutable_spec() = Spec("Ada's bedroom.");
+  *request.mutable_layout() = layout;
+  const auto made = orchestrator_->Ask(&Stub::CreateJob, request);
+  ASSERT_TRUE(made.ok()) << made.status();
+  EXPECT_EQ(orchestrator_->Watch(made->job().id()).back().state(), v1::JOB_STATE_SUCCEEDED);
+  EXPECT_EQ(stages_.all_calls() - calls, 1);
+  EXPECT_EQ(stages_.calls("Render"), 2);
+  const v1::Job ended = *orchestrator_->GetJob(made->job().id());
+  ASSERT_THAT(ended.artifacts(), SizeIs(3));
+  EXPECT_EQ(ended.artifacts(0).kind(), v1::ARTIFACT_KIND_BRIEF);
+  EXPECT_EQ(ended.artifacts(2).kind(), v1::ARTIFACT_KIND_PREVIEW);
+  EXPECT_EQ(LayoutOf(*orchestrator_, ended).SerializeAsString(), layout.SerializeAsString());
+  EXPECT_EQ(orchestrator_->Ask(&Stub::CreateJob, request)->job().id(), ended.id());
+  // Neither another layout nor none is the same request.
+  request.mutable_layout()->mutable_producer()->set_method("otherwise");
+  request.mutable_layout()->clear_id();
+  EXPECT_TRUE(absl::IsAlreadyExists(orchestrator_->Ask(&Stub::CreateJob, request).status()));
+  request.clear_layout();
+  EXPECT_TRUE(absl::IsAlreadyExists(orchestrator_->Ask(&Stub::CreateJob, request).status()));
+}
+
+TEST_F(OrchestratorServiceTest, ALayoutThatIsNoneIsRefused) {
+  Start();
+  const v1::Job designed = *orchestrator_->CreateJob("r1", Spec());
+  orchestrator_->Watch(designed.id());
+  v1::CreateJobRequest good;
+  good.set_request_id("r2");
+  *good.mutable_spec() = Spec();
+  *good.mutable_layout() = LayoutOf(*orchestrator_, *orchestrator_->GetJob(designed.id()));
+  const auto refused = [&](const std::function<void(v1::CreateJobRequest&)>& spoil) {
+    v1::CreateJobRequest request = good;
+    spoil(request);
+    const absl::Status status = orchestrator_->Ask(&Stub::CreateJob, request).status();
+    EXPECT_TRUE(absl::IsInvalidArgument(status)) << status;
+    return std::string(status.message());
+  };
+  EXPECT_THAT(refused([](auto& request) { request.mutable_layout()->mutable_brief()->set_text("A bedroom."); }),
+              HasSubstr("layout: holds no solved_layout"));
+  EXPECT_THAT(refused([](auto& request) { request.mutable_layout()->mutable_producer()->set_method("other"); }),
+              HasSubstr("layout.id"));
+  EXPECT_THAT(refused([](auto& request) {
+                request.mutable_layout()->mutable_solved_layout()->mutable_placements(0)->set_object_id("nobody");
+              }),
+              HasSubstr("layout.solved_layout.placements[0]"));
+  EXPECT_THAT(refused([](auto& request) {
+                request.mutable_layout()->clear_id();
+                for (int i = 0; i < 2500; ++i) {
+                  v1::Diagnostic& remark = *request.mutable_layout()->mutable_solved_layout()->add_diagnostics();
+                  remark.set_severity(v1::SEVERITY_NOTE);
+                  remark.set_code("long");
+                  remark.set_message(std::string(2000, 'x'));
+                }
+              }),
+              HasSubstr("layout: "));
+  EXPECT_THAT(refused([&](auto& request) { request.mutable_spec()->mutable_replay()->set_job_id(designed.id()); }),
+              HasSubstr("replay"));
+  EXPECT_TRUE(orchestrator_->Ask(&Stub::CreateJob, good).ok());
+}
+
 TEST_F(OrchestratorServiceTest, NamesTheFieldOfABadRequest) {
   Start();
   const absl::Status empty = orchestrator_->CreateJob("r1", Spec(" ")).status();

@@ -23,16 +23,24 @@ constexpr int64_t kWhenever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
 
-absl::StatusOr<v1::Job> SqliteWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id) {
+absl::StatusOr<v1::Job> SqliteWorkQueue::CreateJob(const v1::Job& job, const std::string& request_id,
+                                                   const GivenArtifact* given) {
+  const store::v1::JobRecord record = NewRecord(job, request_id, given);
   {
     ASSIGN_OR_RETURN(auto transaction, BeginDurable());
     ASSIGN_OR_RETURN(const std::string known, store_->jobs().FindByRequest(request_id));
     if (!known.empty()) return store_->jobs().Get(known);
     RETURN_IF_ERROR(store_->jobs().Insert(job, request_id));
+    if (given != nullptr) {
+      // Nobody deletes artifacts during the transaction.
+      RETURN_IF_ERROR(given->store->PutAll(std::span(&given->artifact, 1)));
+      RETURN_IF_ERROR(given->store->Flush(std::span(&given->artifact.ref, 1)));
+      RETURN_IF_ERROR(store_->jobs().Save(record, 0));
+    }
     RETURN_IF_ERROR(transaction.Commit());
   }
   NotifyWork();
-  return job;
+  return record.job();
 }
 
 absl::StatusOr<store::v1::BatchRecord> SqliteWorkQueue::CreateBatch(const store::v1::BatchRecord& batch) {

@@ -27,7 +27,8 @@ class SqliteWorkQueue final : public WorkQueue {
 
   void Listen(Listener listener) override;
 
-  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id) override;
+  absl::StatusOr<v1::Job> CreateJob(const v1::Job& job, const std::string& request_id,
+                                    const GivenArtifact* given) override;
   absl::StatusOr<store::v1::BatchRecord> CreateBatch(const store::v1::BatchRecord& batch) override;
   absl::StatusOr<bool> HasRequest(RequestKind kind, const std::string& owner, const std::string& request_id) override;
   absl::StatusOr<v1::Batch> AddJobs(const std::string& batch_id, std::span<const v1::Job> jobs, bool last) override;

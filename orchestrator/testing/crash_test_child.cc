@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the jobs of one batch on a store with fake workers, then replays a third of them, for crash_test.cc:
-// crash_test_child STORE JOB_COUNT. Writes a line before every call of a stage, and "done" when all jobs have ended.
+// Runs the jobs of one batch on a store with fake workers, replays a third of them, and runs a job with a layout that
+// is there, for crash_test.cc: crash_test_child STORE JOB_COUNT. Writes a line before every call of a stage, and "done"
+// when all jobs have ended.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -26,6 +27,25 @@ std::vector<v1::Job> RunBatch(EmbeddedForTest& orchestrator, const v1::CreateBat
   if (!jobs.ok()) return {};
   for (const v1::Job& job : jobs->jobs()) orchestrator.Watch(job.id());
   return {jobs->jobs().rbegin(), jobs->jobs().rend()};
+}
+
+// Waits for a job with the layout of another one.
+bool RunGiven(EmbeddedForTest& orchestrator, const v1::Job& other) {
+  v1::CreateJobRequest request;
+  request.set_request_id("given");
+  request.mutable_spec()->mutable_brief()->set_text("Given");
+  v1::GetArtifactRequest layout;
+  const absl::StatusOr<v1::Job> ended = orchestrator.GetJob(other.id());
+  if (!ended.ok()) return false;
+  for (const v1::ArtifactRef& ref : ended->artifacts()) {
+    if (ref.kind() == v1::ARTIFACT_KIND_SOLVED_LAYOUT) layout.set_artifact_id(ref.id());
+  }
+  const auto artifact = orchestrator.Ask(&Stub::GetArtifact, layout);
+  if (!artifact.ok()) return false;
+  *request.mutable_layout() = artifact->artifact();
+  const auto job = orchestrator.Ask(&Stub::CreateJob, request);
+  if (job.ok()) orchestrator.Watch(job->job().id());
+  return job.ok();
 }
 
 }  // namespace
@@ -59,7 +79,7 @@ int main(int argc, char** argv) {
     replays.mutable_specs()->rbegin()->mutable_replay()->set_job_id(jobs[i].id());
     replays.mutable_specs()->rbegin()->mutable_replay()->set_from_stage("objects");
   }
-  if (RunBatch(orchestrator, replays).empty()) return 1;
+  if (RunBatch(orchestrator, replays).empty() || !RunGiven(orchestrator, jobs.front())) return 1;
   std::printf("done\n");
   return 0;
 }

@@ -41,6 +41,53 @@ TEST_P(DeletionContract, AJobGoesWithWhatOnlyItHas) {
   EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(shared).status()));
 }
 
+TEST_P(DeletionContract, WhatAJobWasGivenIsThereBeforeItsFirstRunAndGoesWithTheLastThatHasIt) {
+  WatchedQueue queue = Open();
+  // It was there before, and went.
+  RunAlone(queue, "job-0", {"given"});
+  ASSERT_EQ(queue->DeleteJob("job-0", *artifacts_)->artifact_count, 1);
+  orchestrator::GivenArtifact given{.artifact = Seal("given"), .record = {}, .store = artifacts_.get()};
+  given.record.event.set_kind(v1::JOB_EVENT_KIND_STAGE_REUSED);
+  given.record.event.set_stage("solve");
+  *given.record.event.mutable_artifact() = given.artifact.ref;
+  given.record.stage_index = 9;
+  v1::Job of_ada = NewJob("job-1");
+  of_ada.set_owner("ada");
+  const auto made = queue->CreateJob(of_ada, "ada/r1", &given);
+  ASSERT_TRUE(made.ok()) << made.status();
+  EXPECT_THAT(made->artifacts(), ::testing::SizeIs(1));
+  EXPECT_TRUE(artifacts_->Get(IdOf("given")).ok());
+  EXPECT_TRUE(queue->OwnsArtifact("ada", IdOf("given")).value());
+  EXPECT_FALSE(queue->OwnsArtifact("bob", IdOf("given")).value());
+  ASSERT_THAT(*queue->EventsAfter("job-1", 0, 10), ::testing::SizeIs(1));
+  // A repeat is the same job, and adds nothing to it.
+  of_ada.set_id("job-9");
+  orchestrator::GivenArtifact other = given;
+  other.artifact = Seal("other");
+  *other.record.event.mutable_artifact() = other.artifact.ref;
+  const auto again = queue->CreateJob(of_ada, "ada/r1", &other);
+  ASSERT_TRUE(again.ok()) << again.status();
+  EXPECT_EQ(again->id(), "job-1");
+  EXPECT_EQ(again->artifacts(0).id(), IdOf("given"));
+  EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf("other")).status()));
+  for (int run = 0; run < 2; ++run) {
+    // The first one dies.
+    const auto lease = queue.Take();
+    ASSERT_NE(lease, nullptr);
+    ASSERT_THAT(lease->job().artifacts(), ::testing::SizeIs(1));
+    EXPECT_EQ(lease->taken().artifact_stages(0), 9);
+    EXPECT_THAT(lease->history(), ::testing::SizeIs(1));
+    EXPECT_EQ(lease->lost_run_count(), 0);
+    if (run == 1) EXPECT_TRUE(EndAs(*lease, v1::JOB_STATE_SUCCEEDED).ok());
+  }
+  ASSERT_TRUE(queue->CreateJob(NewJob("job-2"), "r2", &given).ok());
+  EXPECT_EQ(queue->DeleteJob("job-1", *artifacts_)->artifact_count, 0);
+  EXPECT_TRUE(artifacts_->Get(IdOf("given")).ok());
+  ASSERT_TRUE(queue->Cancel("job-2", absl::FromUnixSeconds(1'800'000'100)).ok());
+  EXPECT_EQ(queue->DeleteJob("job-2", *artifacts_)->artifact_count, 1);
+  EXPECT_TRUE(absl::IsNotFound(artifacts_->Get(IdOf("given")).status()));
+}
+
 TEST_P(DeletionContract, WhatGoesOnStays) {
   WatchedQueue queue = Open();
   ASSERT_TRUE(queue->CreateJob(NewJob("job-1"), "r1").ok());
