@@ -39,6 +39,32 @@ TEST_F(ActsTest, WhatIsMovedStaysJustThereUntilItIsSettled) {
   EXPECT_THAT(Get(made.document().id()).layout().graph().pinned_placements(), IsEmpty());
 }
 
+TEST_F(ActsTest, ADocumentIsUnsettledFromAMoveUntilItIsSolved) {
+  const v1::GetDocumentResponse made = Designed();
+  EXPECT_FALSE(made.document().unsettled());
+  const std::string bed = IdOf(made.layout(), "bed");
+  auto last = Act(made.document(), [&](v1::ActRequest& act) {
+    v1::EditLayout& edit = *act.mutable_edit();
+    edit.set_without_solving(true);
+    edit.add_edits()->set_pin_object_id(bed);
+  });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_FALSE(last->document().unsettled()) << "what is locked stands where it was solved";
+  last = Act(last->document(), [&](v1::ActRequest& act) {
+    *act.mutable_move()->add_placements() = Inward(PlacementOf(made.layout(), bed));
+  });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_TRUE(last->document().unsettled());
+  last = Act(last->document(), [](v1::ActRequest& act) { act.mutable_settle(); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_FALSE(last->document().unsettled());
+  last = Act(last->document(), [](v1::ActRequest& act) { act.mutable_undo(); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_TRUE(last->document().unsettled());
+  Reopen();
+  EXPECT_TRUE(Get(last->document().id()).document().unsettled());
+}
+
 TEST_F(ActsTest, OnlyWhatStandsOnAPieceGoesWithIt) {
   const v1::GetDocumentResponse made = Designed();
   std::map<std::string, v1::Object> objects;

@@ -111,7 +111,7 @@ absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDoc
   }
   if (document.title().empty())
     document.set_title(CutTo(artifact.solved_layout().graph().room().title(), kMostTitleLetters));
-  if (document.title().empty()) document.set_title("Own room");
+  if (document.title().empty()) document.set_title(kOwnRoom);
   SetVariants(record, artifact);
   RETURN_IF_ERROR(PushState(record, std::move(artifact), std::move(state)));
   *response.mutable_document() = DocumentOf(record);

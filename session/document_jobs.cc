@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documents whose room is designed or furnished by a job.
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "fmt/format.h"
 #include "orchestrator/pipeline/stage_clients.h"
 #include "room/validation/validate.h"
+#include "session/document_parts.h"
 #include "session/documents.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -46,6 +48,49 @@ absl::StatusOr<v1::ActResponse> Documents::Furnish(Record record, const v1::ActR
   RETURN_IF_ERROR(Commit(record, {}));
   Follow(record.document().id(), record.document().job_id(), kFurnish);
   return Answer(record, before);
+}
+
+absl::StatusOr<v1::ShareDocumentResponse> Documents::Share(const v1::ShareDocumentRequest& request, CallContext& call) {
+  ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
+  ASSIGN_OR_RETURN(const Layout shown, Shown(record));
+  const v1::LayoutGraph& graph = shown->solved_layout().graph();
+  if (graph.object_list().objects().empty()) {
+    return absl::FailedPreconditionError("nothing stands in the room: there is nothing to share");
+  }
+  const auto has_it = [&](const v1::Job& job) {
+    return std::ranges::find(job.artifacts(), shown->id(), &v1::ArtifactRef::id) != job.artifacts().end();
+  };
+  v1::ShareDocumentResponse response;
+  if (!record.document().job_id().empty()) {
+    const absl::StatusOr<v1::Job> own = stages_.GetJob(record.document().job_id(), call);
+    if (own.ok() && has_it(*own)) {
+      response.set_job_id(own->id());
+      return response;
+    }
+  }
+  v1::CreateJobRequest create;
+  create.set_request_id("layout-" + shown->id());
+  *create.mutable_layout() = *shown;
+  v1::Brief& brief = *create.mutable_spec()->mutable_brief();
+  brief = record.document().brief();
+  if (brief.text().empty()) brief.set_text(graph.room().title().empty() ? kOwnRoom : graph.room().title());
+  const absl::StatusOr<v1::Job> made = stages_.CreateJob(create, call);
+  if (made.ok() && !has_it(*made)) {
+    // It has taken the brief alone.
+    stages_.CancelJob(made->id(), call).IgnoreError();
+    return absl::UnimplementedError("the orchestrator is of an earlier version, which stores no layouts");
+  }
+  if (made.ok()) {
+    response.set_job_id(made->id());
+    return response;
+  }
+  if (!absl::IsAlreadyExists(made.status())) return made.status();
+  // Shared before, with another brief.
+  ASSIGN_OR_RETURN(const std::vector<v1::Job> jobs, stages_.ListJobs(call));
+  const auto job = std::ranges::find_if(jobs, has_it);
+  if (job == jobs.end()) return made.status();
+  response.set_job_id(job->id());
+  return response;
 }
 
 absl::StatusOr<v1::Artifact> Documents::LayoutOfJob(const v1::Job& job, CallContext& call) {

@@ -4,6 +4,7 @@
 
 #include <google/protobuf/util/time_util.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -11,11 +12,14 @@
 #include "absl/time/time.h"
 #include "flair/store/v1/document_record.pb.h"
 #include "flair/v1/artifact.pb.h"
+#include "flair/v1/layout_edit.pb.h"
 #include "flair/v1/studio_service.pb.h"
 
 namespace flair::session {
 
 inline constexpr size_t kMostTitleLetters = 200;
+// What a room is called that nobody has named.
+inline constexpr char kOwnRoom[] = "Own room";
 
 inline google::protobuf::Timestamp NowProto() {
   return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(absl::Now()));
@@ -27,6 +31,10 @@ inline v1::Document DocumentOf(const store::v1::DocumentRecord& record) {
   if (record.states().empty()) return document;
   const int at = record.position();
   document.set_layout_id(record.states(at).layout_id());
+  const auto& pending = record.states(at).pending_edits();
+  document.set_unsettled(std::ranges::any_of(pending, [](const v1::LayoutEdit& edit) {
+    return edit.pin_object_id().empty() && edit.unpin_object_id().empty();
+  }));
   if (at > 0) document.set_undo_label(record.states(at).label());
   if (at + 1 < record.states_size()) document.set_redo_label(record.states(at + 1).label());
   return document;

@@ -55,7 +55,8 @@ constexpr Format kFormats[] = {
     {v1::DOCUMENT_FORMAT_SCENE_GLB, ".glb", "model/gltf-binary"},
     {v1::DOCUMENT_FORMAT_REPORT, ".md", "text/markdown; charset=utf-8"},
     {v1::DOCUMENT_FORMAT_LAYOUT_PB, ".pb", "application/x-protobuf"},
-    {v1::DOCUMENT_FORMAT_LAYOUT_JSON, ".json", "application/json"}};
+    {v1::DOCUMENT_FORMAT_LAYOUT_JSON, ".json", "application/json"},
+    {v1::DOCUMENT_FORMAT_ARTIFACTS_TAR, ".tar", "application/x-tar"}};
 
 // What the renderer is asked to draw. It wants a piece: an empty room gets one that stands nowhere, which is left out.
 v1::SolvedLayout Drawable(const v1::SolvedLayout& layout) {
@@ -182,6 +183,8 @@ absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDoc
     response.set_content(text);
   } else if (format->format == v1::DOCUMENT_FORMAT_LAYOUT_PB) {
     response.set_content(cli::ArtifactBytes(*layout));
+  } else if (format->format == v1::DOCUMENT_FORMAT_ARTIFACTS_TAR) {
+    ASSIGN_OR_RETURN(*response.mutable_content(), ArchiveOf(layout, call));
   } else {
     response.set_content(cli::ToJson(*layout));
   }

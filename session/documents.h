@@ -59,6 +59,7 @@ class Documents {
   absl::StatusOr<v1::DrawDocumentResponse> Draw(const v1::DrawDocumentRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::ExportDocumentResponse> Export(const v1::ExportDocumentRequest& request,
                                                     runtime::CallContext& call);
+  absl::StatusOr<v1::ShareDocumentResponse> Share(const v1::ShareDocumentRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::ListFurnitureResponse> ListFurniture(const v1::ListFurnitureRequest& request,
                                                           runtime::CallContext& call);
   v1::GetModelResponse GetModel();
@@ -107,6 +108,8 @@ class Documents {
   absl::StatusOr<v1::ActResponse> TakeVariant(Record record, int index, runtime::CallContext& call);
   absl::StatusOr<v1::ActResponse> Furnish(Record record, const v1::ActRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::ActResponse> Answer(const Record& record, const Layout& before);
+  // A tar archive of the layout and of what led to it, as far as it is still stored; of bounded size.
+  absl::StatusOr<std::string> ArchiveOf(const Layout& shown, runtime::CallContext& call);
 
   // Starts a job for the document and follows it.
   absl::Status StartJob(Record& record, const v1::JobSpec& spec, const std::string& request_id,

@@ -93,6 +93,14 @@ absl::StatusOr<v1::Job> Stages::GetJob(const std::string& id, CallContext& call)
       UnaryRequest(*DesignerNow()->orchestrator, &v1::OrchestratorService::StubInterface::GetJob, request, call));
   return std::move(*response.mutable_job());
 }
+absl::StatusOr<std::vector<v1::Job>> Stages::ListJobs(CallContext& call) {
+  v1::ListJobsRequest request;
+  request.set_page_size(1000);
+  ASSIGN_OR_RETURN(
+      const v1::ListJobsResponse response,
+      UnaryRequest(*DesignerNow()->orchestrator, &v1::OrchestratorService::StubInterface::ListJobs, request, call));
+  return std::vector<v1::Job>(response.jobs().begin(), response.jobs().end());
+}
 absl::Status Stages::CancelJob(const std::string& id, CallContext& call) {
   v1::CancelJobRequest request;
   request.set_job_id(id);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "absl/status/statusor.h"
 #include "flair/v1/optimizer_service.pb.h"
@@ -50,6 +51,8 @@ class Stages {
 
   absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::Job> GetJob(const std::string& id, runtime::CallContext& call);
+  // The newest thousand.
+  absl::StatusOr<std::vector<v1::Job>> ListJobs(runtime::CallContext& call);
   absl::Status CancelJob(const std::string& id, runtime::CallContext& call);
   absl::StatusOr<v1::Artifact> GetArtifact(const std::string& id, runtime::CallContext& call);
   // Calls `see` for every event after a sequence number until the job ends.

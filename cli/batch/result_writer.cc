@@ -17,6 +17,7 @@
 #include "cli/input/message_text.h"
 #include "cli/output/artifact_text.h"
 #include "cli/output/report_text.h"
+#include "cli/output/tar_file.h"
 #include "fmt/format.h"
 #include "nlohmann/json.hpp"
 #include "orchestrator/store/artifact_id.h"
@@ -78,47 +79,6 @@ class JobFolders final : public ResultWriter {
 constexpr char kPartial[] = ".partial";
 // The index of the Python package wids, which WebDataset reads; further members are ours.
 constexpr int kIndexVersion = 1;
-
-// A tar file that is being written.
-class TarFile {
- public:
-  static absl::StatusOr<std::unique_ptr<TarFile>> Make(const fs::path& path) {
-    std::unique_ptr<TarFile> file(new TarFile(path));
-    std::error_code error;
-    fs::remove(path, error);  // what is there may be a link to another file
-    archive_write_set_format_pax_restricted(file->archive_);
-    if (archive_write_open_filename(file->archive_, path.c_str()) != ARCHIVE_OK) return file->Error();
-    return file;
-  }
-  ~TarFile() { archive_write_free(archive_); }
-
-  // Nothing but name and content decides the bytes.
-  absl::Status Add(const std::string& name, const std::string& content) {
-    const std::unique_ptr<archive_entry, decltype(&archive_entry_free)> entry(archive_entry_new(), archive_entry_free);
-    archive_entry_set_pathname(entry.get(), name.c_str());
-    archive_entry_set_size(entry.get(), static_cast<int64_t>(content.size()));
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), 0644);
-    archive_entry_set_mtime(entry.get(), 0, 0);
-    if (archive_write_header(archive_, entry.get()) != ARCHIVE_OK) return Error();
-    if (archive_write_data(archive_, content.data(), content.size()) != static_cast<la_ssize_t>(content.size())) {
-      return Error();
-    }
-    return absl::OkStatus();
-  }
-
-  absl::Status Close() { return archive_write_close(archive_) == ARCHIVE_OK ? absl::OkStatus() : Error(); }
-
- private:
-  explicit TarFile(fs::path path) : path_(std::move(path)), archive_(archive_write_new()) {}
-  absl::Status Error() const {
-    const char* why = archive_error_string(archive_);
-    return FileError("{}: cannot be written: {}", path_.string(), why == nullptr ? "no reason given" : why);
-  }
-
-  const fs::path path_;
-  archive* const archive_;
-};
 
 class TarShards final : public ResultWriter {
  public:

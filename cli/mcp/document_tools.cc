@@ -119,6 +119,7 @@ std::function<DocumentTools::Result(const Json&, ToolCall&)> DocumentTools::Find
        })},
       {"render", [this](const Json& arguments, ToolCall& call) { return Render(arguments, call); }},
       {"export", [this](const Json& arguments, ToolCall& call) { return Export(arguments, call); }},
+      {"share", [this](const Json& arguments, ToolCall& call) { return Share(arguments, call); }},
       {"find_furniture", [this](const Json& arguments, ToolCall& call) { return FindFurniture(arguments, call); }},
   };
   return runs.at(name);

@@ -49,6 +49,7 @@ class DocumentTools {
   Result Explain(const Json& arguments, ToolCall& call);
   Result Render(const Json& arguments, ToolCall& call);
   Result Export(const Json& arguments, ToolCall& call);
+  Result Share(const Json& arguments, ToolCall& call);
   Result FindFurniture(const Json& arguments, ToolCall& call);
   absl::StatusOr<Json> ListResources();
   absl::StatusOr<Json> ReadResource(const std::string& uri, runtime::CallContext& call);

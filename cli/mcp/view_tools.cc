@@ -56,6 +56,7 @@ bool IsOurs(const std::string& name, const std::string& content) {
     if (content.starts_with(magic)) return content.find("flair:job_id") != std::string::npos;
   }
   if (content.starts_with("glTF")) return content.find("\"generator\":\"Flair ") != std::string::npos;
+  if (content.starts_with("layout.pb")) return true;  // an archive
   const absl::StatusOr<ArtifactFile> file = ParseArtifactFile(name, content);
   return file.ok() && file->whole.ok();
 }
@@ -143,6 +144,15 @@ DocumentTools::Result DocumentTools::Export(const Json& arguments, ToolCall& cal
                                                        {.any = arguments.value("overwrite", false), .ours = IsOurs}));
   ToolResult result;
   result.structured = {{"path", path}, {"media_type", made.media_type()}, {"byte_count", made.content().size()}};
+  return result;
+}
+
+DocumentTools::Result DocumentTools::Share(const Json& arguments, ToolCall& call) {
+  v1::ShareDocumentRequest request;
+  request.set_document_id(arguments.at("document_id").get<std::string>());
+  ASSIGN_OR_RETURN(const v1::ShareDocumentResponse shared, documents_.Share(request, call.context()));
+  ToolResult result;
+  result.structured = {{"job_id", shared.job_id()}};
   return result;
 }
 

@@ -26,6 +26,11 @@ class DocumentsTest : public ::testing::Test {
 
   void Reopen() {
     documents_.reset();
+    documents_ = OpenIn("documents");
+  }
+
+  // Those of another machine when the folder is another one.
+  std::unique_ptr<Documents> OpenIn(const std::string& folder) {
     const orchestrator::StageChannels& stages = services_->stages();
     DocumentParts parts;
     parts.read_file = [](const std::string& bytes) -> absl::StatusOr<v1::Artifact> {
@@ -44,12 +49,12 @@ class DocumentsTest : public ::testing::Test {
     lamp.mutable_object()->set_width_m(0.4);
     lamp.mutable_object()->set_depth_m(0.4);
     lamp.mutable_object()->set_height_m(1.6);
-    documents_ = *Documents::Open(folder_.path() + "/documents",
-                                  {.orchestrator = services_->orchestrator(),
-                                   .translator = stages.translator.channel,
-                                   .optimizer = stages.optimizer.channel,
-                                   .renderer = stages.renderer.channel},
-                                  std::move(parts));
+    return *Documents::Open(folder_.path() + "/" + folder,
+                            {.orchestrator = services_->orchestrator(),
+                             .translator = stages.translator.channel,
+                             .optimizer = stages.optimizer.channel,
+                             .renderer = stages.renderer.channel},
+                            std::move(parts));
   }
 
   // The first event about a document that `enough` says yes to, among those that `act` and its job bring.

@@ -100,6 +100,7 @@ class StudioService final : public runtime::Service {
     Add<v1::ExplainRequest>("Explain", documents, &Documents::Explain);
     Add<v1::DrawDocumentRequest>("DrawDocument", documents, &Documents::Draw);
     Add<v1::ExportDocumentRequest>("ExportDocument", documents, &Documents::Export);
+    Add<v1::ShareDocumentRequest>("ShareDocument", documents, &Documents::Share);
     Add<v1::ListFurnitureRequest>("ListFurniture", documents, &Documents::ListFurniture);
     ServerStream<WatchDocumentsResponse>("WatchDocuments", [this, &documents](grpc::CallbackServerContext* context) {
       CallContext call;

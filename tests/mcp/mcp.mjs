@@ -124,7 +124,7 @@ test('a room is designed with progress, edited, explained, drawn and written', a
   assert.equal(written.path, join(root, 'rooms/bedroom.json'));
   JSON.parse(readFileSync(written.path, 'utf8'));
   await call(client, 'export', { document_id, format: 'layout_json', path: written.path });
-  for (const format of ['plan_png', 'plan_svg', 'plan_pdf', 'scene_glb', 'layout_pb']) {
+  for (const format of ['plan_png', 'plan_svg', 'plan_pdf', 'scene_glb', 'layout_pb', 'artifacts_tar']) {
     await call(client, 'export', { document_id, format });
     await call(client, 'export', { document_id, format });
   }
@@ -149,6 +149,9 @@ test('a room is designed with progress, edited, explained, drawn and written', a
   assert.ok(resourceTemplates.some(({ uriTemplate }) => uriTemplate === 'flair://artifact/{artifact_id}'));
   await assert.rejects(client.readResource({ uri: 'flair://document/none/layout.json' }), /no document/);
   await assert.rejects(client.readResource({ uri: 'file:///etc/passwd' }), /no resource/);
+
+  const { structuredContent: { job_id } } = await call(client, 'share', { document_id });
+  assert.equal((await call(client, 'share', { document_id })).structuredContent.job_id, job_id);
 
   const { structuredContent: { furniture } } = await call(client, 'find_furniture', { words: 'lamp', limit: 3 });
   assert.equal(furniture.length, 3);
