@@ -5,7 +5,6 @@
 
 #include "cli/commands/commands.h"
 #include "cli/input/options.h"
-#include "cli/input/service_flags.h"
 #include "cli/mcp/document_tools.h"
 #include "cli/mcp/server.h"
 #include "cli/mcp/stdio.h"
@@ -20,20 +19,15 @@ namespace {
 struct McpArguments : Options {
   using Options::Options;
   std::string& root = Text("--root DIR", "Folder that the tool export may write to, and nowhere else (.)");
-  std::string& orchestrator =
-      Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
-  StageFlags stages{command()};
-  LlmFlags llm{command()};
+  DocumentFlags documents{command()};
 };
 
 absl::Status Mcp(const McpArguments& arguments) {
-  RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
-  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(arguments.llm, {}, arguments.orchestrator));
   ASSIGN_OR_RETURN(const mcp::RootFolder root, mcp::RootFolder::Open(arguments.root.empty() ? "." : arguments.root));
   ASSIGN_OR_RETURN(const int out, mcp::ReserveStandardOutput());
   ASSIGN_OR_RETURN(const int stop, StopDescriptor());
   std::signal(SIGPIPE, SIG_IGN);
-  ASSIGN_OR_RETURN(const auto opened, OpenDocuments::Open(arguments.orchestrator, llm, arguments.stages));
+  ASSIGN_OR_RETURN(const auto opened, OpenDocuments::Open(arguments.documents));
   mcp::DocumentTools tools(opened->documents(), root);
   mcp::Lines lines{.in = 0, .out = out, .stop = stop};
   mcp::Server server({.server_info = {{"name", "flair"}, {"title", "Flair"}, {"version", FLAIR_VERSION}},

@@ -7,7 +7,6 @@
 
 #include "cli/commands/commands.h"
 #include "cli/input/options.h"
-#include "cli/input/service_flags.h"
 #include "cli/session/open_documents.h"
 #include "flair/v1/orchestrator_service.grpc.pb.h"
 #include "flair/v1/studio_service.grpc.pb.h"
@@ -30,10 +29,7 @@ struct StudioArguments : Options {
   std::string& certificate = Text("--certificate FILE", "Certificate chain for them, PEM; needs --key");
   std::string& key = Text("--key FILE", "Its key, PEM");
   std::string& host_name = Text("--host-name NAME", "What they call this machine, as the certificate does");
-  std::string& orchestrator =
-      Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
-  StageFlags stages{command()};
-  LlmFlags llm{command()};
+  DocumentFlags documents{command()};
 };
 
 // What a page may ask of the orchestrator, beside documents.
@@ -51,10 +47,8 @@ void WaitForStop(int stop) {
 }
 
 absl::Status Studio(const StudioArguments& arguments) {
-  RETURN_IF_ERROR(CheckStageFlags(arguments.stages, arguments.orchestrator, arguments.llm));
-  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(arguments.llm, {}, arguments.orchestrator));
   ASSIGN_OR_RETURN(const int stop, StopDescriptor());
-  ASSIGN_OR_RETURN(const auto opened, OpenDocuments::Open(arguments.orchestrator, llm, arguments.stages));
+  ASSIGN_OR_RETURN(const auto opened, OpenDocuments::Open(arguments.documents));
   config::v1::RuntimeConfig runtime;
   runtime.set_log_level("error");
   const auto make = [&](runtime::WorkerContext& context) -> absl::StatusOr<std::unique_ptr<grpc::Service>> {

@@ -70,7 +70,9 @@ absl::Status Connect(const StagePlace& place) {
 template <typename Config, typename Make>
 absl::Status StartWorker(const std::string& program, Config config, const Make& make, const StagePlace& place) {
   if (!place.address.empty()) return Connect(place);
-  config.mutable_runtime()->MergeFrom(QuietRuntime());
+  config::v1::RuntimeConfig runtime = QuietRuntime();
+  runtime.MergeFrom(config.runtime());
+  config.mutable_runtime()->Swap(&runtime);
   const auto build = [&](runtime::WorkerContext& context) {
     context.build = runtime::BuildName();
     return make(config, context);
@@ -134,7 +136,11 @@ absl::Status EmbeddedServices::StartWorkers(const OptionalLlm& llm, const StageC
   const auto make_renderer = [](const auto& config, runtime::WorkerContext& context) {
     return renderer::MakeRendererService(config, context, Models().renderer);
   };
-  return StartWorker("flair-renderer", config::v1::RendererWorkerConfig(), make_renderer,
+  config::v1::RendererWorkerConfig renderer;
+  renderer.set_asset_folder_path(stages.asset_folder);
+  // What of a user's models cannot be used is told as they are read.
+  if (!stages.asset_folder.empty()) renderer.mutable_runtime()->set_log_level("warning");
+  return StartWorker("flair-renderer", renderer, make_renderer,
                      {kRendererStage, renderer_, stages_.renderer, addresses.renderer()});
 }
 

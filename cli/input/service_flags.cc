@@ -295,6 +295,12 @@ absl::Status CheckStageFlags(const StageChoice& flags, const std::string& orches
         "handbook_overlay_paths: \"{}\"",
         flags.handbooks[0], orchestrator.empty() ? "--language" : "--orchestrator", language, flags.handbooks[0]);
   }
+  const std::string& renderer = orchestrator.empty() ? flags.addresses.renderer() : orchestrator;
+  if (!flags.asset_folder.empty() && !renderer.empty()) {
+    return InvalidArgument(
+        "--assets {}: not with {} {}, whose renderer has its own models; set in its config: asset_folder_path: \"{}\"",
+        flags.asset_folder, orchestrator.empty() ? "--renderer" : "--orchestrator", renderer, flags.asset_folder);
+  }
   if (flags.addresses.language().empty() || flags.addresses.translator().empty() || llm.Given().empty())
     return absl::OkStatus();
   return InvalidArgument(

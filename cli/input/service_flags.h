@@ -91,13 +91,14 @@ std::string DefaultStorePath();
 struct StageChoice {
   config::v1::StageAddresses addresses;  // an empty address: the stage runs in this process
   std::vector<std::string> handbooks;    // folders laid over the handbook of the own language stage, in this order
+  std::string asset_folder;              // of the own renderer; empty: none
 };
 struct StageFlags : Options, StageChoice {
   explicit StageFlags(CLI::App& command);
 };
 
-// INVALID_ARGUMENT when stages or handbooks are given that the orchestrator or the language stage would not use, or a
-// model that none of the own stages would ask.
+// INVALID_ARGUMENT when stages, handbooks or assets are given that the orchestrator or the stage elsewhere would not
+// use, or a model that none of the own stages would ask.
 absl::Status CheckStageFlags(const StageChoice& flags, const std::string& orchestrator, const LlmFlags& llm);
 
 // What a command that got `status` from the orchestrator at `address` ends with: when nobody answered there or not in

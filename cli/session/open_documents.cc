@@ -5,12 +5,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
-#include <map>
-#include <set>
-#include <tuple>
 #include <vector>
 
 #include "absl/strings/str_join.h"
@@ -20,65 +16,15 @@
 #include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
+#include "cli/session/furniture_offers.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "llm/config/check_llm_config.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::cli {
 namespace {
-
-v1::ObjectKind KindOf(language::hb::FurnitureKind kind) {
-  switch (kind) {
-    case language::hb::FURNITURE_KIND_WALL:
-      return v1::OBJECT_KIND_WALL;
-    case language::hb::FURNITURE_KIND_CEILING:
-      return v1::OBJECT_KIND_CEILING;
-    case language::hb::FURNITURE_KIND_SURFACE:
-      return v1::OBJECT_KIND_SURFACE;
-    default:
-      return v1::OBJECT_KIND_FLOOR;
-  }
-}
-
-// The handbook's classes, in their usual sizes.
-absl::StatusOr<std::vector<v1::FurnitureOffer>> Offers(const StageChoice& stages) {
-  const std::vector<std::filesystem::path> overlays(stages.handbooks.begin(), stages.handbooks.end());
-  ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder(), overlays));
-  std::vector<v1::FurnitureOffer> offers;
-  for (const language::hb::Furniture& furniture : handbook->contents().furniture()) {
-    v1::FurnitureOffer& offer = offers.emplace_back();
-    offer.set_group(absl::StrReplaceAll(furniture.category(), {{"_", " "}}));
-    v1::Object& object = *offer.mutable_object();
-    object.set_name(furniture.name());
-    object.set_category(furniture.category());
-    object.set_kind(KindOf(furniture.kind()));
-    object.set_role(object.kind() == v1::OBJECT_KIND_FLOOR && !furniture.walk_over() ? v1::OBJECT_ROLE_SECONDARY
-                                                                                     : v1::OBJECT_ROLE_TERTIARY);
-    object.set_width_m(furniture.width_m().typical());
-    object.set_depth_m(furniture.depth_m().typical());
-    object.set_height_m(furniture.height_m().typical());
-    object.set_elevation_m(furniture.elevation_m());
-    object.set_walk_over(furniture.walk_over());
-    object.set_round(furniture.round());
-  }
-  // What most kinds of rooms have is what people look for first, and what stands on the floor before the rest.
-  std::map<std::string, int> rooms;
-  for (const language::hb::Archetype& room : handbook->contents().archetypes()) {
-    std::set<std::string> pieces;
-    for (const language::hb::Band& band : room.bands()) {
-      for (const language::hb::ObjectEntry& entry : band.objects()) pieces.insert(entry.furniture());
-    }
-    for (const std::string& piece : pieces) ++rooms[piece];
-  }
-  std::ranges::stable_sort(offers, {}, [&](const v1::FurnitureOffer& offer) {
-    const v1::Object& object = offer.object();
-    return std::tuple(object.walk_over(), object.kind(), -rooms[object.name()]);
-  });
-  return offers;
-}
 
 absl::StatusOr<v1::Artifact> ReadUpload(const std::string& bytes) {
   // Its ending is not known: the bytes say what it is.
@@ -90,7 +36,7 @@ absl::StatusOr<v1::Artifact> ReadUpload(const std::string& bytes) {
 
 absl::StatusOr<session::DocumentParts> Parts(const StageChoice& stages) {
   session::DocumentParts parts;
-  ASSIGN_OR_RETURN(parts.furniture, Offers(stages));
+  ASSIGN_OR_RETURN(parts.furniture, FurnitureOffers(stages));
   parts.read_file = ReadUpload;
   parts.not_as_asked = NotAsAsked;
   parts.note_json = [](const v1::SolvedLayout& layout,
@@ -191,18 +137,29 @@ absl::StatusOr<session::Channels> OpenDocuments::ChooseModel(const v1::ModelChoi
   return StartServices(config);
 }
 
-absl::StatusOr<std::unique_ptr<OpenDocuments>> OpenDocuments::Open(const std::string& address, const OptionalLlm& llm,
-                                                                   const StageChoice& stages) {
+DocumentFlags::DocumentFlags(CLI::App& command) : Options(command) {
+  Bind("--assets DIR", stages.asset_folder,
+       "Folder of 3D models with a manifest (docs/assets.md), to furnish with and for furniture that one of them fits");
+}
+
+absl::StatusOr<std::unique_ptr<OpenDocuments>> OpenDocuments::Open(const DocumentFlags& flags) {
+  const std::string& address = flags.orchestrator;
+  const StageChoice& stages = flags.stages;
+  RETURN_IF_ERROR(CheckStageFlags(stages, address, flags.llm));
+  ASSIGN_OR_RETURN(const OptionalLlm llm, ReadDesignModel(flags.llm, {}, address));
   std::unique_ptr<OpenDocuments> open(new OpenDocuments(llm, stages));
-  ASSIGN_OR_RETURN(session::DocumentParts parts, Parts(stages));
+  session::DocumentParts parts;
   if (address.empty()) {
+    // Says first what is wrong with folders.
     ASSIGN_OR_RETURN(open->channels_, open->StartServices(llm));
+    ASSIGN_OR_RETURN(parts, Parts(stages));
     parts.choose_model = [self = open.get()](const v1::ModelChoice& choice) { return self->ChooseModel(choice); };
     if (llm.has_value()) {
       parts.model.set_base_url(llm->base_url());
       parts.model.set_model(llm->model());
     }
   } else {
+    ASSIGN_OR_RETURN(parts, Parts(stages));
     ASSIGN_OR_RETURN(open->session_, Session::Open(address));
     RETURN_IF_ERROR(open->session_->ListJobs(1).status());
     const std::shared_ptr<grpc::Channel>& channel = open->session_->channel();

@@ -16,13 +16,22 @@ namespace flair::cli {
 class EmbeddedServices;
 class Session;
 
+// Whose services documents use.
+struct DocumentFlags : Options {
+  explicit DocumentFlags(CLI::App& command);
+  std::string& orchestrator =
+      Text("--orchestrator HOST:PORT", "Use the services of this orchestrator instead of the built-in ones");
+  StageFlags stages{command()};
+  LlmFlags llm{command()};
+};
+
 class OpenDocuments {
  public:
-  // Over the orchestrator at `address`, which passes calls on to its workers, or, when it is empty, over the services of
-  // this process, with `stages` that run elsewhere and own ones, which ask `llm`. In the local store, so that every
-  // program sees the same ones. Errors as Session::Open, EmbeddedServices::Start and session::Documents::Open.
-  static absl::StatusOr<std::unique_ptr<OpenDocuments>> Open(const std::string& address, const OptionalLlm& llm,
-                                                             const StageChoice& stages);
+  // Over the orchestrator of the flags, which passes calls on to its workers, or, when there is none, over the services
+  // of this process, with stages that run elsewhere and own ones. In the local store, so that every program sees the
+  // same ones. Errors as CheckStageFlags, ReadDesignModel, Session::Open, EmbeddedServices::Start and
+  // session::Documents::Open.
+  static absl::StatusOr<std::unique_ptr<OpenDocuments>> Open(const DocumentFlags& flags);
   ~OpenDocuments();
 
   session::Documents& documents() { return *documents_; }

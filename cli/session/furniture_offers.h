@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "absl/status/statusor.h"
+#include "cli/input/service_flags.h"
+#include "flair/v1/studio_service.pb.h"
+
+namespace flair::cli {
+
+// Furniture that can be added to a room: the models of the user's own folder, if there is one, in their sizes, then the
+// handbook's classes in their usual sizes. A model is what the handbook calls by the end of its name ("rattan
+// armchair"); of what is no class there, and of no size that fits into a room, there is no offer. Errors as
+// language::LoadHandbook and renderer::AssetLibrary::Open.
+absl::StatusOr<std::vector<v1::FurnitureOffer>> FurnitureOffers(const StageChoice& stages);
+
+}  // namespace flair::cli
