@@ -69,14 +69,14 @@ TEST_F(OwnModels, AreOfferedFirstAndShownInThreeDimensions) {
   const v1::FurnitureOffer& armchair = all->offers(0);
   EXPECT_EQ(armchair.group(), "own models");
   EXPECT_EQ(armchair.object().name(), "Rattan armchair");
-  EXPECT_EQ(armchair.object().category(), "chair");
+  EXPECT_EQ(armchair.object().category(), "armchair");
   EXPECT_FLOAT_EQ(static_cast<float>(armchair.object().width_m()), 0.82F);
   EXPECT_THAT(armchair.svg(), HasSubstr("<path"));
   EXPECT_EQ(all->offers(1).object().name(), "slipper chair");
   EXPECT_NEAR(all->offers(1).object().height_m(), 0.9, 1e-5);
   EXPECT_NE(all->offers(2).group(), "own models");
   v1::ListFurnitureRequest words;
-  words.set_query("own");
+  words.set_query("own models");
   EXPECT_EQ(documents.ListFurniture(words, call_)->offers_size(), 2);
 
   v1::CreateDocumentRequest create;
