@@ -52,7 +52,7 @@ function RoomPage({ room }: { room: OpenRoom }) {
         <Panes room={room} />
         <VariantStrip key={room.id} room={room} />
       </main>
-      <Inspector room={room} />
+      <Inspector key={room.id} room={room} />
     </>
   );
 }

@@ -43,6 +43,13 @@ export function inside(polygon: readonly Vec[], p: Vec): boolean {
   return odd;
 }
 
+// How far two convex polygons reach into each other, along the edge across which that is least; 0 or less when apart.
+export function depthOf(a: readonly Vec[], b: readonly Vec[]): number {
+  const across = (one: readonly Vec[], other: readonly Vec[]) => edgesOf(one).map(({ a: from, inward }) =>
+    Math.max(...other.map((p) => dot(sub(p, from), inward))));
+  return Math.min(...across(a, b), ...across(b, a));
+}
+
 // The part of `subject` that lies in the convex polygon `window`; empty when they do not meet.
 export function clipped(subject: readonly Vec[], window: readonly Vec[]): Vec[] {
   let rest = [...subject];

@@ -2,7 +2,8 @@
 import { Icon } from "../app/Icon";
 import type { OpenRoom } from "../state/open_room";
 
-// What the last act has cost or brought elsewhere, until it is closed or the next act.
+// What the last act has cost or brought elsewhere, until it is closed or the next act. It lies over the end of the panel,
+// so that nothing above it moves.
 export function EffectCard({ room }: { room: OpenRoom }) {
   const effect = room.effect.value;
   if (!effect || effect.gained.length + effect.lost.length === 0) return null;

@@ -14,11 +14,11 @@ export function Inspector({ room }: { room: OpenRoom }) {
   return (
     <aside class="inspector" aria-label="Inspector">
       <div class="inspector-body" tabIndex={-1}>
-        <EffectCard room={room} />
         {!only && <RoomPanel room={room} />}
         {only && chosen.length === 1 && <PiecePanel key={only.id} room={room} piece={only} />}
         {chosen.length > 1 && <SeveralPanel room={room} pieces={chosen} />}
       </div>
+      <EffectCard room={room} />
       <SayField room={room} about={chosen.length === 1 ? only : undefined} />
     </aside>
   );

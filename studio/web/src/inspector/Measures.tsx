@@ -1,33 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { LayoutMetrics } from "../gen/flair/v1/layout_metrics_pb";
 import type { Note } from "./note";
+import { measureWords, percent } from "./words";
 
 interface Measure {
-  readonly label: string;
+  readonly words: (typeof measureWords)[keyof typeof measureWords];
   readonly value: string;
   readonly share: number;
 }
 
-const percent = (share: number) => `${Math.round(share * 100)} %`;
+const counted = (words: Measure["words"], met: number, asked: number): Measure[] =>
+  asked > 0 ? [{ words, value: `${met} of ${asked}`, share: met / asked }] : [];
 
-function measuresOf(note: Note, metrics: LayoutMetrics | undefined): Measure[] {
-  const count = note.demand_count;
-  const asked = count ? (count.holds ?? 0) + (count.missed ?? 0) : 0;
-  const uses = note.uses;
+function measuresOf({ demand_count: demands, uses }: Note, metrics: LayoutMetrics | undefined): Measure[] {
+  const held = demands?.holds ?? 0;
+  const shares = (metrics: LayoutMetrics): Measure[] => [
+    { words: measureWords.floor, value: percent(metrics.reachableFloorShare), share: metrics.reachableFloorShare },
+    { words: measureWords.fronts, value: percent(metrics.reachableFrontShare), share: metrics.reachableFrontShare },
+  ];
   return [
-    uses?.asked
-      ? { label: "Uses met", value: `${uses.met ?? 0} of ${uses.asked}`, share: (uses.met ?? 0) / uses.asked }
-      : undefined,
-    asked > 0
-      ? { label: "Wishes met", value: `${count!.holds ?? 0} of ${asked}`, share: (count!.holds ?? 0) / asked }
-      : undefined,
-    metrics
-      ? { label: "Floor reached", value: percent(metrics.reachableFloorShare), share: metrics.reachableFloorShare }
-      : undefined,
-    metrics
-      ? { label: "Fronts reached", value: percent(metrics.reachableFrontShare), share: metrics.reachableFrontShare }
-      : undefined,
-  ].filter((one) => one !== undefined);
+    ...counted(measureWords.wishes, held, held + (demands?.missed ?? 0)),
+    ...counted(measureWords.uses, uses?.met ?? 0, uses?.asked ?? 0),
+    ...(metrics ? shares(metrics) : []),
+  ];
 }
 
 export function Measures({ note, metrics }: { note: Note; metrics: LayoutMetrics | undefined }) {
@@ -35,8 +30,8 @@ export function Measures({ note, metrics }: { note: Note; metrics: LayoutMetrics
   if (measures.length === 0) return null;
   return (
     <dl class="measures">
-      {measures.map(({ label, value, share }) => (
-        <div key={label} class={share > 0.999 ? "measure is-full" : "measure"}>
+      {measures.map(({ words: { label, title }, value, share }) => (
+        <div key={label} class={share > 0.999 ? "measure is-full" : "measure"} title={title}>
           <dt>{label}</dt>
           <dd>{value}</dd>
           <svg viewBox="0 0 100 3" preserveAspectRatio="none" aria-hidden="true">

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
 import { duplicatePieces, lockPieces, removePieces, renamePiece } from "../state/commands";
+import { faultsOf } from "../state/faults";
 import type { OpenRoom } from "../state/open_room";
 import { nameOf, type Piece } from "../state/pieces";
-import { faultsOf } from "../plan/overlay/Findings";
 import { objectIn, type Demand } from "./note";
+import { Faults } from "./Faults";
+import { useKept } from "./kept";
 import { PieceFields } from "./PieceFields";
 import { SentenceRow } from "./Sentence";
 import { capital, withStop } from "./words";
@@ -14,6 +16,8 @@ const order = { missed: 0, "not understood": 1, dropped: 2, holds: 3 };
 function sorted(demands: readonly Demand[]): Demand[] {
   return [...demands].sort((a, b) => order[a.fate] - order[b.fate]);
 }
+
+const keyOf = (demand: Demand): string => demand.sentence_id ?? `${demand.about_it} ${demand.sentence}`;
 
 // The heading, which is a field: another name makes it another piece of the same size.
 function PieceName({ room, piece }: { room: OpenRoom; piece: Piece }) {
@@ -37,9 +41,8 @@ function PieceName({ room, piece }: { room: OpenRoom; piece: Piece }) {
 
 export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const about = objectIn(room.explanation.value?.note, piece.id);
-  const findings = faultsOf(room).filter((one) => one.objectId === piece.id || one.partnerId === piece.id);
-  const told = new Set(findings.map((one) => one.message.replace(/\.$/, "")));
-  const demands = sorted(about?.demands ?? []);
+  const told = new Set(faultsOf(room).map((one) => one.message.replace(/\.$/, "")));
+  const demands = useKept(sorted(about?.demands ?? []), keyOf, () => true);
   const asked = piece.object.requested ? "You asked for it." : "";
   return (
     <>
@@ -73,22 +76,14 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
           </button>
         </div>
       </header>
-      {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}
       <PieceFields room={room} piece={piece} />
-      {findings.length > 0 && (
-        <ul class="notices">
-          {findings.map((one) => (
-            <li key={one.message} class="notice is-bad">
-              {withStop(capital(one.message))}
-            </li>
-          ))}
-        </ul>
-      )}
+      {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}
+      <Faults room={room} of={[piece]} />
       <h3 class="eyebrow">Why it stands there</h3>
       {demands.length === 0 && <p class="hint">Nothing is asked of it. Say a sentence below.</p>}
       <ul class="sentences">
-        {demands.map((demand, i) => (
-          <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={piece.id} />
+        {demands.map((demand) => (
+          <SentenceRow key={keyOf(demand)} room={room} demand={demand} objectId={piece.id} />
         ))}
       </ul>
       {about?.followers && about.followers.length > 0 && (

@@ -5,22 +5,27 @@ import { area } from "../geometry/polygon";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
-import { faultsOf } from "../plan/overlay/Findings";
 import type { Demand, Note } from "./note";
+import { Faults } from "./Faults";
 import { Furnish } from "./Furnish";
+import { useKept } from "./kept";
 import { Measures } from "./Measures";
 import { PieceList } from "./PieceList";
 import { SentenceRow } from "./Sentence";
 import { capital, withStop } from "./words";
 
-function missedOf(note: Note): Array<{ demand: Demand; objectId: string }> {
-  const seen = new Set<string>();
-  return (note.zones ?? []).flatMap((zone) => zone.objects ?? []).flatMap((object) =>
-    (object.demands ?? []).filter(({ fate, sentence_id: id }) => {
-      if (fate !== "missed" || (id && seen.has(id))) return false;
-      if (id) seen.add(id);
-      return true;
-    }).map((demand) => ({ demand, objectId: object.id })));
+interface Wish {
+  readonly demand: Demand;
+  readonly objectId: string;
+}
+
+const keyOf = ({ demand, objectId }: Wish): string => demand.sentence_id ?? `${objectId} ${demand.about_it}`;
+
+// Every wish once, with the first piece that it is about.
+function wishesOf(note: Note): Wish[] {
+  const wishes = (note.zones ?? []).flatMap(({ objects = [] }) =>
+    objects.flatMap(({ id: objectId, demands = [] }) => demands.map((demand): Wish => ({ demand, objectId }))));
+  return [...new Map(wishes.reverse().map((wish) => [keyOf(wish), wish])).values()].reverse();
 }
 
 function Lines({ title, lines }: { title: string; lines: readonly string[] | undefined }) {
@@ -37,8 +42,8 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
   const { units } = useStudio().settings;
   const explanation = room.explanation.value, note = explanation?.note ?? {};
   const layout = room.layout.value, shape = layout?.graph?.room;
-  const findings = faultsOf(room);
-  const missed = missedOf(note);
+  // One that is missed stays in the list while it is looked at, also when it comes to hold.
+  const missed = useKept(wishesOf(note), keyOf, ({ demand }) => demand.fate === "missed");
   return (
     <>
       <header class="panel-head">
@@ -52,7 +57,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
           Edit room
         </button>
       </header>
-      {note.room && <p class="stands">{note.room}</p>}
+      {note.room && <p class="stands is-room">{note.room}</p>}
       {explanation && explanation.notAsAsked.length > 0 && (
         <section>
           <h3 class="eyebrow">Not as asked</h3>
@@ -65,32 +70,21 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
           </ul>
         </section>
       )}
-      {findings.length > 0 && (
-        <section>
-          <h3 class="eyebrow">What is wrong</h3>
-          <ul class="notices">
-            {findings.map((one) => (
-              <li key={`${one.objectId} ${one.message}`} class="notice is-bad">
-                <button onClick={() => room.select([one.objectId])}>{withStop(capital(one.message))}</button>
-              </li>
-            ))}
-          </ul>
-        </section>
-      )}
+      <Faults room={room} title="What is wrong" />
       {room.pieces.value.size === 0 ? <Furnish room={room} /> : <Measures note={note} metrics={layout?.metrics} />}
       {missed.length > 0 && (
         <section>
           <h3 class="eyebrow">Wishes that do not hold</h3>
           <ul class="sentences">
-            {missed.map(({ demand, objectId }, i) => (
-              <SentenceRow key={demand.sentence_id ?? i} room={room} demand={demand} objectId={objectId} />
+            {missed.map((wish) => (
+              <SentenceRow key={keyOf(wish)} room={room} {...wish} />
             ))}
           </ul>
         </section>
       )}
-      <Lines title="Cannot hold together" lines={note.clashes} />
+      <Lines title="Wishes that contradict each other" lines={note.clashes} />
       <PieceList room={room} note={note} />
-      <Lines title="Left out" lines={note.left_out} />
+      <Lines title="Left out of the room" lines={note.left_out} />
       <Lines title="Remarks" lines={note.remarks} />
     </>
   );

@@ -8,6 +8,7 @@ import { say, weigh } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import type { Demand, Fate } from "./note";
+import { Weight } from "./Weight";
 import { missedText } from "./words";
 
 const origins: Record<SentenceOrigin, string> = {
@@ -27,24 +28,6 @@ function liveFate(room: OpenRoom, demand: Demand): { fate: Fate; shortfall: stri
     return { fate: demand.fate, shortfall: demand.shortfall ?? "", isLive: false };
   const missed = asked.find((one) => one.status === OutcomeStatus.VIOLATED);
   return { fate: missed ? "missed" : "holds", shortfall: missed?.reason ?? "", isLive: true };
-}
-
-function Weight({ room, demand, text }: { room: OpenRoom; demand: Demand; text: string }) {
-  const edge = room.layout.value?.graph?.edges.find((one) => one.id === demand.edge_ids?.[0]);
-  const weight = edge?.weight || 1;
-  const [typed, setTyped] = useState<number>();
-  const shown = typed ?? Number(weight.toPrecision(2));
-  // A slider of powers, from a tenth to thirty times.
-  const set = (value: string) => setTyped(Number((10 ** Number(value)).toPrecision(2)));
-  return (
-    <label class="weight">
-      <span>Weight</span>
-      <input type="range" min="-1" max="1.5" step="0.05" value={Math.log10(weight)} aria-label={`Weight of: ${text}`}
-        aria-valuetext={`${shown}`} onInput={(event) => set(event.currentTarget.value)}
-        onChange={() => void weigh(room, demand.sentence_id!, shown).then(() => setTyped(undefined))} />
-      <output>{shown}</output>
-    </label>
-  );
 }
 
 export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand: Demand; objectId?: string }) {

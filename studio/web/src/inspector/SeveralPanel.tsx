@@ -3,6 +3,7 @@ import { Icon } from "../app/Icon";
 import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece } from "../state/pieces";
+import { Faults } from "./Faults";
 import { PieceRows } from "./PieceRows";
 
 export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonly Piece[] }) {
@@ -45,6 +46,7 @@ export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonl
         </div>
       </header>
       <PieceRows room={room} pieces={pieces} />
+      <Faults room={room} of={pieces} title="What is wrong with them" />
     </>
   );
 }

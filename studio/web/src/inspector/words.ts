@@ -11,6 +11,19 @@ export function missedText({ missed_by: by, unit }: Demand, units: Units): strin
   return `${(by * 100).toFixed(0)} % short`;
 }
 
+// What is measured of a room, in words for whoever lives in it; their titles explain them. Every page takes them from here.
+export const measureWords = {
+  uses: {
+    label: "Works in daily use",
+    title: "Everyday acts for which there is room: sitting down, opening doors and drawers, getting out of bed.",
+  },
+  wishes: { label: "Wishes that hold", title: "Your wishes and the designer's that hold as things stand." },
+  floor: { label: "Floor within reach", title: "How much of the free floor you can walk to from the door." },
+  fronts: { label: "Pieces within reach", title: "How many pieces you can walk up to from the door and use." },
+} as const;
+
+export const percent = (share: number): string => `${Math.floor(share * 100 + 1e-6)} %`;
+
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 export function withStop(text: string): string {

@@ -4,7 +4,8 @@ import { useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { BatchState, type Batch } from "../gen/flair/v1/orchestrator_service_pb";
 import { useStudio } from "../state/studio";
-import { batchText, count, endedCount, failureText, isWaiting, percent } from "./words";
+import { percent } from "../inspector/words";
+import { count, endedCount, failureText, isWaiting } from "./words";
 
 export function BatchBar({ batch }: { batch: Batch }) {
   const all = Math.max(batch.jobCount, 1);
@@ -101,4 +102,3 @@ export function BatchFailures({ batch }: { batch: Batch }) {
 }
 
 export const batchTitle = (batch: Batch): string => batch.label || batch.id;
-export { batchText };

@@ -4,8 +4,9 @@ import { whenText } from "../app/when";
 import type { Batch } from "../gen/flair/v1/orchestrator_service_pb";
 import { hashOf } from "../state/route";
 import { useStudio } from "../state/studio";
-import { BatchBar, BatchButtons, BatchFailures, batchText, batchTitle, countsOf } from "./BatchHead";
+import { BatchBar, BatchButtons, BatchFailures, batchTitle, countsOf } from "./BatchHead";
 import { usePolling } from "./polling";
+import { batchText } from "./words";
 
 export function BatchList() {
   const { clients } = useStudio();

@@ -5,13 +5,14 @@ import { Icon } from "../app/Icon";
 import { JobState, type Job } from "../gen/flair/v1/job_pb";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
-import { BatchBar, BatchButtons, BatchFailures, batchText, batchTitle, countsOf } from "./BatchHead";
+import { BatchBar, BatchButtons, BatchFailures, batchTitle, countsOf } from "./BatchHead";
 import { StateFilter } from "./JobList";
 import { JobTile } from "./JobTile";
 import { anyMeasures, isFiltered, measureNames, passes, type Least, type MeasureName } from "./measures";
 import { JobPictures } from "./pictures";
 import { usePolling } from "./polling";
-import { percent } from "./words";
+import { batchText } from "./words";
+import { percent } from "../inspector/words";
 
 const kPage = 60;
 
@@ -52,8 +53,8 @@ function MeasureFilters({ least, take }: { least: Least; take(least: Least): voi
   return (
     <div class="measure-filters">
       {(Object.keys(measureNames) as MeasureName[]).map((name) => (
-        <label key={name}>
-          <span>{measureNames[name]}</span>
+        <label key={name} title={measureNames[name].title}>
+          <span>{measureNames[name].label}</span>
           <input
             type="range"
             min={0}
@@ -63,7 +64,7 @@ function MeasureFilters({ least, take }: { least: Least; take(least: Least): voi
             aria-valuetext={least[name] > 0 ? `at least ${percent(least[name])}` : "any"}
             onInput={(event) => take({ ...least, [name]: Number(event.currentTarget.value) })}
           />
-          <output>{least[name] > 0 ? `≥ ${Math.round(least[name] * 100)} %` : "any"}</output>
+          <output>{least[name] > 0 ? `≥ ${percent(least[name])}` : "any"}</output>
         </label>
       ))}
     </div>

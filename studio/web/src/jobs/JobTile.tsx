@@ -4,17 +4,23 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { JobState, type Job } from "../gen/flair/v1/job_pb";
 import { useStudio } from "../state/studio";
 import { briefOf, openJob } from "./JobRow";
-import type { Measures } from "./measures";
+import { percent } from "../inspector/words";
+import { measureNames, type MeasureName, type Measures } from "./measures";
 import type { JobPictures } from "./pictures";
 import { failureText, stateText } from "./words";
 
-function figures(measures: Measures | undefined): string {
-  const share = (name: string, value: number | undefined) =>
-    value === undefined ? "" : `${name} ${Math.round(value * 100)}`;
-  const texts = [share("held", measures?.held), share("uses", measures?.uses), share("floor", measures?.floor)].filter(
-    Boolean,
-  );
-  return texts.length > 0 ? `${texts.join(" · ")}\u00a0%` : "";
+const short: Record<MeasureName, string> = { held: "wishes", uses: "use", floor: "floor" };
+
+// "wishes 95 · use 90 · floor 100 %", and in full for its title.
+function figures(measures: Measures): { text: string; title: string } {
+  const known = (Object.keys(short) as MeasureName[]).flatMap((name) => {
+    const share = measures[name];
+    return share === undefined ? [] : [{ name, text: percent(share) }];
+  });
+  return {
+    text: known.map(({ name, text }) => `${short[name]} ${text}`).join(" · "),
+    title: known.map(({ name, text }) => `${measureNames[name].label}: ${text}`).join("\n"),
+  };
 }
 
 export function JobTile({ job, pictures }: { job: Job; pictures: JobPictures }) {
@@ -34,6 +40,7 @@ export function JobTile({ job, pictures }: { job: Job; pictures: JobPictures }) 
   const isDone = job.state === JobState.SUCCEEDED;
   const plan = isSeen && isDone ? pictures.planOf(job).value : undefined;
   const measures = isSeen && isDone ? pictures.measuresOf(job).value : undefined;
+  const shown = figures(measures ?? {});
   return (
     <li class="tile" ref={tile}>
       <button disabled={!isDone} onClick={() => void openJob(studio, job)} title={isDone ? "Open it" : job.error}>
@@ -52,8 +59,8 @@ export function JobTile({ job, pictures }: { job: Job; pictures: JobPictures }) 
           )}
         </span>
         <span class="tile-brief">{briefOf(job)}</span>
-        <span class="tile-measures">
-          {isDone ? figures(measures) : job.error || `no. ${Number(job.batchIndex) + 1}`}
+        <span class="tile-measures" title={shown.title}>
+          {isDone ? shown.text : job.error || `no. ${Number(job.batchIndex) + 1}`}
         </span>
       </button>
     </li>

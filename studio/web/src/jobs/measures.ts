@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How good a job's room came out, from its report.
 import type { Report } from "../gen/flair/v1/report_pb";
+import { measureWords } from "../inspector/words";
 
 export interface Measures {
   // Shares, [0, 1]; undefined where nothing is measured.
@@ -9,7 +10,7 @@ export interface Measures {
   readonly floor?: number;
 }
 
-export const measureNames = { held: "Constraints held", uses: "Uses met", floor: "Floor within reach" } as const;
+export const measureNames = { held: measureWords.wishes, uses: measureWords.uses, floor: measureWords.floor } as const;
 export type MeasureName = keyof typeof measureNames;
 
 export function measuresOf({ metrics, constraints }: Report): Measures {

@@ -7,12 +7,12 @@ import { BatchState, WorkerState, type Batch } from "../gen/flair/v1/orchestrato
 const failures: Record<FailureKind, string> = {
   [FailureKind.UNSPECIFIED]: "failed",
   [FailureKind.INPUT]: "brief or options",
-  [FailureKind.LANGUAGE]: "language stages",
-  [FailureKind.TRANSLATION]: "translation",
+  [FailureKind.LANGUAGE]: "the design",
+  [FailureKind.TRANSLATION]: "measuring the wishes",
   [FailureKind.INFEASIBLE]: "does not fit",
-  [FailureKind.WORKER]: "a worker",
+  [FailureKind.WORKER]: "a worker program",
   [FailureKind.TIMEOUT]: "took too long",
-  [FailureKind.STORE]: "the store",
+  [FailureKind.STORE]: "storing it",
 };
 
 export const failureText = (kind: FailureKind): string => failures[kind] ?? "failed";
@@ -71,4 +71,3 @@ export const age = (time: Timestamp | undefined, now: number): number =>
   time ? Math.max(0, (now - timestampDate(time).getTime()) / 1000) : 0;
 
 export const count = (number: number | bigint): string => number.toLocaleString("en");
-export const percent = (share: number): string => `${Math.floor(share * 100)} %`;

@@ -4,13 +4,12 @@ import { signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { figure, parseLength } from "../app/units";
 import { withClearance } from "../geometry/clearance";
-import type { Side } from "../geometry/footprint";
 import { middle } from "../geometry/vec";
 import { shownClearances } from "./clearance_of";
 import { usePlan } from "./context";
 import { toScreen } from "./view";
 
-export const editedClearance = signal<{ pieceId: string; side: Side } | undefined>(undefined);
+export const editedClearance = signal<{ pieceId: string; side: string } | undefined>(undefined);
 
 export function ClearanceField() {
   const plan = usePlan();

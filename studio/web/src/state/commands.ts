@@ -7,7 +7,8 @@ import type { LayoutEditSchema } from "../gen/flair/v1/layout_edit_pb";
 import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/object_list_pb";
 import type { OpenRoom } from "./open_room";
 import type { Placements } from "./judging";
-import { placementOf, type Piece } from "./pieces";
+import { homeFor, orphansInWords, orphansOf } from "./orphans";
+import { placementOf, theName, type Piece } from "./pieces";
 
 type Edit = MessageInitShape<typeof LayoutEditSchema>;
 
@@ -36,10 +37,36 @@ export function resizePiece(room: OpenRoom, piece: Piece, { pose, size }: Resize
   return change(room, [{ edit: { case: "resizeObject", value } }, move]);
 }
 
+const remove = (room: OpenRoom, ids: readonly string[]) =>
+  change(room, ids.map((id): Edit => ({ edit: { case: "removeObjectId", value: id } })));
+
 export async function removePieces(room: OpenRoom, ids: readonly string[]) {
-  const free = ids.filter((id) => !room.pieces.peek().get(id)?.pinned);
+  const pieces = room.pieces.peek();
+  const free = ids.filter((id) => !pieces.get(id)?.pinned);
   if (free.length < ids.length) room.tell("Locked pieces stay. Press L to unlock them.");
-  if (free.length > 0) await change(room, free.map((id): Edit => ({ edit: { case: "removeObjectId", value: id } })));
+  const orphans = orphansOf(pieces, free);
+  if (free.length > 0 && (await remove(room, free)) && orphans.length > 0) offerForOrphans(room, orphans);
+}
+
+// What stood on a piece that is gone goes too, or onto other pieces, by a click.
+function offerForOrphans(room: OpenRoom, orphans: readonly Piece[]): void {
+  const taken = new Map(room.pieces.peek());
+  const homes = orphans.flatMap((orphan) => {
+    const home = homeFor(taken, orphan);
+    if (home) taken.set(orphan.id, { ...orphan, pose: home.pose, z: home.z });
+    return home ? [{ orphan, ...home }] : [];
+  });
+  const [first] = homes;
+  const isEach = first !== undefined && homes.length === orphans.length;
+  const isOneHost = homes.every(({ host }) => host === first?.host);
+  const placements = homes.map(({ orphan, pose, z }) => ({ ...placementOf(orphan, pose), zM: z }));
+  room.tell(orphansInWords(orphans), [
+    { label: "Remove too", run: () => void remove(room, orphans.map(({ id }) => id)) },
+    ...(isEach ? [{
+      label: isOneHost ? `Put on ${theName(first.host.object)}` : "Put elsewhere",
+      run: () => void movePieces(room, placements),
+    }] : []),
+  ]);
 }
 
 export function lockPieces(room: OpenRoom, pieces: readonly Piece[]) {

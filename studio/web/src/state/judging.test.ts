@@ -27,7 +27,7 @@ test("while one question is on its way the newest poses wait", async () => {
   assert.equal(asked.length, 1);
   await answer();
   assert.deepEqual(asked.map((one) => one[0]!.xM), [1, 3]);
-  assert.ok(judging.verdict.value?.objectIds.has("desk"));
+  assert.ok(judging.verdict.value?.poses.has("desk"));
 });
 
 test("an answer that comes after the gesture says nothing", async () => {

@@ -5,14 +5,15 @@ import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { Finding } from "../gen/flair/v1/layout_metrics_pb";
 import type { PlacementSchema } from "../gen/flair/v1/placement_pb";
 import type { EdgeOutcome } from "../gen/flair/v1/solved_layout_pb";
+import type { Poses } from "./pieces";
 
 export type Placements = Array<MessageInitShape<typeof PlacementSchema>>;
 
 export interface Verdict {
   readonly outcomes: ReadonlyMap<string, EdgeOutcome>;
   readonly findings: readonly Finding[];
-  // The objects that were asked about.
-  readonly objectIds: ReadonlySet<string>;
+  // The objects that were asked about, and where they would stand.
+  readonly poses: Poses;
 }
 
 interface Answer {
@@ -50,7 +51,8 @@ export class Judging {
         if (gesture !== this.gesture) continue;
         this.verdict.value = {
           outcomes: new Map(edgeOutcomes.map((one) => [one.edgeId, one])),
-          findings, objectIds: new Set(placements.map((one) => one.objectId ?? "")),
+          findings, poses: new Map(placements.map(({ objectId = "", xM = 0, yM = 0, thetaRad = 0 }) =>
+            [objectId, { x: xM, y: yM, theta: thetaRad }])),
         };
       } catch {
         // A verdict that does not come is none; the act that follows will say what is the matter.

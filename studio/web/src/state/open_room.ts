@@ -15,7 +15,7 @@ import { Judging } from "./judging";
 import { animate } from "./motion";
 import { floorOf, piecesOf, type Poses } from "./pieces";
 import { isDrawnAlike } from "./structure";
-import type { Toasts } from "./toasts";
+import type { ToastAct, Toasts } from "./toasts";
 
 export type Act = NonNullable<MessageInitShape<typeof ActRequestSchema>["act"]>;
 
@@ -64,8 +64,10 @@ export class OpenRoom {
       { documentId: this.id, revision: this.document.peek().revision, placements }));
   }
 
-  tell(note: string): void {
-    this.toasts.note(note);
+  // With acts, an offer that can be taken by a click.
+  tell(note: string, acts: readonly ToastAct[] = []): void {
+    if (acts.length > 0) this.toasts.offer(note, acts);
+    else this.toasts.note(note);
   }
 
   get id(): string {

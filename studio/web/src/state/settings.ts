@@ -35,10 +35,12 @@ export class Settings {
   readonly sidebar = remembered<"open" | "closed">("sidebar", ["open", "closed"], "open");
 
   constructor() {
+    const dark = matchMedia("(prefers-color-scheme: dark)");
+    const isDark = signal(dark.matches);
+    dark.addEventListener("change", () => { isDark.value = dark.matches; });
     effect(() => {
-      const theme = this.theme.value;
-      if (theme === "system") delete document.documentElement.dataset.theme;
-      else document.documentElement.dataset.theme = theme;
+      const theme = this.theme.value, ofSystem = isDark.value ? "dark" : "light";
+      document.documentElement.dataset.theme = theme === "system" ? ofSystem : theme;
     });
   }
 }

@@ -5,6 +5,7 @@ import { Icon } from "../app/Icon";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import { undo } from "../state/commands";
+import { percent } from "../inspector/words";
 import { fetchVariants, isSame, type Variant, type Variants } from "./layouts";
 import { SmallPlan } from "./SmallPlan";
 
@@ -24,7 +25,7 @@ async function takeFirst(room: OpenRoom, { layoutId, list }: Variants): Promise<
 }
 
 function aboutOf({ held, asked, floor }: Variant): string {
-  return [asked > 0 && `${held} of ${asked} hold`, floor !== undefined && `${Math.round(floor * 100)} % floor`]
+  return [asked > 0 && `wishes ${held} of ${asked}`, floor !== undefined && `floor ${percent(floor)}`]
     .filter(Boolean)
     .join(" · ");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { figure } from "../../app/units";
-import { middle, sub, unit, left, times, add } from "../../geometry/vec";
+import { add, distance, left, middle, sub, times, unit, type Vec } from "../../geometry/vec";
 import { theName } from "../../state/pieces";
 import { usePlan } from "../context";
 import { shownClearances } from "../clearance_of";
@@ -9,6 +9,13 @@ import { resizing } from "../gestures/resize";
 import { toScreen } from "../view";
 
 const kTick = 4;
+
+// From the end of a dimension to what is met, where that is aside.
+function Witness({ from, to }: { from: Vec; to: Vec }) {
+  if (distance(from, to) < kTick) return null;
+  const beyond = add(to, times(unit(sub(to, from)), kTick));
+  return <line class="witness" x1={from.x} y1={from.y} x2={beyond.x} y2={beyond.y} />;
+}
 
 // Dimension lines from the piece in hand to what is next to it. Their figures can be clicked and typed.
 export function Clearances() {
@@ -31,6 +38,7 @@ export function Clearances() {
         return (
           <g key={one.side} class="clearance">
             <line x1={a.x} y1={a.y} x2={b.x} y2={b.y} />
+            <Witness from={b} to={toScreen(view, one.met)} />
             {ends.map(({ p, q }, i) => <line key={i} x1={p.x} y1={p.y} x2={q.x} y2={q.y} />)}
             <g data-field="" role="button"
               aria-label={`${one.side} clearance of ${theName(shown.piece.object)}: ${text}`}

@@ -4,24 +4,10 @@ import { memo } from "preact/compat";
 import { clipped } from "../../geometry/polygon";
 import { FindingKind, type Finding } from "../../gen/flair/v1/layout_metrics_pb";
 import { footprintOf } from "../../state/pieces";
-import type { OpenRoom } from "../../state/open_room";
+import { findingsOf } from "../../state/faults";
 import { doorSweep } from "../doors";
 import { usePlan } from "../context";
 import { pixelPoints } from "./pixels";
-
-// What is wrong as things stand; while something is dragged, as they would stand.
-function findingsOf(room: OpenRoom): readonly Finding[] {
-  const stored = room.layout.value?.metrics?.findings ?? [];
-  const verdict = room.judging.verdict.value;
-  if (!verdict) return stored;
-  const isAsked = (finding: Finding) =>
-    verdict.objectIds.has(finding.objectId) || verdict.objectIds.has(finding.partnerId);
-  return [...stored.filter((finding) => !isAsked(finding)), ...verdict.findings];
-}
-
-// Faults of things in space; uses that are not met are sentences, and told there.
-export const faultsOf = (room: OpenRoom): Finding[] =>
-  findingsOf(room).filter(({ kind }) => kind !== FindingKind.USE_NOT_MET);
 
 const kShown = new Set([FindingKind.OVERLAP, FindingKind.DOOR_LEAF, FindingKind.OUTSIDE, FindingKind.COVERS_OPENING]);
 

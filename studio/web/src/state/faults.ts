@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong as things stand; while something is dragged, as they would stand.
+import { create } from "@bufbuild/protobuf";
+import { FindingKind, FindingSchema, type Finding } from "../gen/flair/v1/layout_metrics_pb";
+import { depthOf } from "../geometry/polygon";
+import { distance } from "../geometry/vec";
+import type { OpenRoom } from "./open_room";
+import { isSeat, isTop } from "./orphans";
+import { footprintOf, isSolid, theName, type Piece, type Pieces, type Poses } from "./pieces";
+
+// Less is no overlap but a touch.
+const kTouch = 0.005;
+
+const radius = ({ size }: Piece): number => Math.hypot(size.width, size.depth) / 2;
+
+function sharedHeight(a: Piece, b: Piece): number {
+  return Math.min(a.z + a.object.heightM, b.z + b.object.heightM) - Math.max(a.z, b.z);
+}
+
+const isPulledUp = (a: Piece, b: Piece): boolean => (isSeat(a) && isTop(b)) || (isSeat(b) && isTop(a));
+
+// The server lets anything reach below anything that is as high as a table, as knees do; only seats may, below what is
+// no seat itself. These are the overlaps that it therefore does not tell, among pieces that stand on the floor.
+export function untoldOverlaps(pieces: Pieces, poses: Poses, told: readonly Finding[]): Finding[] {
+  const pairOf = (a: string, b: string) => [a, b].sort().join(" ");
+  const known = new Set(told.map(({ objectId, partnerId }) => pairOf(objectId, partnerId)));
+  const solid = [...pieces.values()].filter(isSolid)
+    .map((piece) => ({ piece, pose: poses.get(piece.id) ?? piece.pose }));
+  return solid.flatMap(({ piece, pose }, i) => solid.slice(0, i).flatMap(({ piece: other, pose: at }) => {
+    if (distance(pose, at) >= radius(piece) + radius(other) || isPulledUp(piece, other)) return [];
+    if (known.has(pairOf(piece.id, other.id))) return [];
+    const across = depthOf(footprintOf(piece, pose), footprintOf(other, at));
+    const amount = Math.min(across, sharedHeight(piece, other));
+    if (amount < kTouch) return [];
+    return [create(FindingSchema, {
+      kind: FindingKind.OVERLAP, objectId: piece.id, partnerId: other.id, amount, unit: "m",
+      message: `${theName(other.object)} and ${theName(piece.object)} overlap by ${amount.toFixed(2)} m`,
+    })];
+  }));
+}
+
+function toldFindings(room: OpenRoom): readonly Finding[] {
+  const stored = room.layout.value?.metrics?.findings ?? [];
+  const verdict = room.judging.verdict.value;
+  if (!verdict) return stored;
+  const isAsked = ({ objectId, partnerId }: Finding) => verdict.poses.has(objectId) || verdict.poses.has(partnerId);
+  return [...stored.filter((finding) => !isAsked(finding)), ...verdict.findings];
+}
+
+const kNowhere: Poses = new Map();
+
+export function findingsOf(room: OpenRoom): readonly Finding[] {
+  const told = toldFindings(room);
+  const poses = room.judging.verdict.value?.poses ?? kNowhere;
+  return [...untoldOverlaps(room.pieces.value, poses, told), ...told];
+}
+
+// Faults of things in space; uses that are not met are sentences, and told there.
+export const faultsOf = (room: OpenRoom): Finding[] =>
+  findingsOf(room).filter(({ kind }) => kind !== FindingKind.USE_NOT_MET);

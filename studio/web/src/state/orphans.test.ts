@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { create } from "@bufbuild/protobuf";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
+import { SolvedLayoutSchema } from "../gen/flair/v1/solved_layout_pb";
+import { homeFor, orphansInWords, orphansOf } from "./orphans";
+import { piecesOf } from "./pieces";
+
+const top = (id: string, category: string, heightM: number) =>
+  ({ id, name: id, category, kind: ObjectKind.FLOOR, widthM: 1.2, depthM: 0.6, heightM });
+const small = (id: string) =>
+  ({ id, name: id, kind: ObjectKind.SURFACE, widthM: 0.3, depthM: 0.2, heightM: 0.3, hostId: "desk" });
+
+const pieces = piecesOf(create(SolvedLayoutSchema, {
+  graph: {
+    objectList: {
+      objects: [top("desk", "desk", 0.74), top("sofa", "sofa", 0.8), top("sideboard", "cabinet", 0.8),
+        top("wardrobe", "wardrobe", 2.1), small("lamp"), small("monitor")],
+    },
+  },
+  placements: [
+    { objectId: "desk", xM: 1, yM: 1 }, { objectId: "sofa", xM: 1, yM: 2 }, { objectId: "sideboard", xM: 3, yM: 3 },
+    { objectId: "wardrobe", xM: 1, yM: 3 },
+    { objectId: "lamp", xM: 0.7, yM: 1, zM: 0.74 }, { objectId: "monitor", xM: 1.2, yM: 1, zM: 0.74 },
+  ],
+}));
+
+test("what stood on a piece is named when it goes", () => {
+  const orphans = orphansOf(pieces, ["desk"]);
+  assert.deepEqual(orphans.map(({ id }) => id), ["lamp", "monitor"]);
+  assert.equal(orphansInWords(orphans), "The lamp and the monitor stood on it.");
+  assert.deepEqual(orphansOf(pieces, ["desk", "lamp", "monitor"]), []);
+});
+
+test("it finds a place on the nearest top that is neither a seat nor too high", () => {
+  const left = new Map([...pieces].filter(([id]) => id !== "desk"));
+  const first = homeFor(left, pieces.get("lamp")!)!;
+  assert.equal(first.host.id, "sideboard");
+  assert.deepEqual([first.pose.x, first.pose.y, first.z], [3, 3, 0.8]);
+  // The next one goes beside it.
+  const lamp = { ...pieces.get("lamp")!, pose: first.pose, z: first.z };
+  const second = homeFor(new Map(left).set("lamp", lamp), pieces.get("monitor")!)!;
+  assert.ok(Math.abs(Math.abs(second.pose.x - 3) - 0.3) < 1e-9);
+});

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stood on a piece that is gone, and which other piece could carry it.
+import { contains, type Pose } from "../geometry/footprint";
+import { distance, vec } from "../geometry/vec";
+import satOn from "./sat_on.json";
+import { guestsOf, isSolid, theName, type Piece, type Pieces } from "./pieces";
+
+const isOneOf = ({ object }: Piece, words: readonly string[]): boolean =>
+  object.category.split("_").some((word) => words.includes(word));
+
+// What is pulled up to a table.
+export const isSeat = (piece: Piece): boolean => isOneOf(piece, satOn.seats);
+// Not for sitting or lying on: something may be put there, and knees may be below.
+export const isTop = (piece: Piece): boolean => !isSeat(piece) && !isOneOf(piece, satOn.beds_and_sofas);
+
+// Tops between knee and chest.
+const kLowest = 0.35;
+const kHighest = 1.3;
+const kFromEdge = 0.05;
+
+// What the pieces carry; they themselves are none.
+export function orphansOf(pieces: Pieces, removed: readonly string[]): Piece[] {
+  return guestsOf(pieces, removed).map((id) => pieces.get(id)!);
+}
+
+export interface Home {
+  readonly host: Piece;
+  readonly pose: Pose;
+  readonly z: number;
+}
+
+// The nearest top that is large enough and has a free place, at its middle or at a quarter of its width.
+export function homeFor(pieces: Pieces, orphan: Piece): Home | undefined {
+  const reach = Math.max(orphan.size.width, orphan.size.depth) / 2;
+  const hosts = [...pieces.values()].filter((host) => {
+    const { heightM } = host.object;
+    return host.id !== orphan.id && isSolid(host) && isTop(host) && heightM >= kLowest && heightM <= kHighest &&
+      Math.min(host.size.width, host.size.depth) / 2 - kFromEdge >= reach;
+  });
+  const away = (host: Piece) => distance(vec(host.pose.x, host.pose.y), vec(orphan.pose.x, orphan.pose.y));
+  for (const host of hosts.sort((a, b) => away(a) - away(b))) {
+    const others = guestsOf(pieces, [host.id]).map((id) => pieces.get(id)!).filter((one) => one.id !== orphan.id);
+    const { x, y, theta } = host.pose;
+    for (const share of [0, 0.25, -0.25]) {
+      const shift = share * host.size.width;
+      const at = { x: x + Math.cos(theta) * shift, y: y + Math.sin(theta) * shift, theta };
+      const isFree = others.every((one) =>
+        distance(vec(at.x, at.y), vec(one.pose.x, one.pose.y)) >=
+        reach + Math.max(one.size.width, one.size.depth) / 2 - 1e-6);
+      const isOnTop = [-reach, reach].every((by) =>
+        contains(host.pose, host.size, vec(at.x + Math.cos(theta) * by, at.y + Math.sin(theta) * by)));
+      if (isFree && isOnTop) return { host, pose: at, z: host.object.heightM };
+    }
+  }
+  return undefined;
+}
+
+const listed = (names: readonly string[]): string =>
+  names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+
+// "The desk lamp and the monitor stood on it."
+export function orphansInWords(orphans: readonly Piece[]): string {
+  const text = listed(orphans.map(({ object }) => theName(object)));
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)} stood on it.`;
+}
