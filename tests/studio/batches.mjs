@@ -36,10 +36,10 @@ await withStudio(async ({ page, studio, home, restart }) => {
     const { artifact } = await call(page, 'GetArtifact', { artifactId: id }, 'OrchestratorService');
     reached.push(artifact.report.metrics.reachableFloorShare ?? 0);
   }
-  await page.getByLabel('Floor within reach').fill('0.95');
+  await page.getByLabel('Floor in reach').fill('0.95');
   const expected = reached.filter((share) => share >= 0.95).length;
   await page.getByText(`${expected} of the ${BRIEFS.length} rooms`).waitFor();
-  await page.getByLabel('Floor within reach').fill('0');
+  await page.getByLabel('Floor in reach').fill('0');
   await page.locator('.tile button').first().click();
   await page.locator('[data-piece]').first().waitFor();
 

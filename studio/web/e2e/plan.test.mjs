@@ -81,12 +81,12 @@ test("a typed distance moves the piece so that it has it", async () => {
 test("arrows go one centimetre, with shift ten, and held keys are one act", async () => {
   const { page } = studio;
   await studio.select("double_bed");
-  const before = Number(await studio.field("North"));
+  const before = Number(await studio.field("From south"));
   await page.keyboard.down("ArrowUp");
   await page.keyboard.down("ArrowUp");
   await page.keyboard.up("ArrowUp");
   await page.waitForSelector("[aria-label^='Undo: move']");
-  assert.ok(Math.abs(Number(await studio.field("North")) - before - 0.02) < 0.006);
+  assert.ok(Math.abs(Number(await studio.field("From south")) - before - 0.02) < 0.006);
   await page.keyboard.press("Control+z");
   await page.waitForSelector("[aria-label='Undo: nothing']");
 });
@@ -94,10 +94,10 @@ test("arrows go one centimetre, with shift ten, and held keys are one act", asyn
 test("R turns by 90 degrees clockwise", async () => {
   const { page } = studio;
   await studio.select("double_bed");
-  assert.equal(await studio.field("Heading"), "90°");
+  assert.equal(await studio.field("Turned"), "90°");
   await page.keyboard.press("r");
   await page.waitForSelector("[aria-label^='Undo: ']:not([aria-label='Undo: nothing'])");
-  assert.equal(await studio.field("Heading"), "0°");
+  assert.equal(await studio.field("Turned"), "0°");
   await page.keyboard.press("Control+z");
   await page.waitForSelector("[aria-label='Undo: nothing']");
 });

@@ -8,7 +8,7 @@ const words: Partial<Record<Connection, string>> = {
   refused: "The studio was started anew. Open the address that it has printed; your rooms are kept.",
 };
 
-// Above the page while there is no server; what is shown stays.
+// Over the page while there is no server; what is shown stays, also where it is.
 export function Banner() {
   const text = words[useStudio().connection.value];
   return text ? <div class="banner" role="status"><Icon name="warning" /><span>{text}</span></div> : null;

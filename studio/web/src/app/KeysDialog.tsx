@@ -46,7 +46,7 @@ const groups: Array<[string, Array<[string, string]>]> = [
       ["Ctrl scroll, + and -", "zoom"],
       ["0, double click", "the whole room"],
       ["1, 2, 3", "plan, both, 3D"],
-      ["W A S D, drag", "walk and look around, in 3D"],
+      ["W A S D, drag", "walk (with Shift faster) and look around, in 3D"],
       ["F", "furniture"],
       ["[", "sidebar"],
       ["U", "metres or feet"],

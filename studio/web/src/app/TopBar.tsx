@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { rename, redo, settle, undo } from "../state/commands";
+import { kAllSettled, redo, rename, settle, undo } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import type { Panes, Theme } from "../state/settings";
@@ -44,7 +44,7 @@ function Title({ room }: { room: OpenRoom }) {
 
 function RoomTools({ room }: { room: OpenRoom }) {
   const { settings } = useStudio();
-  const { undoLabel, redoLabel } = room.document.value;
+  const { undoLabel, redoLabel, unsettled } = room.document.value;
   const auto = settings.autoSettle.value;
   return (
     <>
@@ -69,7 +69,8 @@ function RoomTools({ room }: { room: OpenRoom }) {
         </button>
       </div>
       <div class="button-group settle">
-        <button class="button" onClick={() => void settle(room)} title="Move what stands badly after your changes (S)">
+        <button class={unsettled ? "button is-due" : "button"} disabled={!unsettled} onClick={() => settle(room)}
+          title={unsettled ? "Let the other pieces make room for what you changed (S)" : kAllSettled}>
           <Icon name="settle" />Settle</button>
         <button class="button is-toggle" aria-pressed={auto === "on"} title="Settle after every move"
           onClick={() => { settings.autoSettle.value = auto === "on" ? "off" : "on"; }}>Auto</button>

@@ -33,7 +33,7 @@ function onPlain(studio: Studio, key: string): boolean {
     case "?": isShowingKeys.value = true; return true;
     case "[": settings.sidebar.value = settings.sidebar.peek() === "open" ? "closed" : "open"; return true;
     case "u": settings.units.value = settings.units.peek() === "m" ? "ft" : "m"; return true;
-    case "s": if (room) void settle(room); return true;
+    case "s": if (room) settle(room); return true;
     case "f":
       settings.sidebar.value = "open";
       sidebarTab.value = "furniture";

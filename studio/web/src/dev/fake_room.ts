@@ -23,6 +23,9 @@ export function emptyLayout(room: Room): SolvedLayout {
   return create(SolvedLayoutSchema, { graph });
 }
 
+// The fake solves nothing but when it settles.
+const kUnsettling = /^(?!settle|design|$)/;
+
 let documentCount = 0;
 
 export class FakeRoom {
@@ -92,6 +95,7 @@ export class FakeRoom {
     this.at = to;
     this.document.layoutId = `layout-${this.document.id}-${to}`;
     this.document.undoLabel = to > 0 ? this.entries[to]!.label : "";
+    this.document.unsettled = kUnsettling.test(this.document.undoLabel);
     this.document.redoLabel = this.entries[to + 1]?.label ?? "";
     this.touch();
   }

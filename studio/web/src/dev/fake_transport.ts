@@ -30,7 +30,7 @@ const furniture: Array<[string, string, string, number, number, number]> = [
   ["sofa", "sofa", "seating", 2.0, 0.9, 0.85], ["bookshelf", "bookshelf", "storage", 0.9, 0.3, 1.9],
   ["chest of drawers", "dresser", "storage", 1.0, 0.5, 0.8], ["coffee table", "table", "tables", 1.1, 0.6, 0.45],
   ["desk", "desk", "tables", 1.2, 0.6, 0.74], ["single bed", "bed", "beds", 0.9, 2.0, 0.5],
-  ["floor lamp", "floor_lamp", "lighting", 0.4, 0.4, 1.6], ["plant", "plant", "decoration", 0.4, 0.4, 1.1],
+  ["gran's chair", "armchair", "own models", 0.7, 0.75, 1.0], ["floor lamp", "floor_lamp", "lighting", 0.4, 0.4, 1.6], ["plant", "plant", "decoration", 0.4, 0.4, 1.1],
 ];
 
 export function fakeTransport(): Transport {
@@ -133,6 +133,7 @@ export function fakeTransport(): Transport {
         const content = new Uint8Array(await answer.arrayBuffer());
         return { fileName: "bedroom.glb", mediaType: "model/gltf-binary", content };
       },
+      shareDocument: ({ documentId }) => ({ jobId: `job-${roomOf(documentId).document.id}` }),
       listFurniture: ({ query }) => ({
         offers: furniture
           .filter(([name, , group]) => `${name} ${group}`.includes(query.toLowerCase()))

@@ -29,6 +29,10 @@ function useOffers(query: string): readonly FurnitureOffer[] | undefined {
   return offers;
 }
 
+// Own models may be called alike.
+const keyOf = ({ object }: FurnitureOffer): string =>
+  [object?.name, object?.category, object?.widthM, object?.depthM, object?.heightM].join(" ");
+
 // What stands on the floor first, then rugs and what goes on walls, tables and ceilings.
 function groupsOf(offers: readonly FurnitureOffer[]): Array<{ name: string; offers: FurnitureOffer[] }> {
   const groups = new Map<string, FurnitureOffer[]>();
@@ -61,7 +65,7 @@ export function Drawer({ room }: { room: OpenRoom }) {
           <h3 class="eyebrow">{group.name}</h3>
           <ul class="offers">
             {group.offers.filter((offer) => offer.object).map((offer) => (
-              <OfferTile key={offer.object!.name} offer={offer} onAdd={() => add(offer)}
+              <OfferTile key={keyOf(offer)} offer={offer} onAdd={() => add(offer)}
                 onReplace={replaced && (() => void replacePiece(room, replaced.id, offer.object!))} />
             ))}
           </ul>

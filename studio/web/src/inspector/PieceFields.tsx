@@ -11,18 +11,19 @@ import { kLargest, kSmallest } from "../geometry/resize";
 
 interface FieldProps {
   label: string;
+  title?: string;
   text: string;
   isLocked?: boolean;
   // False when the text is no use; the field then shows what was there.
   take(text: string): boolean;
 }
 
-function Field({ label, text, isLocked, take }: FieldProps) {
+function Field({ label, title, text, isLocked, take }: FieldProps) {
   const input = useRef<HTMLInputElement>(null);
   // While a piece is dragged the text changes with every frame; what is being typed stays.
   useLayoutEffect(() => { if (document.activeElement !== input.current) input.current!.value = text; }, [text]);
   return (
-    <label class="field">
+    <label class="field" title={title}>
       <span>{label}</span>
       <input ref={input} disabled={isLocked} inputMode="decimal" onFocus={(event) => event.currentTarget.select()}
         onBlur={(event) => {
@@ -69,9 +70,9 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
         resizePiece(room, piece, { pose: piece.pose, size: { width, depth: metres } }))} />
       <Field label="Height" text={figure(piece.object.heightM, units)} take={(text) => size(text, (metres) =>
         resizePiece(room, piece, { pose: piece.pose, size: piece.size }, metres))} />
-      <Field label="East" text={figure(pose.x, units)} isLocked={piece.pinned} take={(text) => place(text, "x")} />
-      <Field label="North" text={figure(pose.y, units)} isLocked={piece.pinned} take={(text) => place(text, "y")} />
-      <Field label="Heading" text={`${heading}°`} isLocked={piece.pinned} take={turn} />
+      <Field label="From west" title="Of its middle, from the room's western end" text={figure(pose.x, units)} isLocked={piece.pinned} take={(text) => place(text, "x")} />
+      <Field label="From south" title="Of its middle, from the room's southern end" text={figure(pose.y, units)} isLocked={piece.pinned} take={(text) => place(text, "y")} />
+      <Field label="Turned" title="0° looks north, 90° west" text={`${heading}°`} isLocked={piece.pinned} take={turn} />
     </div>
   );
 }

@@ -14,12 +14,12 @@ export function missedText({ missed_by: by, unit }: Demand, units: Units): strin
 // What is measured of a room, in words for whoever lives in it; their titles explain them. Every page takes them from here.
 export const measureWords = {
   uses: {
-    label: "Works in daily use",
+    label: "Daily use",
     title: "Everyday acts for which there is room: sitting down, opening doors and drawers, getting out of bed.",
   },
-  wishes: { label: "Wishes that hold", title: "Your wishes and the designer's that hold as things stand." },
-  floor: { label: "Floor within reach", title: "How much of the free floor you can walk to from the door." },
-  fronts: { label: "Pieces within reach", title: "How many pieces you can walk up to from the door and use." },
+  wishes: { label: "Wishes met", title: "Your wishes and the designer's that hold as things stand." },
+  floor: { label: "Floor in reach", title: "How much of the free floor you can walk to from the door." },
+  fronts: { label: "Pieces in reach", title: "How many pieces you can walk up to from the door and use." },
 } as const;
 
 export const percent = (share: number): string => `${Math.floor(share * 100 + 1e-6)} %`;

@@ -14,7 +14,7 @@ import { PlanContext } from "./context";
 import { usePlanPointer } from "./pointer";
 import { usePlanWheel } from "./wheel";
 import { ClearanceField } from "./ClearanceField";
-import { FirstHint } from "./FirstHint";
+import { PlanNote } from "./PlanNote";
 import { ViewTools } from "./ViewTools";
 import { usePlanDrop } from "./drop";
 
@@ -89,7 +89,7 @@ export function Plan({ room }: { room: OpenRoom }) {
         <ClearanceField />
         <Spoken room={room} />
         <ViewTools of={plan} />
-        <FirstHint />
+        <PlanNote />
       </div>
     </PlanContext.Provider>
   );

@@ -86,6 +86,7 @@ export function usePlanKeys(plan: PlanController) {
       if (event.target instanceof HTMLInputElement) return;
       if (event.target instanceof HTMLButtonElement && kOfButtons.test(event.key)) return;
       const isCommand = event.ctrlKey || event.metaKey;
+      nudge.endBefore(event);
       const taken = nudge.down(event)
         || (isCommand ? onCommand(plan, event.key.toLowerCase()) : !event.altKey && onPlain(plan, event));
       if (!taken) return;

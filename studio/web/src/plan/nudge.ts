@@ -21,6 +21,11 @@ export class Nudge {
 
   constructor(private readonly plan: PlanController) {}
 
+  // Any other key is about pieces that stand.
+  endBefore(event: KeyboardEvent): void {
+    if (!directions[event.key] && event.key !== "Shift") this.finish();
+  }
+
   // Whether the key was for it.
   down(event: KeyboardEvent): boolean {
     const direction = directions[event.key];

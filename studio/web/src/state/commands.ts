@@ -137,7 +137,16 @@ function plain(object: Object$): MessageInitShape<typeof ObjectSchema> {
   return { ...rest, spare: false };
 }
 
-export const settle = (room: OpenRoom) => room.act({ case: "settle", value: {} });
+export const kAllSettled = "Nothing has changed since the last settle.";
+
+// Whether Settle has something to do; what is on its way may change that.
+export const canSettle = (room: OpenRoom): boolean => room.document.value.unsettled || room.isBusy.value;
+
+export function settle(room: OpenRoom): void {
+  if (canSettle(room)) void room.act({ case: "settle", value: {} });
+  else room.tell(kAllSettled);
+}
+
 export const undo = (room: OpenRoom) => room.act({ case: "undo", value: {} });
 export const redo = (room: OpenRoom) => room.act({ case: "redo", value: {} });
 export const rename = (room: OpenRoom, title: string) => room.act({ case: "title", value: title });

@@ -41,7 +41,7 @@ export class OpenRoom {
   readonly pointedAt = signal<Demand | undefined>(undefined);
   // Where pieces are seen while they are dragged or on their way; those that are not named are where the layout says.
   readonly draft = signal<Poses>(kNothing);
-  // An act is on its way.
+  // An act is on its way, or waits for the one before.
   readonly isBusy = signal(false);
   // Pieces are in hand; what others do meanwhile is shown afterwards.
   readonly isHeld = signal(false);
@@ -53,6 +53,7 @@ export class OpenRoom {
   readonly judging: Judging;
   private readonly poses = new Map<string, ReadonlySignal<Pose | undefined>>();
   private queue: Promise<unknown> = Promise.resolve();
+  private waiting = 0;
   private endMotion = () => {};
   private isClosed = false;
 
@@ -108,7 +109,12 @@ export class OpenRoom {
   // Changes the document; one act after the other. Errors and remarks are told to the user, by a toast unless `tell`
   // does; after an error the answer is undefined.
   act(act: Act, tell?: (text: string) => void): Promise<ActResponse | undefined> {
-    const answer = this.queue.then(() => this.send(act, tell));
+    this.waiting += 1;
+    this.isBusy.value = true;
+    const answer = this.queue.then(() => this.send(act, tell)).finally(() => {
+      this.waiting -= 1;
+      this.isBusy.value = this.waiting > 0;
+    });
     this.queue = answer;
     return answer;
   }
@@ -118,7 +124,6 @@ export class OpenRoom {
     tell = (text: string) => this.toasts.error(text),
     isAgain = false,
   ): Promise<ActResponse | undefined> {
-    this.isBusy.value = true;
     try {
       const { revision } = this.document.peek();
       const response = await this.clients.studio.act({ documentId: this.id, revision, act });
@@ -147,8 +152,6 @@ export class OpenRoom {
         else tell(sentenceOf(error));
       }
       return undefined;
-    } finally {
-      this.isBusy.value = false;
     }
   }
 

@@ -6,6 +6,7 @@ import { Icon } from "../app/Icon";
 import { DocumentFormat } from "../gen/flair/v1/studio_service_pb";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio, type Studio } from "../state/studio";
+import type { Sight } from "./camera";
 import { Traced } from "./Traced";
 import { View3d, type Mode } from "./view3d";
 
@@ -53,7 +54,7 @@ export default function Scene({ room }: { room: OpenRoom }) {
   const host = useRef<HTMLDivElement>(null), view = useRef<View3d>();
   const [mode, setMode] = useState<Mode>("orbit");
   const [state, setState] = useState("Loading the view...");
-  const [isTracing, setTracing] = useState(false);
+  const [traced, setTraced] = useState<{ sight: Sight | undefined; isWithin: boolean }>();
   useEffect(() => {
     let made: View3d;
     try {
@@ -75,11 +76,12 @@ export default function Scene({ room }: { room: OpenRoom }) {
     setMode(to);
     view.current?.setMode(to);
   };
+  const trace = () => setTraced({ sight: state ? undefined : view.current?.sight, isWithin: mode === "walk" });
   return (
     <div class="scene" ref={host} role="region" aria-label="The room in three dimensions">
       {state && <p class="scene-state">{state}</p>}
       {!state && mode === "walk" && (
-        <p class="scene-state is-hint">Walk with W A S D or the arrow keys, drag to look around.</p>
+        <p class="scene-state is-hint">Walk with W A S D or the arrow keys, with Shift faster; drag to look around.</p>
       )}
       <div class="scene-tools">
         <div class="segmented" role="group" aria-label="How to look">
@@ -90,15 +92,18 @@ export default function Scene({ room }: { room: OpenRoom }) {
           <button
             aria-pressed={mode === "walk"}
             onClick={() => change("walk")}
-            title="Walk: W A S D, drag to look around"
+            title="Walk: W A S D, with Shift faster; drag to look around"
           >
             <Icon name="walk" />
             Walk
           </button>
         </div>
-        <button class="button" onClick={() => setTracing(true)}><Icon name="camera" />Ray-trace</button>
+        <button class="button" title="A picture with real light and shadows, from where you look now" onClick={trace}>
+          <Icon name="camera" />
+          Ray-trace
+        </button>
       </div>
-      {isTracing && <Traced room={room} onClose={() => setTracing(false)} />}
+      {traced && <Traced room={room} {...traced} onClose={() => setTraced(undefined)} />}
     </div>
   );
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The furnished room in three.js: what is loaded, lit, looked at and selected. Draws only when something changed.
 import {
-  ACESFilmicToneMapping, AmbientLight, Box3, BoxHelper, Color, DirectionalLight, Group, HemisphereLight, Mesh,
-  PerspectiveCamera, PMREMGenerator, Raycaster, Scene, SRGBColorSpace, TextureLoader, Vector2, Vector3, WebGLRenderer,
-  type Light, type Object3D,
+  AmbientLight, Box3, BoxHelper, Color, DirectionalLight, Group, HemisphereLight, Mesh, PerspectiveCamera, Raycaster,
+  Scene, TextureLoader, Vector2, Vector3, type Light, type Object3D,
 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import type { Sight } from "./camera";
+import { Quality } from "./quality";
 import { Walk } from "./walk";
 
 export type Mode = "orbit" | "walk";
@@ -46,7 +46,7 @@ function pieceOf(node: Object3D | null): string {
 export class View3d {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(kOrbitAngle, 1, 0.05, 200);
-  private readonly renderer: WebGLRenderer;
+  private readonly quality = new Quality(this.scene);
   private readonly orbit: OrbitControls;
   private readonly walk: Walk;
   private readonly marks = new Group();
@@ -59,22 +59,16 @@ export class View3d {
 
   // Throws where the browser has no WebGL.
   constructor(private readonly host: HTMLElement, private readonly onPick: (id: string, isAdding: boolean) => void) {
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true });
-    this.renderer.outputColorSpace = SRGBColorSpace;
-    this.renderer.toneMapping = ACESFilmicToneMapping;
-    this.renderer.toneMappingExposure = 1.05;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    host.prepend(this.renderer.domElement);
-    const environment = new PMREMGenerator(this.renderer).fromScene(new RoomEnvironment(), 0.04);
-    this.scene.environment = environment.texture;
-    this.scene.environmentIntensity = 0.55;
+    const canvas = this.quality.renderer.domElement, { ambience } = this.quality;
+    host.prepend(canvas);
     const sun = new DirectionalLight(0xfff3e0, 1.6);
     sun.position.set(3, 6, 4);
-    this.scene.add(new HemisphereLight(0xffffff, 0xb8a890, 0.6), new AmbientLight(0xffffff, 0.15), sun, this.marks);
-    this.orbit = new OrbitControls(this.camera, this.renderer.domElement);
+    this.scene.add(new HemisphereLight(0xffffff, 0xb8a890, 0.6 * ambience),
+      new AmbientLight(0xffffff, 0.15 * ambience), sun, this.marks);
+    this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.maxPolarAngle = Math.PI * 0.49;
     this.orbit.addEventListener("change", () => this.draw());
-    this.walk = new Walk(this.camera, this.renderer.domElement, () => this.draw());
+    this.walk = new Walk(this.camera, canvas, () => this.draw());
     this.listenToPicks();
     this.resize();
   }
@@ -90,6 +84,7 @@ export class View3d {
       release(this.model);
     }
     this.model = scene;
+    this.quality.prepare(scene);
     // The file's lights are for engines with exposure; here the room is lit evenly, and lamps only glow.
     scene.traverse((node) => { if ((node as Light).isLight) node.visible = false; });
     const ceiling = scene.getObjectByName("ceiling");
@@ -121,10 +116,18 @@ export class View3d {
     this.mark();
   }
 
+  // What is seen just now.
+  get sight(): Sight {
+    const { position, fov, aspect } = this.camera;
+    const ahead = this.camera.getWorldDirection(new Vector3());
+    const target = this.mode === "orbit" ? this.orbit.target : ahead.add(position);
+    return { eye: position.clone(), target: target.clone(), angle: fov, aspect };
+  }
+
   resize(): void {
     const { clientWidth, clientHeight } = this.host;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight);
+    this.quality.renderer.setSize(clientWidth, clientHeight);
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
     this.draw();
@@ -136,14 +139,15 @@ export class View3d {
     this.walk.stop();
     this.orbit.dispose();
     if (this.model) release(this.model);
-    this.renderer.dispose();
-    this.renderer.domElement.remove();
+    this.quality.dispose();
   }
 
   private draw(): void {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
-      this.renderer.render(this.scene, this.camera);
+      this.quality.begin(() => this.draw());
+      this.quality.renderer.render(this.scene, this.camera);
+      this.quality.end();
     });
   }
 
@@ -184,7 +188,7 @@ export class View3d {
   }
 
   private listenToPicks(): void {
-    const canvas = this.renderer.domElement;
+    const canvas = this.quality.renderer.domElement;
     let from = new Vector2();
     canvas.addEventListener("pointerdown", (event) => { from = new Vector2(event.clientX, event.clientY); });
     canvas.addEventListener("pointerup", (event) => {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walking: W, A, S, D or arrows go, dragging looks around.
+// Walking: W, A, S, D or arrows go, with Shift faster; dragging looks around.
 import { Euler, Vector3, type Box3, type Camera } from "three";
 
-const kSpeed = 1.6;
+// Metres a second: as one strolls, and as one hurries.
+const kSpeed = 1.4;
+const kFast = 3.5;
+// A picture that takes longer slows the walk, so that nobody runs through walls unseen.
+const kLongestStep = 0.25;
 const kTurnPerPixel = 0.0035;
 const kMargin = 0.25;
 
@@ -23,6 +27,7 @@ export class Walk {
   private frame = 0;
   private last = 0;
   private isOn = false;
+  private isFast = false;
   private ending = new AbortController();
 
   constructor(
@@ -37,7 +42,10 @@ export class Walk {
     this.ending = new AbortController();
     const { signal } = this.ending;
     addEventListener("keydown", (event) => this.down(event), { signal, capture: true });
-    addEventListener("keyup", (event) => this.held.delete(event.code), { signal });
+    addEventListener("keyup", (event) => {
+      this.isFast = event.shiftKey;
+      this.held.delete(event.code);
+    }, { signal });
     addEventListener("blur", () => this.held.clear(), { signal });
     this.canvas.addEventListener("pointerdown", (event) => this.canvas.setPointerCapture(event.pointerId), { signal });
     this.canvas.addEventListener("pointermove", (event) => this.look(event), { signal });
@@ -53,6 +61,7 @@ export class Walk {
 
   private down(event: KeyboardEvent): void {
     const isTyping = /^(INPUT|TEXTAREA)$/.test((event.target as HTMLElement).tagName);
+    this.isFast = event.shiftKey;
     if (!directions[event.code] || isTyping || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
@@ -74,12 +83,12 @@ export class Walk {
   private step(now: number): void {
     this.frame = 0;
     if (this.held.size === 0) return;
-    const seconds = Math.min((now - this.last) / 1000, 0.1);
+    const seconds = Math.min((now - this.last) / 1000, kLongestStep);
     this.last = now;
     const by = new Vector3();
     for (const code of this.held) by.add(new Vector3(directions[code]![0], 0, directions[code]![1]));
     const heading = new Euler().setFromQuaternion(this.camera.quaternion, "YXZ").y;
-    by.normalize().multiplyScalar(kSpeed * seconds).applyAxisAngle(new Vector3(0, 1, 0), heading);
+    by.normalize().multiplyScalar((this.isFast ? kFast : kSpeed) * seconds).applyAxisAngle(new Vector3(0, 1, 0), heading);
     this.camera.position.add(by);
     if (this.bounds) {
       const { min, max } = this.bounds;
