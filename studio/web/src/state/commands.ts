@@ -45,11 +45,13 @@ export async function removePieces(room: OpenRoom, ids: readonly string[]) {
   const free = ids.filter((id) => !pieces.get(id)?.pinned);
   if (free.length < ids.length) room.tell("Locked pieces stay. Press L to unlock them.");
   const orphans = orphansOf(pieces, free);
-  if (free.length > 0 && (await remove(room, free)) && orphans.length > 0) offerForOrphans(room, orphans);
+  if (free.length > 0 && (await remove(room, free)) && orphans.length > 0) {
+    offerForOrphans(room, orphans, free.map((id) => pieces.get(id)!));
+  }
 }
 
 // What stood on a piece that is gone goes too, or onto other pieces, by a click.
-function offerForOrphans(room: OpenRoom, orphans: readonly Piece[]): void {
+function offerForOrphans(room: OpenRoom, orphans: readonly Piece[], hosts: readonly Piece[]): void {
   const taken = new Map(room.pieces.peek());
   const homes = orphans.flatMap((orphan) => {
     const home = homeFor(taken, orphan);
@@ -60,7 +62,7 @@ function offerForOrphans(room: OpenRoom, orphans: readonly Piece[]): void {
   const isEach = first !== undefined && homes.length === orphans.length;
   const isOneHost = homes.every(({ host }) => host === first?.host);
   const placements = homes.map(({ orphan, pose, z }) => ({ ...placementOf(orphan, pose), zM: z }));
-  room.tell(orphansInWords(orphans), [
+  room.tell(orphansInWords(orphans, hosts), [
     { label: "Remove too", run: () => void remove(room, orphans.map(({ id }) => id)) },
     ...(isEach ? [{
       label: isOneHost ? `Put on ${theName(first.host.object)}` : "Put elsewhere",

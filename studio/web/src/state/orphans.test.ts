@@ -29,7 +29,7 @@ const pieces = piecesOf(create(SolvedLayoutSchema, {
 test("what stood on a piece is named when it goes", () => {
   const orphans = orphansOf(pieces, ["desk"]);
   assert.deepEqual(orphans.map(({ id }) => id), ["lamp", "monitor"]);
-  assert.equal(orphansInWords(orphans), "The lamp and the monitor stood on it.");
+  assert.equal(orphansInWords(orphans, [pieces.get("desk")!]), "The lamp and the monitor stood on the desk.");
   assert.deepEqual(orphansOf(pieces, ["desk", "lamp", "monitor"]), []);
 });
 

@@ -2,6 +2,7 @@
 // What stood on a piece that is gone, and which other piece could carry it.
 import { contains, type Pose } from "../geometry/footprint";
 import { distance, vec } from "../geometry/vec";
+import { capital } from "../inspector/words";
 import satOn from "./sat_on.json";
 import { guestsOf, isSolid, theName, type Piece, type Pieces } from "./pieces";
 
@@ -58,8 +59,8 @@ export function homeFor(pieces: Pieces, orphan: Piece): Home | undefined {
 const listed = (names: readonly string[]): string =>
   names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
 
-// "The desk lamp and the monitor stood on it."
-export function orphansInWords(orphans: readonly Piece[]): string {
-  const text = listed(orphans.map(({ object }) => theName(object)));
-  return `${text.charAt(0).toUpperCase()}${text.slice(1)} stood on it.`;
-}
+const namesOf = (pieces: readonly Piece[]): string => listed(pieces.map(({ object }) => theName(object)));
+
+// "The desk lamp and the monitor stood on the desk."
+export const orphansInWords = (orphans: readonly Piece[], hosts: readonly Piece[]): string =>
+  `${capital(namesOf(orphans))} stood on ${hosts.length === 1 ? namesOf(hosts) : "what is gone"}.`;

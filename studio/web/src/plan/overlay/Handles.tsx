@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { measuredAlong } from "../../geometry/clearance";
 import { toRoom } from "../../geometry/footprint";
 import { boxOf } from "../../geometry/polygon";
 import { gripAt, grips } from "../../geometry/resize";
@@ -14,13 +15,20 @@ const kGrip = 4;
 const kRoomForGrips = 36;
 const kRoomForMiddles = 64;
 
-// Off the front right corner of a lone piece, above the box of several: clear of the distances, which begin at middles.
-function rotateHandle(view: View, pieces: readonly Piece[], poseOf: (piece: Piece) => Piece["pose"]): [Vec, Vec] {
+// Off the front right corner of a lone piece, above the box of several: clear of the distances, which begin at middles;
+// those of a turned piece begin at its corners, and the handle is before its front.
+function rotateHandle(
+  view: View,
+  pieces: readonly Piece[],
+  poseOf: (piece: Piece) => Piece["pose"],
+  floor: readonly Vec[],
+): [Vec, Vec] {
   const [only] = pieces;
   if (pieces.length === 1 && only) {
     const { theta } = poseOf(only);
-    const from = toScreen(view, toRoom(poseOf(only), vec(only.size.width / 2, only.size.depth / 2)));
-    const outward = turned(unit(vec(1, 1)), theta);
+    const beside = measuredAlong(theta, floor) === theta ? 1 : 0;
+    const from = toScreen(view, toRoom(poseOf(only), vec((beside * only.size.width) / 2, only.size.depth / 2)));
+    const outward = turned(unit(vec(beside, 1)), theta);
     return [from, add(from, times(vec(outward.x, -outward.y), kArm))];
   }
   const { min, max } = boxOf(pieces.flatMap((piece) => footprintOf(piece, poseOf(piece))));
@@ -35,7 +43,7 @@ export function Handles() {
   if (!only || (plan.gesture.value && !resizing.value)) return null;
   const pulled = pieces.length === 1 && resizing.value?.id === only.id ? resizing.value.to : undefined;
   const poseOf = (piece: Piece) => pulled?.pose ?? plan.room.poseOf(piece.id) ?? piece.pose;
-  const [from, to] = rotateHandle(view, pieces, poseOf);
+  const [from, to] = rotateHandle(view, pieces, poseOf, plan.room.floor.value);
   const size = pulled?.size ?? only.size;
   const small = Math.min(size.width, size.depth) * view.scale;
   const shown =
