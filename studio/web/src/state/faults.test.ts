@@ -19,7 +19,7 @@ const pieces = piecesOf(create(SolvedLayoutSchema, {
     },
   },
   placements: [
-    { objectId: "desk", xM: 1, yM: 1 }, { objectId: "bed", xM: 5, yM: 1 }, { objectId: "chair_1", xM: 1, yM: 1.8 },
+    { objectId: "desk", xM: 1, yM: 1 }, { objectId: "bed", xM: 5, yM: 1 }, { objectId: "chair_1", xM: 1, yM: 1.8, thetaRad: Math.PI },
     { objectId: "chair_2", xM: 5, yM: 5 }, { objectId: "rug", xM: 1, yM: 1 },
   ],
 }));
@@ -29,6 +29,10 @@ const told = (poses: Array<[string, ReturnType<typeof at>]>) =>
 
 test("a chair that is pushed under a desk and a rug below it are no fault", () => {
   assert.deepEqual(told([]), []);
+});
+
+test("a chair whose back is in the desk is told", () => {
+  assert.deepEqual(told([["chair_1", at(1, 1.8)]]), ["chair_1 desk"]);
 });
 
 test("a turned piece that reaches into another one is told, and how far", () => {

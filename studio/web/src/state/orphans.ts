@@ -10,9 +10,9 @@ const isOneOf = ({ object }: Piece, words: readonly string[]): boolean =>
   object.category.split("_").some((word) => words.includes(word));
 
 // What is pulled up to a table.
-export const isSeat = (piece: Piece): boolean => isOneOf(piece, satOn.seats);
+export const isSeat = (piece: Piece): boolean => isOneOf(piece, satOn.pulled_up);
 // Not for sitting or lying on: something may be put there, and knees may be below.
-export const isTop = (piece: Piece): boolean => !isSeat(piece) && !isOneOf(piece, satOn.beds_and_sofas);
+export const isTop = (piece: Piece): boolean => !isSeat(piece) && !isOneOf(piece, satOn.others);
 
 // Tops between knee and chest.
 const kLowest = 0.35;

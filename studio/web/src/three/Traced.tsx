@@ -70,7 +70,7 @@ export function Traced({ room, sight, isWithin, onClose }: TracedProps) {
       <div class="traced-picture">
         {address
           ? <img src={address} alt={`${room.document.value.title}, ray-traced`}
-              style={{ aspectRatio: `${from === "view" && sight ? sight.aspect : 1}` }} />
+              style={{ aspectRatio: `${from === "view" && sight ? Math.max(sight.aspect, 1) : 1}` }} />
           : <Waiting />}
       </div>
     </Dialog>
