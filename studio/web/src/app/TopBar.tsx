@@ -13,7 +13,6 @@ const panes: Array<{ value: Panes; label: string; icon: IconName }> = [
   { value: "3d", label: "3D", icon: "cube" },
 ];
 
-const nextTheme: Record<Theme, Theme> = { system: "light", light: "dark", dark: "system" };
 const themeIcons: Record<Theme, IconName> = { system: "system", light: "sun", dark: "moon" };
 
 function Title({ room }: { room: OpenRoom }) {
@@ -73,7 +72,7 @@ function RoomTools({ room }: { room: OpenRoom }) {
           title={unsettled ? "Let the other pieces make room for what you changed (S)" : kAllSettled}>
           <Icon name="settle" />Settle</button>
         <button class="button is-toggle" aria-pressed={auto === "on"} title="Settle after every move"
-          onClick={() => { settings.autoSettle.value = auto === "on" ? "off" : "on"; }}>Auto</button>
+          onClick={settings.turnAuto}>Auto</button>
       </div>
       <div class="segmented" role="group" aria-label="What is shown">
         {panes.map(({ value, label, icon }) => (
@@ -104,9 +103,7 @@ export function TopBar() {
         aria-label="Sidebar"
         aria-expanded={settings.sidebar.value === "open"}
         title="Sidebar ([)"
-        onClick={() => {
-          settings.sidebar.value = settings.sidebar.value === "open" ? "closed" : "open";
-        }}
+        onClick={settings.turnSidebar}
       >
         <Icon name="sidebar" />
       </button>
@@ -119,9 +116,7 @@ export function TopBar() {
         class="icon-button units"
         aria-label={`Units: ${units === "m" ? "metres" : "feet"}`}
         title="Metres or feet (U)"
-        onClick={() => {
-          settings.units.value = units === "m" ? "ft" : "m";
-        }}
+        onClick={settings.turnUnits}
       >
         {units}
       </button>
@@ -129,9 +124,7 @@ export function TopBar() {
         class="icon-button"
         aria-label={`Theme: ${theme}`}
         title={`Theme: ${theme}`}
-        onClick={() => {
-          settings.theme.value = nextTheme[theme];
-        }}
+        onClick={settings.turnTheme}
       >
         <Icon name={themeIcons[theme]} />
       </button>

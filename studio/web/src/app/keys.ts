@@ -31,8 +31,8 @@ function onPlain(studio: Studio, key: string): boolean {
   const room = studio.open.peek();
   switch (key) {
     case "?": isShowingKeys.value = true; return true;
-    case "[": settings.sidebar.value = settings.sidebar.peek() === "open" ? "closed" : "open"; return true;
-    case "u": settings.units.value = settings.units.peek() === "m" ? "ft" : "m"; return true;
+    case "[": settings.turnSidebar(); return true;
+    case "u": settings.turnUnits(); return true;
     case "s": if (room) settle(room); return true;
     case "f":
       settings.sidebar.value = "open";

@@ -36,6 +36,9 @@ export function wrapped(angle: number): number {
   return positive >= turn ? 0 : positive;
 }
 
+// How far it is from one heading to another, the shorter way around, (-pi, pi].
+export const turnBetween = (from: number, to: number): number => wrapped(to - from + Math.PI) - Math.PI;
+
 // The point of segment ab that is nearest to p.
 export function nearestOnSegment(p: Vec, a: Vec, b: Vec): Vec {
   const along = sub(b, a);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { Icon } from "../app/Icon";
-import { duplicatePieces, lockPieces, removePieces, renamePiece } from "../state/commands";
+import { renamePiece } from "../state/commands";
 import { faultsOf } from "../state/faults";
 import type { OpenRoom } from "../state/open_room";
 import { nameOf, type Piece } from "../state/pieces";
 import { objectIn, type Demand } from "./note";
 import { Faults } from "./Faults";
 import { useKept } from "./kept";
+import { PieceActs } from "./PieceActs";
 import { PieceFields } from "./PieceFields";
 import { SentenceRow } from "./Sentence";
 import { capital, withStop } from "./words";
@@ -48,33 +48,7 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
     <>
       <header class="panel-head">
         <PieceName room={room} piece={piece} />
-        <div class="button-group">
-          <button
-            class="icon-button"
-            aria-pressed={piece.pinned}
-            aria-label={piece.pinned ? "Unlock" : "Lock"}
-            title={piece.pinned ? "Unlock (L)" : "Lock where it is (L)"}
-            onClick={() => void lockPieces(room, [piece])}
-          >
-            <Icon name={piece.pinned ? "lock" : "unlock"} />
-          </button>
-          <button
-            class="icon-button"
-            aria-label="Duplicate"
-            title="Duplicate (Ctrl D)"
-            onClick={() => void duplicatePieces(room, [piece])}
-          >
-            <Icon name="copy" />
-          </button>
-          <button
-            class="icon-button"
-            aria-label="Remove"
-            title="Remove (Delete)"
-            onClick={() => void removePieces(room, [piece.id])}
-          >
-            <Icon name="trash" />
-          </button>
-        </div>
+        <PieceActs room={room} pieces={[piece]} />
       </header>
       <PieceFields room={room} piece={piece} />
       {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}

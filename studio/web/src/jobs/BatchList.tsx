@@ -4,6 +4,7 @@ import { whenText } from "../app/when";
 import type { Batch } from "../gen/flair/v1/orchestrator_service_pb";
 import { hashOf } from "../state/route";
 import { useStudio } from "../state/studio";
+import { Asked } from "./Asked";
 import { BatchBar, BatchButtons, BatchFailures, batchTitle, countsOf } from "./BatchHead";
 import { usePolling } from "./polling";
 import { batchText } from "./words";
@@ -12,7 +13,7 @@ export function BatchList() {
   const { clients } = useStudio();
   // ListBatches counts no states: batches that have not ended are asked for again, ended ones once.
   const ended = useMemo(() => new Map<string, Batch>(), []);
-  const { value, problem, again } = usePolling("batches", async () => {
+  const asked = usePolling("batches", async () => {
     const { batches } = await clients.orchestrator.listBatches({});
     const full: Batch[] = [];
     for (const { id } of batches) {
@@ -24,19 +25,11 @@ export function BatchList() {
     }
     return full;
   });
+  const { value, again } = asked;
   const now = new Date();
   return (
     <>
-      {problem && (
-        <p class="notice is-bad" role="alert">
-          {problem}
-        </p>
-      )}
-      {!value && !problem && (
-        <p class="jobs-empty" aria-busy="true">
-          <span class="spinner" />
-        </p>
-      )}
+      <Asked of={asked} />
       {value?.length === 0 && (
         <p class="jobs-empty">
           No batches. A file of briefs becomes one with <code>flair batch</code>.

@@ -5,6 +5,7 @@ import { Icon } from "../app/Icon";
 import { JobState, type Job } from "../gen/flair/v1/job_pb";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
+import { Asked } from "./Asked";
 import { BatchBar, BatchButtons, BatchFailures, batchTitle, countsOf } from "./BatchHead";
 import { StateFilter } from "./JobList";
 import { JobTile } from "./JobTile";
@@ -121,20 +122,14 @@ function Results({ batchId, endedCount }: { batchId: string; endedCount: number 
 
 export function BatchPage({ id }: { id: string }) {
   const { clients } = useStudio();
-  const { value, problem, again } = usePolling(
-    id,
-    async () => (await clients.orchestrator.getBatch({ batchId: id })).batch,
-  );
+  const asked = usePolling(id, async () => (await clients.orchestrator.getBatch({ batchId: id })).batch);
+  const { value, again } = asked;
   return (
     <>
       <button class="link-button jobs-back" onClick={() => goTo({ page: "jobs", id: "batches" })}>
         All batches
       </button>
-      {problem && (
-        <p class="notice is-bad" role="alert">
-          {problem}
-        </p>
-      )}
+      <Asked of={asked} />
       {value && (
         <section class="batch is-open">
           <div class="batch-line">

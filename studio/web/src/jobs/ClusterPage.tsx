@@ -4,6 +4,7 @@ import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
 import { timestampDate } from "@bufbuild/protobuf/wkt";
 import { useStudio } from "../state/studio";
+import { Asked } from "./Asked";
 import { workersOf } from "./cluster";
 import { usePolling } from "./polling";
 import { Rates, rateText } from "./rates";
@@ -42,17 +43,9 @@ const bad = (number: number | bigint) => (number > 0 ? "is-bad" : "");
 export function ClusterPage() {
   const { clients } = useStudio(),
     rates = useMemo(() => new Rates(), []);
-  const { value, problem } = usePolling("cluster", () => clients.orchestrator.getCluster({}));
-  if (!value)
-    return problem ? (
-      <p class="notice is-bad" role="alert">
-        {problem}
-      </p>
-    ) : (
-      <p class="jobs-empty" aria-busy="true">
-        <span class="spinner" />
-      </p>
-    );
+  const asked = usePolling("cluster", () => clients.orchestrator.getCluster({}));
+  const { value } = asked;
+  if (!value) return <Asked of={asked} />;
   const now = Date.now(),
     workers = workersOf(value);
   const orchestrators = value.orchestrators.map((one) => ({
@@ -76,11 +69,7 @@ export function ClusterPage() {
   ];
   return (
     <>
-      {problem && (
-        <p class="notice is-bad" role="alert">
-          {problem}
-        </p>
-      )}
+      <Asked of={asked} />
       <dl class="totals">
         {totals.map(([label, text, name]) => (
           <div key={label}>

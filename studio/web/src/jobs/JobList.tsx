@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { JobState } from "../gen/flair/v1/job_pb";
 import { useStudio } from "../state/studio";
+import { Asked } from "./Asked";
 import { JobRow } from "./JobRow";
 import { usePolling } from "./polling";
 
@@ -32,9 +33,10 @@ export function JobList() {
   const { clients } = useStudio();
   const [state, setState] = useState<JobState>(JobState.UNSPECIFIED),
     [size, setSize] = useState(kPage);
-  const { value, problem, again } = usePolling(`${state} ${size}`, () =>
+  const asked = usePolling(`${state} ${size}`, () =>
     clients.orchestrator.listJobs({ state, pageSize: size }),
   );
+  const { value, again } = asked;
   const now = new Date();
   return (
     <>
@@ -45,16 +47,7 @@ export function JobList() {
           setSize(kPage);
         }}
       />
-      {problem && (
-        <p class="notice is-bad" role="alert">
-          {problem}
-        </p>
-      )}
-      {!value && !problem && (
-        <p class="jobs-empty" aria-busy="true">
-          <span class="spinner" />
-        </p>
-      )}
+      <Asked of={asked} />
       {value?.jobs.length === 0 && (
         <p class="jobs-empty">{state === JobState.UNSPECIFIED ? "Nothing has been designed yet." : "No such job."}</p>
       )}

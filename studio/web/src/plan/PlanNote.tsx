@@ -9,5 +9,5 @@ export function PlanNote() {
     return <p class="plan-note">Click a piece to see why it stands there. Drag it to move it.</p>;
   }
   if (!room.document.value.unsettled || gesture.value) return null;
-  return <p class="plan-note is-due">Not settled: the others have not made room yet (S).</p>;
+  return <p class="plan-note is-due" title="The other pieces have not made room for what you changed">Not settled yet (S)</p>;
 }

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Zoom buttons and the scale bar in the corner of a drawing.
-import type { Signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "../app/Icon";
-import { vec } from "../geometry/vec";
 import { useStudio } from "../state/studio";
-import { zoomedAt, type View } from "./view";
+import { zoom, type Viewed } from "./view";
 
 const kSteps = { m: [0.1, 0.25, 0.5, 1, 2, 5, 10], ft: [0.3048, 0.6096, 1.524, 3.048, 6.096, 15.24] };
 const kWidest = 130;
-
-// What is looked at through a view: the plan, the editor of a room.
-export interface Viewed {
-  readonly view: Signal<View>;
-  readonly width: Signal<number>;
-  readonly height: Signal<number>;
-  setView(view: View): void;
-  fit(): void;
-}
 
 function ScaleBar({ scale }: { scale: number }) {
   const units = useStudio().settings.units.value;
@@ -34,16 +23,14 @@ function ScaleBar({ scale }: { scale: number }) {
 }
 
 export function ViewTools({ of }: { of: Viewed }) {
-  const zoom = (factor: number) =>
-    of.setView(zoomedAt(of.view.peek(), vec(of.width.peek() / 2, of.height.peek() / 2), factor));
   return (
     <div class="plan-tools">
       <ScaleBar scale={of.view.value.scale} />
       <div class="button-group">
-        <button class="icon-button" aria-label="Zoom out" title="Zoom out (-)" onClick={() => zoom(1 / 1.25)}>
+        <button class="icon-button" aria-label="Zoom out" title="Zoom out (-)" onClick={() => zoom(of, 1 / 1.25)}>
           <Icon name="minus" />
         </button>
-        <button class="icon-button" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}>
+        <button class="icon-button" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(of, 1.25)}>
           <Icon name="plus" />
         </button>
         <button class="icon-button" aria-label="Fit the room" title="Fit the room (0)" onClick={() => of.fit()}>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { add, sub, times, turned, unit, vec, type Vec } from "../geometry/vec";
+import { add, sub, times, turned, unit, type Vec } from "../geometry/vec";
 import { DoorSwing, HingeSide, type Room } from "../gen/flair/v1/room_pb";
+import { cornersOf } from "../state/pieces";
 
 const kSteps = 12;
 
@@ -8,7 +9,7 @@ const kSteps = 12;
 export function doorSweep(room: Room, id: string): Vec[] | undefined {
   const door = room.openings.find((one) => one.id === id);
   const at = room.walls.findIndex((wall) => wall.name === door?.wall);
-  const corners = room.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
+  const corners = cornersOf(room);
   if (!door?.leaf || at < 0 || door.leaf.swing !== DoorSwing.INWARD) return undefined;
   const from = corners[at]!, along = unit(sub(corners[(at + 1) % corners.length]!, from));
   const start = add(from, times(along, door.offsetM)), end = add(start, times(along, door.widthM));

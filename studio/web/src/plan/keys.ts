@@ -8,8 +8,7 @@ import { shownClearances } from "./clearance_of";
 import type { PlanController } from "./controller";
 import { pivotOf, rotated } from "./gestures/rotate";
 import { Nudge } from "./nudge";
-import { vec } from "../geometry/vec";
-import { zoomedAt } from "./view";
+import { zoom } from "./view";
 
 const kOfButtons = /^(Enter| |Tab|Escape|Arrow.*|Home|End)$/;
 
@@ -27,10 +26,6 @@ function step(plan: PlanController, by: 1 | -1): boolean {
   const next = at < 0 ? (by > 0 ? 0 : ids.length - 1) : at + by;
   plan.room.select(ids[next] ? [ids[next]] : []);
   return ids[next] !== undefined;
-}
-
-function zoom(plan: PlanController, factor: number): void {
-  plan.setView(zoomedAt(plan.view.peek(), vec(plan.width.peek() / 2, plan.height.peek() / 2), factor));
 }
 
 function escape(plan: PlanController): void {

@@ -2,10 +2,10 @@
 // What a constraint is about besides its object: pieces, walls, openings, sockets.
 import { middleOf, type Pose, type Side } from "../geometry/footprint";
 import { edgesOf } from "../geometry/polygon";
-import { add, distance, length, nearestOnSegment, sub, times, unit, vec, type Vec } from "../geometry/vec";
+import { add, distance, length, nearestOnSegment, sub, times, unit, type Vec } from "../geometry/vec";
 import type { ConstraintEdge } from "../gen/flair/v1/layout_graph_pb";
 import { OpeningKind, type Room } from "../gen/flair/v1/room_pb";
-import { footprintOf, type Piece, type Pieces } from "../state/pieces";
+import { cornersOf, footprintOf, type Piece, type Pieces } from "../state/pieces";
 
 export interface Link {
   // Of the constraint, and of the piece it is about.
@@ -33,7 +33,7 @@ export function piecesNamed(edge: ConstraintEdge, pieces: Pieces): string[] {
 
 function wallSegment(room: Room, name: string): [Vec, Vec] | undefined {
   const at = room.walls.findIndex((wall) => wall.name === name);
-  const corners = room.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
+  const corners = cornersOf(room);
   return at < 0 ? undefined : [corners[at]!, corners[(at + 1) % corners.length]!];
 }
 
@@ -80,8 +80,7 @@ function between(a: readonly Vec[], b: readonly Vec[]): [Vec, Vec] {
 
 function toNearestWall(room: Room, piece: Piece, pose: Pose, side: Side): [Vec, Vec] | undefined {
   const from = middleOf(pose, piece.size, side);
-  const floor = room.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
-  const ways = edgesOf(floor).map(({ a, b }): [Vec, Vec] => [from, nearestOnSegment(from, a, b)]);
+  const ways = edgesOf(cornersOf(room)).map(({ a, b }): [Vec, Vec] => [from, nearestOnSegment(from, a, b)]);
   return ways.length === 0 ? undefined
     : ways.reduce((best, one) => (distance(...one) < distance(...best) ? one : best));
 }

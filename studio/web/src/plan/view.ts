@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which part of the room is on the screen: pixel = (x * scale + left, -y * scale + top).
+import type { Signal } from "@preact/signals";
 import { boxOf } from "../geometry/polygon";
 import { vec, type Vec } from "../geometry/vec";
 
@@ -9,6 +10,15 @@ export interface View {
   // Where the room's origin is, pixels.
   readonly left: number;
   readonly top: number;
+}
+
+// What is looked at through a view: the plan, the editor of a room.
+export interface Viewed {
+  readonly view: Signal<View>;
+  readonly width: Signal<number>;
+  readonly height: Signal<number>;
+  setView(view: View): void;
+  fit(): void;
 }
 
 export const kMinScale = 8;
@@ -25,6 +35,11 @@ export function zoomedAt(view: View, pixel: Vec, factor: number): View {
   const scale = Math.min(kMaxScale, Math.max(kMinScale, view.scale * factor));
   const k = scale / view.scale;
   return { scale, left: pixel.x - (pixel.x - view.left) * k, top: pixel.y - (pixel.y - view.top) * k };
+}
+
+// In or out at the middle of what is shown.
+export function zoom(of: Viewed, factor: number): void {
+  of.setView(zoomedAt(of.view.peek(), vec(of.width.peek() / 2, of.height.peek() / 2), factor));
 }
 
 // The whole of the points, with a margin in pixels on each side.

@@ -3,7 +3,7 @@
 import { useMemo } from "preact/hooks";
 import { parseLength } from "../app/units";
 import { vec, type Vec } from "../geometry/vec";
-import { zoomedAt } from "../plan/view";
+import { zoom } from "../plan/view";
 import { nudge, removeSelected } from "./acts";
 import type { RoomDrawing, Tool } from "./controller";
 
@@ -72,8 +72,6 @@ function onEscape(drawing: RoomDrawing): void {
 }
 
 function onPlain(drawing: RoomDrawing, event: KeyboardEvent): boolean {
-  const zoom = (factor: number) =>
-    drawing.setView(zoomedAt(drawing.view.peek(), vec(drawing.width.peek() / 2, drawing.height.peek() / 2), factor));
   const by = arrows[event.key],
     tool = tools[event.key];
   if (by && drawing.selection.peek()) {
@@ -84,7 +82,7 @@ function onPlain(drawing: RoomDrawing, event: KeyboardEvent): boolean {
   } else if (event.key === "Delete" || event.key === "Backspace") {
     removeSelected(drawing);
   } else if (event.key === "+" || event.key === "=") {
-    zoom(1.25);
+    zoom(drawing, 1.25);
   } else if (event.key === "-") {
     zoom(0.8);
   } else if (event.key === "0") {

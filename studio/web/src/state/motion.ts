@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces that go from where they were seen to where they now stand.
-import { wrapped } from "../geometry/vec";
+import { turnBetween } from "../geometry/vec";
 import type { Pose } from "../geometry/footprint";
 import type { Poses } from "./pieces";
 
@@ -10,13 +10,12 @@ export const easeOut = (t: number): number => 1 - (1 - t) ** 3;
 
 // The shorter way around.
 export function between(from: Pose, to: Pose, t: number): Pose {
-  const turn = wrapped(to.theta - from.theta + Math.PI) - Math.PI;
-  return { x: from.x + (to.x - from.x) * t, y: from.y + (to.y - from.y) * t, theta: from.theta + turn * t };
+  const theta = from.theta + turnBetween(from.theta, to.theta) * t;
+  return { x: from.x + (to.x - from.x) * t, y: from.y + (to.y - from.y) * t, theta };
 }
 
 export function differs(a: Pose, b: Pose): boolean {
-  const turn = Math.abs(wrapped(a.theta - b.theta + Math.PI) - Math.PI);
-  return Math.abs(a.x - b.x) > 1e-4 || Math.abs(a.y - b.y) > 1e-4 || turn > 1e-4;
+  return [a.x - b.x, a.y - b.y, turnBetween(a.theta, b.theta)].some((by) => Math.abs(by) > 1e-4);
 }
 
 function wantsStillness(): boolean {

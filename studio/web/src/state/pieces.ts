@@ -4,6 +4,7 @@ import { corners, contains, type Pose, type Size } from "../geometry/footprint";
 import { vec, wrapped, type Vec } from "../geometry/vec";
 import { ObjectKind, type Object$ } from "../gen/flair/v1/object_list_pb";
 import type { Placement } from "../gen/flair/v1/placement_pb";
+import type { Room } from "../gen/flair/v1/room_pb";
 import type { SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 
 export type Poses = ReadonlyMap<string, Pose>;
@@ -101,6 +102,5 @@ export function placementOf(piece: Piece, pose: Pose): Omit<Placement, "$typeNam
   return { objectId: piece.id, xM: pose.x, yM: pose.y, zM: piece.z, thetaRad: wrapped(pose.theta) };
 }
 
-export function floorOf(layout: SolvedLayout | undefined): Vec[] {
-  return layout?.graph?.room?.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
-}
+export const cornersOf = (room: Room | undefined): Vec[] => room?.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
+export const floorOf = (layout: SolvedLayout | undefined): Vec[] => cornersOf(layout?.graph?.room);

@@ -25,6 +25,11 @@ function remembered<T extends string>(key: string, values: readonly T[], initial
   return value;
 }
 
+// The next of the values, the first after the last.
+function turnOver<T extends string>(setting: Signal<T>, values: readonly T[]): void {
+  setting.value = values[(values.indexOf(setting.peek()) + 1) % values.length]!;
+}
+
 export class Settings {
   readonly theme = remembered<Theme>("theme", ["system", "light", "dark"], "system");
   readonly units = remembered<Units>("units", ["m", "ft"], "m");
@@ -43,4 +48,8 @@ export class Settings {
       document.documentElement.dataset.theme = theme === "system" ? ofSystem : theme;
     });
   }
+  readonly turnTheme = () => turnOver(this.theme, ["system", "light", "dark"]);
+  readonly turnUnits = () => turnOver(this.units, ["m", "ft"]);
+  readonly turnSidebar = () => turnOver(this.sidebar, ["open", "closed"]);
+  readonly turnAuto = () => turnOver(this.autoSettle, ["on", "off"]);
 }

@@ -6,7 +6,7 @@ import type { PlanParts } from "../gen/flair/v1/renderer_service_pb";
 import type { SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 import { boxOf } from "../geometry/polygon";
 import { Drawn } from "../plan/Drawn";
-import { plainFloor } from "../plan/plain";
+import { plainFloor, plainSymbol } from "../plan/plain";
 import { floorOf } from "../state/pieces";
 
 interface Props {
@@ -16,11 +16,6 @@ interface Props {
 }
 
 const kMargin = 0.3;
-
-function plainShape(width: number, depth: number): string {
-  const place = `x="${-width / 2}" y="${-depth / 2}" width="${width}" height="${depth}"`;
-  return `<rect ${place} fill="#f1ece3" stroke="#57534c" stroke-width="0.02"/>`;
-}
 
 export const SmallPlan = memo(
   function SmallPlan({ layout, placements, parts }: Props) {
@@ -35,7 +30,7 @@ export const SmallPlan = memo(
     const piece = (id: string) => {
       const { xM, yM, thetaRad } = at.get(id)!;
       const object = objects.get(id);
-      const svg = known.get(id)?.svg ?? (object ? plainShape(object.widthM, object.depthM) : "");
+      const svg = known.get(id)?.svg ?? (object ? plainSymbol({ width: object.widthM, depth: object.depthM }, object.round) : "");
       return (
         <g key={id} transform={`translate(${xM} ${-yM}) rotate(${(-thetaRad * 180) / Math.PI})`}>
           <Drawn svg={svg} />

@@ -6,7 +6,7 @@ import type { Placement } from "../gen/flair/v1/placement_pb";
 import { OutcomeStatus, type EdgeOutcome, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 import type { Document } from "../gen/flair/v1/studio_service_pb";
 import type { Clients } from "../api/clients";
-import { wrapped } from "../geometry/vec";
+import { turnBetween } from "../geometry/vec";
 
 export interface Variant {
   // For TakeVariant; -1 is the first layout, which is none of the others.
@@ -50,8 +50,8 @@ export function isSame(a: readonly Placement[], b: readonly Placement[]): boolea
     a.every((one) => {
       const other = others.get(one.objectId);
       if (!other) return false;
-      const turn = Math.abs(wrapped(one.thetaRad - other.thetaRad + Math.PI) - Math.PI);
-      return Math.hypot(one.xM - other.xM, one.yM - other.yM) < 2e-3 && turn < 2e-3;
+      const turn = turnBetween(one.thetaRad, other.thetaRad);
+      return Math.hypot(one.xM - other.xM, one.yM - other.yM) < 2e-3 && Math.abs(turn) < 2e-3;
     })
   );
 }

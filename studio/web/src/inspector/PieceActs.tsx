@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { Icon } from "../app/Icon";
+import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import type { OpenRoom } from "../state/open_room";
+import type { Piece } from "../state/pieces";
+
+// Lock, duplicate and remove, of one piece or several.
+export function PieceActs({ room, pieces }: { room: OpenRoom; pieces: readonly Piece[] }) {
+  const isLocked = pieces.every((piece) => piece.pinned);
+  const acts = [
+    { name: isLocked ? "Unlock" : "Lock", key: "L", icon: isLocked ? "lock" : "unlock", run: lockPieces },
+    { name: "Duplicate", key: "Ctrl D", icon: "copy", run: duplicatePieces },
+    { name: "Remove", key: "Delete", icon: "trash",
+      run: () => removePieces(room, pieces.map((piece) => piece.id)) },
+  ] as const;
+  return (
+    <div class="button-group">
+      {acts.map(({ name, key, icon, run }) => (
+        <button key={key} class="icon-button" aria-pressed={key === "L" ? isLocked : undefined} aria-label={name}
+          title={`${name} (${key})`} onClick={() => void run(room, pieces)}>
+          <Icon name={icon} />
+        </button>
+      ))}
+    </div>
+  );
+}
