@@ -120,7 +120,8 @@ PipelineResult Pipeline::RunStages(Lease& lease, StepLog& steps) const {
   const v1::Job& job = lease.job();
   StageRunner runner(queue_, artifacts_, clients_, catalogs_, clock_, options_, lease, steps);
   Progress progress(job.spec());
-  if (const v1::ArtifactRef* given = GivenLayout(job); given != nullptr) {
+  const v1::ArtifactRef* const given = GivenLayout(job);
+  if (given != nullptr) {
     absl::StatusOr<Output> layout = runner.Reuse(StageIndex(kSolve), *given);
     if (!layout.ok()) return {layout.status(), std::string(kSolve)};
     progress.Set(StageIndex(kSolve), *std::move(layout));
@@ -142,8 +143,10 @@ PipelineResult Pipeline::RunStages(Lease& lease, StepLog& steps) const {
   absl::StatusOr<std::vector<StageRecord>> last = steps.TakeLast();
   absl::Status status = last.status();
   if (status.ok()) status = artifacts_.Flush(progress.Artifacts());
-  if (!status.ok()) return {OfStore(status), "report"};
-  return {absl::OkStatus(), "report", *std::move(last)};
+  // Of a given layout nothing is reported but the picture.
+  const std::string stage = given == nullptr ? "report" : "render";
+  if (!status.ok()) return {OfStore(status), stage};
+  return {absl::OkStatus(), stage, *std::move(last)};
 }
 
 absl::Status StepLog::Add(StageRecord record, std::optional<SealedArtifact> artifact, Urgency urgency) {

@@ -122,6 +122,7 @@ TEST_F(OrchestratorServiceTest, ALayoutThatIsThereIsDrawnAndNothingElseIsDone) {
   EXPECT_EQ(stages_.all_calls() - calls, 1);
   EXPECT_EQ(stages_.calls("Render"), 2);
   const v1::Job ended = *orchestrator_->GetJob(made->job().id());
+  EXPECT_EQ(ended.stage(), "render");
   ASSERT_THAT(ended.artifacts(), SizeIs(3));
   EXPECT_EQ(ended.artifacts(0).kind(), v1::ARTIFACT_KIND_BRIEF);
   EXPECT_EQ(ended.artifacts(2).kind(), v1::ARTIFACT_KIND_PREVIEW);
