@@ -273,9 +273,11 @@ TEST_F(ActsTest, SettlingTriesAgainForWhatDoesNotHoldAndIsRefusedInAnEmptyRoom) 
     return std::ranges::count(layout.edge_outcomes(), v1::OUTCOME_STATUS_VIOLATED, &v1::EdgeOutcome::status);
   };
   ASSERT_GT(violated(wider->layout()), 0);
+  EXPECT_TRUE(wider->document().unsettled());
   const auto settled = Act(wider->document(), [](v1::ActRequest& act) { act.mutable_settle(); });
   ASSERT_TRUE(settled.ok()) << settled.status();
   EXPECT_LT(violated(settled->layout()), violated(wider->layout()));
+  EXPECT_FALSE(settled->document().unsettled());
 }
 
 }  // namespace

@@ -222,8 +222,8 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::
     state.set_settled_layout_id("shown");
   } else if (!acted.anew) {
     state.set_settled_layout_id(now.settled_layout_id());
-    *state.mutable_pending_edits() = acted.pending;
   }
+  *state.mutable_pending_edits() = acted.pending;
   RETURN_IF_ERROR(
       PushState(record, ArtifactOf(std::move(acted.layout), acted.producer, now.layout_id()), std::move(state)));
   ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));

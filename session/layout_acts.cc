@@ -306,6 +306,7 @@ absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1:
   // Settling goes on from here: what stands well stays.
   acted.settled = !acted.layout.placements().empty();
   acted.anew = !acted.settled;
+  if (acted.settled) acted.pending = WhatStandsBadly(acted.layout);
   acted.label = "change the room";
   return acted;
 }

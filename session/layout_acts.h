@@ -36,10 +36,11 @@ struct Acted {
   std::vector<std::string> moved_ids;
   // What could not be done or understood, and why.
   std::vector<v1::Diagnostic> diagnostics;
-  // Whether the layout is solved; otherwise `pending` is what has changed since it was.
+  // Whether the next solve goes on from this layout; otherwise from the one before.
   bool settled = true;
   // Whether nothing that was solved before helps any more: the room is another one.
   bool anew = false;
+  // What that solve is to look at: what has changed since, and what the act made stand badly.
   EditList pending;
 };
 
