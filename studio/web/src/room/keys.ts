@@ -84,7 +84,7 @@ function onPlain(drawing: RoomDrawing, event: KeyboardEvent): boolean {
   } else if (event.key === "+" || event.key === "=") {
     zoom(drawing, 1.25);
   } else if (event.key === "-") {
-    zoom(0.8);
+    zoom(drawing, 0.8);
   } else if (event.key === "0") {
     drawing.fit();
   } else {
