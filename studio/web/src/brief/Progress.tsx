@@ -3,25 +3,11 @@
 import { Icon } from "../app/Icon";
 import { JobState } from "../gen/flair/v1/job_pb";
 import { spentInWords, useSpent } from "../model/spent";
+import { stageWords } from "../inspector/words";
 import { stagesOf } from "../state/jobs";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
-
-const names: Record<string, string> = {
-  brief: "Brief",
-  room: "Room",
-  zones: "Zones",
-  objects: "Furniture",
-  style: "Style",
-  constraints: "Wishes",
-  cleaning: "Wishes, checked",
-  completion: "Wishes, completed",
-  translation: "Wishes, measured",
-  solve: "Layout",
-  render: "Drawing",
-  report: "Report",
-};
 
 export function Progress({ room }: { room: OpenRoom }) {
   const studio = useStudio();
@@ -37,7 +23,7 @@ export function Progress({ room }: { room: OpenRoom }) {
         {stages.map(({ stage, message, seconds, isDone, isReused }) => (
           <li key={stage} class={isDone ? "is-done" : "is-running"}>
             <span class="stage-mark">{isDone ? <Icon name="check" size={14} /> : <span class="spinner" />}</span>
-            <span class="stage-name">{names[stage] ?? stage}</span>
+            <span class="stage-name">{stageWords(stage)}</span>
             <span class="stage-message">{message}</span>
             <span class="stage-time">{isReused ? "known" : isDone ? `${seconds.toFixed(2)} s` : ""}</span>
           </li>

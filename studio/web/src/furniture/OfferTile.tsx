@@ -21,7 +21,7 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
   const sizes = `${figure(object.widthM, units.value)} × ${figure(object.depthM, units.value)}`;
   return (
     <li class="offer">
-      <button draggable onClick={onAdd} title={`Add a ${object.name}: click, or drag it into the room`}
+      <button draggable onClick={onAdd} title={[`Add a ${object.name}: click, or drag it into the room`, object.description].filter(Boolean).join("\n")}
         onDragStart={(event) => {
           carried.value = object;
           event.dataTransfer?.setData("text/plain", object.name);

@@ -22,6 +22,24 @@ export const measureWords = {
   fronts: { label: "Pieces in reach", title: "How many pieces you can walk up to from the door and use." },
 } as const;
 
+// What a stage of a job is about.
+const stages: Record<string, string> = {
+  brief: "Brief",
+  room: "Room",
+  zones: "Zones",
+  objects: "Furniture",
+  style: "Style",
+  constraints: "Wishes",
+  cleaning: "Wishes, checked",
+  completion: "Wishes, completed",
+  translation: "Wishes, measured",
+  solve: "Layout",
+  render: "Drawing",
+  report: "Report",
+};
+
+export const stageWords = (stage: string): string => stages[stage] ?? stage;
+
 export const percent = (share: number): string => `${Math.floor(share * 100 + 1e-6)} %`;
 
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

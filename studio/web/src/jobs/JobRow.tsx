@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { whenText } from "../app/when";
 import { JobState, type Job } from "../gen/flair/v1/job_pb";
+import { stageWords } from "../inspector/words";
 import { goTo, hashOf } from "../state/route";
 import { useStudio, type Studio } from "../state/studio";
 import { failureText, isOpen, stateText, tookText } from "./words";
@@ -17,7 +18,7 @@ export async function openJob(studio: Studio, job: Job): Promise<void> {
 export const briefOf = (job: Job): string => job.spec?.brief?.text || "A room without a brief";
 
 function aboutOf(job: Job): string {
-  if (job.state === JobState.RUNNING && job.stage) return `running: ${job.stage}`;
+  if (job.state === JobState.RUNNING && job.stage) return `running: ${stageWords(job.stage).toLowerCase()}`;
   if (job.state === JobState.FAILED) return `failed: ${failureText(job.failureKind)}`;
   return stateText(job.state);
 }
