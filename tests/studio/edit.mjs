@@ -40,7 +40,9 @@ await withStudio(async ({ page, context, restart }) => {
     assert.deepEqual(placeOf(moved.layout, other.objectId), other, `${other.objectId} stays`);
   }
 
-  // Settle: the others follow, and nothing overlaps.
+  // Settle: the others follow, and nothing overlaps. Only then is there nothing to settle.
+  const settle = page.getByRole('button', { name: 'Settle', exact: true });
+  await until(page, () => settle.isEnabled(), 'something to settle');
   await page.keyboard.press('s');
   const settled = await until(page, async () => {
     const now = await shown(page);
@@ -48,6 +50,8 @@ await withStudio(async ({ page, context, restart }) => {
   }, 'the settled room');
   assert.deepEqual(placeOf(settled.layout, wardrobe), placeOf(moved.layout, wardrobe));
   assert.ok((settled.layout.metrics.deepestOverlapM ?? 0) < 1e-6);
+  await until(page, () => settle.isDisabled(), 'nothing to settle');
+  assert.match(await settle.getAttribute('title'), /^Nothing has changed/);
 
   // A sentence is added and weighs something.
   await page.getByLabel(/say|sentence|room/i).and(page.locator('input[maxlength="400"]')).first().fill('The wardrobe is in a corner.');
@@ -58,10 +62,23 @@ await withStudio(async ({ page, context, restart }) => {
   }, 'the sentence');
   const sentence = said.layout.graph.constraintList.sentences.at(-1);
   assert.equal(sentence.text, 'The wardrobe is in a corner.');
-  const weighed = await call(page, 'Act', {
-    documentId: made.id, revision: said.document.revision, weigh: { sentenceId: sentence.id, weight: 5 },
-  });
-  assert.ok(weighed.layout.graph.edges.filter(({ sentenceId }) => sentenceId === sentence.id).every(({ weight }) => weight === 5));
+
+  // Its slider is in hand until it is let go, which is one act.
+  await page.locator('.sentence-line', { hasText: 'in a corner' }).last().click();
+  const { x, y, width, height } = await page.getByLabel(/^How much it matters/).boundingBox();
+  const acts = [];
+  page.on('request', (request) => { if (request.url().endsWith('/Act')) acts.push(request); });
+  await page.mouse.move(x + width * 0.4, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width * 0.8, y + height / 2, { steps: 5 });
+  assert.equal(acts.length, 0, 'nothing is sent while it is dragged');
+  await page.mouse.up();
+  const weighed = await until(page, async () => {
+    const now = await shown(page);
+    return now.document.undoLabel?.startsWith('weigh') && now;
+  }, 'the weighed sentence');
+  assert.equal(acts.length, 1);
+  assert.ok(weighed.layout.graph.edges.filter(({ sentenceId }) => sentenceId === sentence.id).every(({ weight }) => weight > 2));
 
   // Reload, and a server that is killed, keep the work.
   await page.reload();
