@@ -61,6 +61,41 @@ TEST_F(DocumentsTest, AnArchiveHoldsTheLayoutAndAllThatLedToIt) {
   EXPECT_EQ(names.size(), stages.size() + 4);
 }
 
+TEST_F(DocumentsTest, AnArchiveOfManyLargeLayoutsKeepsTheNewestAndWhatTheStagesMade) {
+  v1::Artifact large;
+  ASSERT_TRUE(large.ParseFromString(Export(Designed().document().id(), v1::DOCUMENT_FORMAT_LAYOUT_PB)));
+  for (int i = 0; i < 1000; ++i) {
+    v1::Diagnostic& remark = *large.mutable_solved_layout()->add_diagnostics();
+    remark.set_severity(v1::SEVERITY_NOTE);
+    remark.set_code("left_out");
+    // Of nothing that is placed: acts leave it there.
+    remark.set_subject_id("gone");
+    remark.set_message(std::string(2000, 'x'));
+  }
+  large.set_id(orchestrator::ComputeArtifactId(large));
+  v1::CreateDocumentRequest request;
+  request.set_request_id("large");
+  request.set_file(large.SerializeAsString());
+  const auto made = documents_->Create(request, call_);
+  ASSERT_TRUE(made.ok()) << made.status();
+  v1::Document document = made->document();
+  for (int i = 0; i < 10; ++i) {
+    const v1::Placement bed = PlacementOf(Get(document.id()).layout(), IdOf(large.solved_layout(), "bed"));
+    const auto moved = Act(document, [&](v1::ActRequest& act) {
+      v1::Placement& to = *act.mutable_move()->add_placements();
+      to = bed;
+      to.set_y_m(bed.y_m() + 0.01);
+    });
+    ASSERT_TRUE(moved.ok()) << moved.status();
+    document = moved->document();
+  }
+  const std::string tar = Export(document.id(), v1::DOCUMENT_FORMAT_ARTIFACTS_TAR);
+  EXPECT_LT(tar.size(), 17 << 20);
+  const std::map<std::string, std::string> files = FilesIn(tar);
+  for (const char* name : {"layout.pb", "layout_2.json", "graph.pb", "brief.json"}) EXPECT_TRUE(files.contains(name));
+  EXPECT_FALSE(files.contains("layout_8.pb"));
+}
+
 TEST_F(DocumentsTest, AnArchiveLeavesOutWhatIsGone) {
   const v1::GetDocumentResponse made = Designed();
   const auto stub = v1::OrchestratorService::NewStub(services_->orchestrator());

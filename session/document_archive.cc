@@ -51,13 +51,18 @@ absl::StatusOr<std::string> Documents::ArchiveOf(const Layout& shown, CallContex
   // The nearest first.
   std::vector<v1::Artifact> found = {*shown};
   std::set<std::string> seen = {shown->id()};
+  size_t bytes = shown->ByteSizeLong();
   for (size_t at = 0; at < found.size(); ++at) {
     const std::vector<std::string> ids(found[at].made_from_ids().begin(), found[at].made_from_ids().end());
     for (const std::string& id : ids) {
       if (found.size() >= kMostArtifacts || !seen.insert(id).second) continue;
       absl::StatusOr<v1::Artifact> artifact = GetArtifact(id, call);
       if (!artifact.ok() && !IsGone(artifact.status())) return artifact.status();
-      if (artifact.ok()) found.push_back(*std::move(artifact));
+      if (!artifact.ok()) continue;
+      bytes += artifact->ByteSizeLong();
+      // There will be no room for it: it only leads on.
+      if (artifact->has_solved_layout() && bytes > kMostArchiveBytes) artifact->clear_content();
+      found.push_back(*std::move(artifact));
     }
   }
   // What is shown and what the stages made; then, as many as there is room for, the layouts in between.

@@ -12,11 +12,6 @@
 #include "worker_runtime/files/files.h"
 
 namespace flair::orchestrator {
-namespace {
-
-constexpr int64_t kMostLayoutBytes = int64_t{4} << 20;
-
-}  // namespace
 
 v1::Job OrchestratorHandlers::NewJob(const v1::JobSpec& spec) const {
   v1::Job job;
@@ -53,6 +48,7 @@ absl::StatusOr<v1::Job> OrchestratorHandlers::VisibleJob(const std::string& id, 
 }
 
 absl::StatusOr<GivenArtifact> OrchestratorHandlers::Given(v1::Artifact layout) {
+  constexpr int64_t kMostBytes = int64_t{4} << 20;
   if (!layout.has_solved_layout()) return absl::InvalidArgumentError("layout: holds no solved_layout");
   const std::string stated = layout.id();
   GivenArtifact given{.artifact = SealArtifact(layout), .record = {}, .store = &artifacts_};
@@ -60,8 +56,8 @@ absl::StatusOr<GivenArtifact> OrchestratorHandlers::Given(v1::Artifact layout) {
   if (!stated.empty() && stated != ref.id()) {
     return InvalidArgument("layout.id: \"{}\" is not that of its bytes, {}", stated.substr(0, 80), ref.id());
   }
-  if (ref.size_bytes() > kMostLayoutBytes) {
-    return InvalidArgument("layout: {} bytes; at most {}", ref.size_bytes(), kMostLayoutBytes);
+  if (ref.size_bytes() > kMostBytes) {
+    return InvalidArgument("layout: {} bytes; at most {}", ref.size_bytes(), kMostBytes);
   }
   v1::JobEvent& event = given.record.event;
   event.set_kind(v1::JOB_EVENT_KIND_STAGE_REUSED);
