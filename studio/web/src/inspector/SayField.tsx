@@ -31,7 +31,8 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
       <div class="say-line">
         <input value={text} maxLength={400} aria-label={label} aria-busy={isSent}
           placeholder={about ? `${capital(theName(about.object))} faces the window` : "The armchair faces the window"}
-          onInput={(event) => { setText(event.currentTarget.value); setRemark(""); }} />
+          onInput={(event) => { setText(event.currentTarget.value); setRemark(""); }}
+          onKeyDown={(event) => { if (event.key === "Escape") event.currentTarget.blur(); }} />
         <button class="icon-button" type="submit" aria-label="Add the sentence" title="Add the sentence (Enter)"
           disabled={!text.trim() || isSent}><Icon name="chat" /></button>
       </div>
