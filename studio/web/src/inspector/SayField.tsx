@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { say } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
@@ -11,6 +11,8 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
   const [text, setText] = useState("");
   const [isSent, setSent] = useState(false);
   const [remark, setRemark] = useState("");
+  // What was said of one piece is no answer about the next.
+  useEffect(() => setRemark(""), [about?.id]);
   const label = about ? `Say something about ${theName(about.object)}` : "Say something about the room";
   const send = async () => {
     if (!text.trim() || isSent) return;

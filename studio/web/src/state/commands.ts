@@ -142,7 +142,7 @@ function plain(object: Object$): MessageInitShape<typeof ObjectSchema> {
 export const kAllSettled = "Nothing has changed since the last settle.";
 
 // Whether Settle has something to do; what is on its way may change that.
-export const canSettle = (room: OpenRoom): boolean => room.document.value.unsettled || room.isBusy.value;
+const canSettle = (room: OpenRoom): boolean => room.document.value.unsettled || room.isBusy.value;
 
 export function settle(room: OpenRoom): void {
   if (canSettle(room)) void room.act({ case: "settle", value: {} });
