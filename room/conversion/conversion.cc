@@ -85,6 +85,7 @@ Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
           .rim_ends_m = message.rim_ends_m(),
           .walk_over = message.walk_over(),
           .round = message.round(),
+          .seat = message.seat(),
           .category = message.category(),
           .host = -1};
 }
@@ -103,6 +104,7 @@ void ObjectToProto(const Object& object, const Scene& scene, v1::Object& message
   message.set_rim_ends_m(object.rim_ends_m);
   message.set_walk_over(object.walk_over);
   message.set_round(object.round);
+  message.set_seat(object.seat);
   message.set_category(object.category);
   if (object.host >= 0) message.set_host_id(scene.objects[static_cast<size_t>(object.host)].id);
 }

@@ -42,6 +42,8 @@ struct Object {
   // A rug, a mat, a carpet: never collides.
   bool walk_over = false;
   bool round = false;
+  // One sits on it.
+  bool seat = false;
   // Has a place at something round, so that it stands square to no wall.
   bool at_round = false;
   std::string category;

@@ -149,6 +149,7 @@ class Reader {
     if (word == "surface") return object.kind = ObjectKind::kSurface, true;
     if (word == "rug") return object.walk_over = true;
     if (word == "round") return object.round = true;
+    if (word == "seat") return object.seat = true;
     if (word == "primary") return object.role = ObjectRole::kPrimary, true;
     if (word == "tertiary") return object.role = ObjectRole::kTertiary, true;
     if (word == "height") return ReadNumber(words, ++i, object.height_m);
