@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/constraints/linked_pairs.h"
 
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
@@ -21,6 +23,23 @@ constexpr unsigned kBeside = Bit(Side::kLeft) | Bit(Side::kRight);
 unsigned BesideAt(const std::optional<Side>& side) { return side.has_value() ? Bit(*side) : kAll & ~kFront; }
 
 }  // namespace
+
+LinkedPairs::LinkedPairs(const Scene& scene, const v1::LayoutGraph& graph) {
+  std::set<std::string_view> uses;
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    if (sentence.use()) uses.insert(sentence.id());
+  }
+  // Where nothing is known of uses, those that face each other need the others' ties.
+  for (const bool facing : {false, true}) {
+    for (const v1::ConstraintEdge& edge : graph.edges()) {
+      if ((FindConstraint(edge.type()) == FindConstraint("facing")) != facing) continue;
+      const Known use = uses.empty()                        ? Known::kNothing
+                        : uses.contains(edge.sentence_id()) ? Known::kUse
+                                                            : Known::kNoUse;
+      AddEdge(scene, edge, use);
+    }
+  }
+}
 
 void LinkedPairs::Link(int a, int b) {
   Place(a, b, kAll);
@@ -48,7 +67,7 @@ int LinkedPairs::CountAbove(int target) const {
   return found == above_.end() ? 0 : found->second;
 }
 
-void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
+void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge, Known use) {
   const ConstraintFacts* facts = FindConstraint(edge.type());
   if (facts == nullptr) return;
   const absl::StatusOr<Arguments> resolved = Arguments::Resolve(facts->type, edge, scene);
@@ -62,13 +81,15 @@ void LinkedPairs::AddEdge(const Scene& scene, const v1::ConstraintEdge& edge) {
     Place(a.Object("object"), a.Object("target"), BesideAt(a.MaybeSide("object_side")));
     Place(a.Object("target"), a.Object("object"), BesideAt(a.MaybeSide("target_side")));
   } else if (type == "in_front_of") {
-    if (a.Number("distance_m") <= kStep_m) Tie(a.Object("object"), a.Object("target"), weight);
+    if (a.Number("distance_m") > kStep_m) return;
+    Tie(a.Object("object"), a.Object("target"), weight);
+    if (use == Known::kNoUse) return;
     Place(a.Object("object"), a.Object("target"), kAll);
     Place(a.Object("target"), a.Object("object"), kFront);
   } else if (type == "facing") {
-    // Two seats that face each other need their room; a chair that faces a desk is meant to be used there, whichever
-    // side it comes from.
-    if (a.Flag("both")) return;
+    // Two seats that face each other need their room.
+    const bool tied = use == Known::kNothing && TieOf(a.Object("object"), a.Object("target")) > 0;
+    if (a.Flag("both") || !(use == Known::kUse || tied)) return;
     Place(a.Object("object"), a.Object("target"), kFront);
     Place(a.Object("target"), a.Object("object"), kAll);
   } else if (type == "on") {

@@ -22,12 +22,12 @@ inline constexpr int kMostSeats = 16;
 class LinkedPairs {
  public:
   LinkedPairs() = default;
-  // Links what next_to, facing, in_front_of, surround, between, row, perpendicular and on calls put together, at the
-  // sides that the calls name; beside without a side is anywhere but before a front.
-  template <typename Edges>
-  LinkedPairs(const Scene& scene, const Edges& edges) {
-    for (const v1::ConstraintEdge& edge : edges) AddEdge(scene, edge);
-  }
+  // Links what next_to, in_front_of, surround, between, row, perpendicular and on calls put together, at the sides that
+  // the calls name; beside without a side is anywhere but before a front. To face something is to look at it, and to
+  // stand before it is no reason to bar its front: such a pair belongs before the fronts only when it is used so, as a
+  // chair at its desk, or a table before its sofa. Where sentences are marked as uses (`Sentence.use`), those say so;
+  // where none is, of calls within a step those that also put the two beside each other.
+  LinkedPairs(const Scene& scene, const v1::LayoutGraph& graph);
 
   // Both belong to each other at all sides.
   void Link(int a, int b);
@@ -41,7 +41,10 @@ class LinkedPairs {
  private:
   using SideSet = unsigned;
 
-  void AddEdge(const Scene& scene, const v1::ConstraintEdge& edge);
+  // What the graph knows about a call: whether it is a use.
+  enum class Known { kNothing, kUse, kNoUse };
+
+  void AddEdge(const Scene& scene, const v1::ConstraintEdge& edge, Known use);
   void AddGroup(const Arguments& arguments);
   void Place(int object, int other, SideSet sides) { sides_[{object, other}] |= sides; }
   void Tie(int a, int b, double weight) { ties_[std::minmax(a, b)] += weight; }

@@ -52,7 +52,7 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   KeepOut keep_out(scene.room);
   evaluation::WalkGrid walk_grid(scene.room, settings.path_width_m);
   evaluation::WalkGrid fine_walk_grid(scene.room, settings.path_width_m, evaluation::kFineCell_m);
-  LinkedPairs linked(scene, graph.edges());
+  LinkedPairs linked(scene, graph);
   std::vector<Pin> pins = PinsOf(graph, scene);
   std::vector<char> pinned(scene.objects.size(), 0);
   for (const Pin& pin : pins) pinned[pin.object] = 1;
