@@ -2,7 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "evaluation/metrics/measures.h"
@@ -75,6 +79,74 @@ TEST(Solids, SeatReachesUnderATopAsFarAsKneesDo) {
       << "its back is no seat";
   EXPECT_THAT(Messages(std::string(kRoom) + "bed 1x0.8 at 2,2,0 height 0.5; chair 0.5x0.5 at 2,1.6,0 height 0.9"),
               ElementsAre("the chair and the bed overlap by 0.25 m"));
+}
+
+TEST(Solids, OnlySeatsArePushedUnder) {
+  SceneText text =
+      *ParseScene(std::string(kRoom) + "dresser 1x0.5 at 2,2,0 height 0.8; box 0.5x0.4 at 2,1.7,0 height 0.5");
+  EXPECT_TRUE(MeasureSolids({text.scene, text.layout}).findings.empty()) << "nobody knows what it is";
+  text.scene.objects[1].category = "nightstand";
+  EXPECT_EQ(MeasureSolids({text.scene, text.layout}).findings.size(), 1u);
+  text.scene.objects[1].seat = true;
+  EXPECT_TRUE(MeasureSolids({text.scene, text.layout}).findings.empty());
+}
+
+// Points of one rectangle, a centimetre apart, that satisfy `within`, as an area.
+template <typename Within>
+double SharedArea_m2(const Footprint& footprint, const Pose<double>& pose, const Within& within) {
+  constexpr double kStep_m = 0.01;
+  int shared = 0;
+  for (double u = (kStep_m - footprint.width_m) / 2; u < footprint.width_m / 2; u += kStep_m) {
+    for (double v = (kStep_m - footprint.depth_m) / 2; v < footprint.depth_m / 2; v += kStep_m) {
+      shared += within(FrameOf(pose).ToRoom(u, v)) ? 1 : 0;
+    }
+  }
+  return shared * kStep_m * kStep_m;
+}
+
+// Random rooms against points counted one by one: whatever shares room with something else is told.
+TEST(Solids, EveryOverlapOfRandomPosesIsTold) {
+  const char* kPieces =
+      "4x5 room; door south 0.1 0.9; bed 1.6x2 at 0,0,0 height 0.5; desk 1.2x0.6 at 0,0,0 height 0.75; dresser 1x0.5 "
+      "at "
+      "0,0,0 height 0.8; wardrobe 1.5x0.6 at 0,0,0 height 2.1; nightstand 0.5x0.4 at 0,0,0 height 0.55; shelf 0.9x0.3 "
+      "at "
+      "0,0,0 wall tertiary height 0.4 elevation 0.6; picture 1x0.1 at 0,0,0 wall tertiary height 0.6 elevation 1.5";
+  constexpr double kSeen_m2 = 0.003;
+  SceneText text = *ParseScene(kPieces);
+  std::mt19937 random(7);
+  const auto draw = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+  int expected = 0;
+  for (int round = 0; round < 60; ++round) {
+    for (size_t i = 0; i < text.scene.objects.size(); ++i) {
+      text.scene.objects[i].category = "piece";
+      text.layout[i] = {draw(0.3, 3.7), draw(0.3, 4.7), round % 2 == 0 ? draw(0, 6.28) : kPi / 2 * (random() % 4)};
+    }
+    std::set<std::pair<std::string, std::string>> told;
+    for (const v1::Finding& finding : MeasureSolids({text.scene, text.layout}).findings) {
+      told.insert(std::minmax(finding.object_id(), finding.partner_id()));
+    }
+    const Scene& scene = text.scene;
+    for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+      const Object& object = scene.objects[i];
+      const double swept = SharedArea_m2(object.footprint, text.layout[i], [](const Vec2<double>& p) {
+        return p.x > 0.1 && p.y > 0 && std::hypot(p.x - 0.1, p.y) < 0.9;
+      });
+      if (swept > kSeen_m2) EXPECT_TRUE(told.contains(std::minmax(object.id, std::string("door_1")))) << object.id;
+      for (int k = 0; k < i; ++k) {
+        const Object& other = scene.objects[k];
+        const double up_m = std::min(scene.TopOf(i), scene.TopOf(k)) - std::max(scene.BottomOf(i), scene.BottomOf(k));
+        const double shared = SharedArea_m2(object.footprint, text.layout[i], [&](const Vec2<double>& p) {
+          const Vec2<double> q = FrameOf(text.layout[k]).ToObject(p);
+          return std::abs(q.x) < other.footprint.width_m / 2 && std::abs(q.y) < other.footprint.depth_m / 2;
+        });
+        if (up_m <= 0.02 || shared <= kSeen_m2) continue;
+        ++expected;
+        EXPECT_TRUE(told.contains(std::minmax(object.id, other.id))) << object.id << " and " << other.id;
+      }
+    }
+  }
+  EXPECT_GT(expected, 100);
 }
 
 TEST(Solids, WallShelfIsInTheWayOfAnOpenDoor) {
