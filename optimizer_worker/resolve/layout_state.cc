@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
+#include "evaluation/metrics/walk_grid.h"
 #include "optimizer_worker/constraints/registry.h"
 #include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/floor_stages.h"
@@ -69,7 +71,20 @@ Violations FindViolations(const SolveInput& input, const PartialLayout& state, c
     const bool there = std::ranges::all_of(term.required, [&](int object) { return state.placed[object] != 0; });
     if (there && !Satisfied(term, state)) violations.broken.push_back(term.edge);
   }
+  constexpr double kStep = 0.05;
+  const double lost = baseline.reachable_share > 0 ? baseline.reachable_share - ReachableShare(input, state) : 0;
+  violations.unreachable_share = kStep * std::max(0.0, std::floor(lost / kStep));
   return violations;
+}
+
+double ReachableShare(const SolveInput& input, const PartialLayout& state) {
+  std::vector<evaluation::Obstacle> obstacles;
+  for (size_t i = 0; i < input.scene.objects.size(); ++i) {
+    const Object& object = input.scene.objects[i];
+    if (state.placed[i] && IsSolid(object)) obstacles.push_back({state.layout[i], object.footprint});
+  }
+  evaluation::WalkGrid grid = input.walk_grid;
+  return grid.Measure(obstacles).reachable_share;
 }
 
 std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state) {

@@ -7,6 +7,7 @@
 
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/arguments.h"
+#include "optimizer_worker/resolve/losses.h"
 #include "optimizer_worker/resolve/warm_search.h"
 #include "optimizer_worker/stages/driver.h"
 #include "optimizer_worker/stages/solved_layout.h"
@@ -49,6 +50,7 @@ Baseline MakeBaseline(const SolveInput& input, const v1::SolvedLayout& layout, c
   PartialLayout untouched = before;
   for (int object : touched) untouched.placed[object] = 0;
   baseline.tolerated = PairsInTheWay(input, untouched);
+  baseline.reachable_share = ReachableShare(input, before);
   return baseline;
 }
 
@@ -267,7 +269,12 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   }
   start.baseline = MakeBaseline(input, layout, problem, before, start.touched);
   ASSIGN_OR_RETURN(start.lost_carriers, LostCarriers(input, layout));
-  ASSIGN_OR_RETURN(WarmResult found, Search(input, start));
+  // The search also keeps at their walls what stands there without a call, and the ways.
+  v1::LayoutGraph with_walls = problem.graph;
+  HoldWalls(input, before, start.touched, with_walls);
+  start.baseline.held.resize(with_walls.edges_size(), 1);
+  ASSIGN_OR_RETURN(const SolveInput search_input, MakeSolveInput(with_walls, one, solver, cancelled));
+  ASSIGN_OR_RETURN(WarmResult found, Search(search_input, start));
 
   ResolveResult result;
   result.moved_ids = MovedIds(input, before, found.state);
@@ -278,6 +285,9 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   result.layout = MakeSolvedLayout(input, {branch});
   DropWhatIsSpare(result.layout);
   for (const v1::Diagnostic& diagnostic : problem.diagnostics) *result.layout.add_diagnostics() = diagnostic;
+  for (v1::Diagnostic& loss : LossesOf(input, before, branch.state, start.touched)) {
+    *result.layout.add_diagnostics() = std::move(loss);
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -74,6 +75,45 @@ TEST(ResolveLayout, WithoutEditsMovesNothing) {
   EXPECT_TRUE(result.moved_ids.empty());
   EXPECT_EQ(result.layout.total_cost(), Start().total_cost());
   ExpectOthersUntouched(Start(), result);
+}
+
+bool Tells(const ResolveResult& result, const char* code, const char* words) {
+  return std::ranges::any_of(result.layout.diagnostics(), [&](const v1::Diagnostic& diagnostic) {
+    return diagnostic.code() == code && diagnostic.message().find(words) != std::string::npos;
+  });
+}
+
+// The wardrobe and the desk close off the corner that the door leads into.
+TEST(ResolveLayout, AWayThatIsLostIsToldWithWhatIsInIt) {
+  const ResolveResult result =
+      Edit(Start(), {"move wardrobe 0.75 1.55 0", "move desk 1.4 0.6 90", "pin bed", "pin nightstand"});
+  EXPECT_TRUE(Tells(result, "way_blocked", "% of the free floor can be reached from the door"))
+      << result.layout.DebugString();
+  EXPECT_TRUE(Tells(result, "way_blocked", "is in the way"));
+  EXPECT_TRUE(Tells(result, "front_blocked", "nobody gets to the front of the bed any more"));
+}
+
+// Nothing asks for the shelf's place; that it leans on a wall is worth keeping all the same.
+TEST(ResolveLayout, APieceWithoutACallStaysAtItsWall) {
+  const v1::LayoutGraph graph =
+      Parse(RoomText(4.5, 4) + "object_list {" + ObjectText("table", "PRIMARY", "FLOOR", 1.6, 0.9) +
+            ObjectText("shelf", "SECONDARY", "FLOOR", 1.0, 0.3) + "}" +
+            EdgeText("e1", "near", Text("object", "shelf") + Text("target", "table")));
+  v1::SolvedLayout layout = SolveLayout(graph, {}, NloptSolver())->layout;
+  for (v1::Placement& placement : *layout.mutable_placements()) {
+    const bool shelf = placement.object_id() == "shelf";
+    placement.set_x_m(2.2);
+    placement.set_y_m(shelf ? 3.85 : 2);
+    placement.set_theta_rad(shelf ? kPi : 0);
+  }
+  for (const char* move : {"move table 2.2 3.3 0", "move table 2.5 3.15 90", "move table 1.9 3.25 20"}) {
+    const ResolveResult result = Edit(layout, {move});
+    EXPECT_LT(result.layout.metrics().deepest_overlap_m(), 1e-6) << move;
+    const v1::Placement& shelf = PlacementOf(result.layout, "shelf");
+    const double off_m = std::min({4 - shelf.y_m(), shelf.y_m(), shelf.x_m(), 4.5 - shelf.x_m()}) - 0.15;
+    EXPECT_LT(off_m, 0.03) << move;
+    EXPECT_FALSE(Tells(result, "off_wall", "")) << move;
+  }
 }
 
 TEST(ResolveLayout, PinningMovesNothingAndIsRemembered) {

@@ -36,9 +36,9 @@ class WarmSearch {
     Follow(input_, start_.before, start_.touched, result_.state);
     BringAlong();
     PlaceNewcomers();
-    for (absl::Status (WarmSearch::*step)() : {&WarmSearch::SettleFloor, &WarmSearch::SettleTertiaries}) {
-      RETURN_IF_ERROR((this->*step)());
-    }
+    RETURN_IF_ERROR(SettleFloor());
+    PutBack();
+    RETURN_IF_ERROR(SettleTertiaries());
     return std::move(result_);
   }
 
@@ -122,9 +122,9 @@ class WarmSearch {
     return objects;
   }
 
-  // How bad it is for the floor: depth of collisions, then weight of broken edges.
+  // How bad it is for the floor: depth of collisions, then weight of broken edges and of floor that is cut off.
   std::pair<double, double> Trouble(const Violations& violations) const {
-    double weight = 0;
+    double weight = WalkWeights().unreachable_floor * violations.unreachable_share;
     for (int edge : violations.broken) {
       const std::vector<int> named = ObjectsOfEdge(input_, edge);
       const bool on_floor =
@@ -215,6 +215,24 @@ class WarmSearch {
     if (!any) return;
     const auto now = Trouble(FindViolations(input_, after, start_.baseline));
     if (Trouble(FindViolations(input_, taken_back, start_.baseline)) <= now) after = std::move(taken_back);
+  }
+
+  // Puts pieces that no edit is about back where they stood, one by one, where nothing needed them to move.
+  void PutBack() {
+    auto trouble = Trouble(FindViolations(input_, result_.state, start_.baseline));
+    for (int object = 0; object < static_cast<int>(floor_.size()); ++object) {
+      const Pose<double>& from = start_.before.layout[object];
+      const bool moved = floor_[object] && !IsTouched(object) && start_.before.placed[object] &&
+                         !(result_.state.layout[object] == from);
+      if (!moved) continue;
+      PartialLayout back = result_.state;
+      back.layout[object] = from;
+      Follow(input_, result_.state, std::span(&object, 1), back);
+      const auto then = Trouble(FindViolations(input_, back, start_.baseline));
+      if (then > trouble) continue;
+      result_.state = std::move(back);
+      trouble = then;
+    }
   }
 
   // Tertiaries that have no place, lie in the way, or whose edges are broken.

@@ -25,6 +25,8 @@ struct Baseline {
   std::vector<char> held;
   // Pairs (object, other or -1) that were in each other's way before.
   std::set<std::pair<int, int>> tolerated;
+  // Of the floor, from the door; 0 when no way through the room counts.
+  double reachable_share = 0;
 };
 
 // What an edit has made worse.
@@ -35,11 +37,16 @@ struct Violations {
   double depth_m = 0;
   // Edges (indices) that held before and do not now.
   std::vector<int> broken;
+  // How much less of the floor can be reached from the door than before, in steps of 0.05.
+  double unreachable_share = 0;
   // Wall, ceiling and surface objects and rugs that are in the way, without pinned ones.
   std::vector<int> astray;
 };
 
 Violations FindViolations(const SolveInput& input, const PartialLayout& state, const Baseline& baseline);
+
+// Share of the free floor that can be reached from the door, [0, 1].
+double ReachableShare(const SolveInput& input, const PartialLayout& state);
 
 // The pairs that are in each other's way in `state`.
 std::set<std::pair<int, int>> PairsInTheWay(const SolveInput& input, const PartialLayout& state);
