@@ -255,6 +255,8 @@ absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::Re
       object.set_category(replace.by().category());
       object.set_description(replace.by().description());
       object.set_round(replace.by().round());
+      object.set_sat_at(replace.by().sat_at());
+      object.set_seat(replace.by().seat());
       object.set_requested(true);
     }
   }

@@ -144,6 +144,8 @@ class NoteMaker {
     std::vector<int> subjects;
     for (const int e : edges) {
       AddOutcome(e, demand);
+      const std::string meant = calls_.Clarified(layout_.graph().edges(e));
+      if (!meant.empty()) demand["about_it"] = fmt::format("{} ({})", std::string(demand["about_it"]), meant);
       Append(calls_.Subjects(layout_.graph().edges(e)), subjects);
     }
     // Who the sentence says it is about knows better than a call that may be written either way round.

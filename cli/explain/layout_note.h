@@ -61,6 +61,9 @@ class CallWords {
   // What a call asks of its subject: "has its back flush on a wall". Begins with the verb, no full stop; "meets TYPE"
   // of a call that cannot be read.
   std::string Asked(const v1::ConstraintEdge& edge) const;
+  // What is meant by a sentence of it that can be taken otherwise: "it lets whoever uses it look at a window"; else
+  // empty.
+  std::string Clarified(const v1::ConstraintEdge& edge) const;
   // By how much it is missed: "the desk is 0.42 m too far from the bed". Empty when there are no words or no measure.
   std::string Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const;
 

@@ -273,6 +273,11 @@ std::string CallWords::Asked(const v1::ConstraintEdge& edge) const {
   return "is so that " + words;
 }
 
+std::string CallWords::Clarified(const v1::ConstraintEdge& edge) const {
+  const Call call = Read(edge);
+  return call.type == nullptr || !call.type->show_phrase() ? "" : "it " + Filled(call.type->phrase(), call, "");
+}
+
 std::string CallWords::Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const {
   const Call call = Read(edge);
   if (call.type == nullptr || call.type->shortfall().empty() || !outcome.has_missed_by()) return "";

@@ -57,6 +57,8 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> OfHandbook(const std::vector<std
     object.set_elevation_m(furniture.elevation_m());
     object.set_walk_over(furniture.walk_over());
     object.set_round(furniture.round());
+    object.set_sat_at(furniture.sat_at());
+    object.set_seat(furniture.has_seat_height_m());
   }
   // What most kinds of rooms have is what people look for first, and what stands on the floor before the rest.
   std::map<std::string, int> rooms;

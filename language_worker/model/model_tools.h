@@ -62,6 +62,8 @@ v1::Object DescribedObject(const Answer& answer, const std::string& id, const v1
     object.set_category(furniture->category());
     object.set_rim_sides_m(furniture->rim_sides_m());
     object.set_rim_ends_m(furniture->rim_ends_m());
+    object.set_sat_at(furniture->sat_at());
+    object.set_seat(furniture->has_seat_height_m());
   }
   return object;
 }

@@ -80,6 +80,10 @@ std::string SideOf(const std::string& object, Side side) {
   return fmt::format("the {} of {}", std::string(SideName(side)), object);
 }
 
+std::string WhoLooks(const PlacedCall& call, int object, Look look) {
+  return look == Look::kOwn ? SideOf(call.Name(object), Side::kFront) : "whoever uses " + call.Name(object);
+}
+
 Shortfall TooFar(const std::string& what, const std::string& from, double distance_m, double most_m) {
   return {fmt::format("{} is {:.2f} m from {}, at most {:.2f} m", what, distance_m, from, most_m), distance_m - most_m,
           "m"};

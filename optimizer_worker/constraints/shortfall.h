@@ -87,6 +87,8 @@ class PlacedCall {
 
 // "the front of the desk".
 std::string SideOf(const std::string& object, Side side);
+// "the front of the armchair", "whoever uses the desk".
+std::string WhoLooks(const PlacedCall& call, int object, Look look);
 
 // All may be negative or 0: then nothing is missed.
 Shortfall TooFar(const std::string& what, const std::string& from, double distance_m, double most_m);

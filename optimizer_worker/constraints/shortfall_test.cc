@@ -63,8 +63,8 @@ TEST(Explain, NamesWhatStandsInTheWay) {
   EXPECT_THAT(SentenceOf("6x4 room; wardrobe 1x0.6 at 1,3.5,0", "accessible", "object=wardrobe"),
               HasSubstr("cut off by the north wall by 0.40 m"));
   // In an L the line of a wall goes on where the wall does not.
-  EXPECT_EQ(SentenceOf("room 0,0 3,0 3,1.5 5,1.5 5,4 0,4; wardrobe 1x0.6 at 4,1.8,0; desk 1x0.6 at 4,2.6,180", "accessible",
-                       "object=wardrobe"),
+  EXPECT_EQ(SentenceOf("room 0,0 3,0 3,1.5 5,1.5 5,4 0,4; wardrobe 1x0.6 at 4,1.8,0; desk 1x0.6 at 4,2.6,180",
+                       "accessible", "object=wardrobe"),
             "the desk reaches 0.40 m into the 0.60 m before the front of the wardrobe");
 }
 

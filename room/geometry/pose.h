@@ -124,6 +124,16 @@ Frame<T> FrameOf(const Pose<T>& pose) {
   return {{pose.x_m, pose.y_m}, {c, s}, {-s, c}};
 }
 
+// Whose look it is where an object faces something: its own, out of its front, or that of whoever uses it from its
+// front and looks over it, as at a desk.
+enum class Look { kOwn, kOfUser };
+
+// With the look ahead.
+template <typename T>
+Frame<T> LookOf(const Frame<T>& frame, Look look) {
+  return look == Look::kOwn ? frame : Frame<T>{frame.center, -frame.right, -frame.front};
+}
+
 template <typename T>
 Vec2<T> Center(const Pose<T>& pose) {
   return {pose.x_m, pose.y_m};

@@ -55,6 +55,7 @@ bool Composer::PlacedIs(std::string_view kind, const Placed& placed) const {
   if (kind == "primary") return it.role() == v1::OBJECT_ROLE_PRIMARY;
   if (kind == "tertiary") return it.role() == v1::OBJECT_ROLE_TERTIARY;
   if (kind == "rug") return it.walk_over();
+  if (kind == "sat-at") return it.sat_at();
   if (kind == "small-rug") return it.walk_over() && it.role() == v1::OBJECT_ROLE_TERTIARY;
   const auto is_placed = [&](const Call& call) {
     const bool so = kind == "on-top" ? call.arguments.size() > 1 && call.arguments[1].name() == "host"

@@ -329,6 +329,34 @@ TEST(Translate, SaysWhichPartOfASentenceWasLost) {
   EXPECT_EQ(graph.diagnostics(0).code(), "partial");
 }
 
+// Who sits at a desk looks over it, away from its front.
+TEST(Translate, WhatADeskFacesIsWhatItsUserLooksAt) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"The desk should face the window.", "user_faces_feature(object=desk, feature=window)"},
+      {"The desk is turned towards the door.", "user_faces_feature(object=desk, feature=door)"},
+      {"The desk faces into the room.", "user_faces_room(object=desk)"},
+      {"The desk faces the sofa.", "user_faces(object=desk, target=sofa)"},
+      {"The desk does not face the bed.", "user_not_facing(object=desk, target=bed)"},
+      {"The desk and the sofa face each other.",
+       "user_faces(object=desk, target=sofa)\nfacing(object=sofa, target=desk)"},
+      {"The front of the desk faces the sofa.", "facing(object=desk, target=sofa)"},
+      {"The desk is opposite the bed.", "facing(object=desk, target=bed)"},
+      {"The sofa faces the desk.", "facing(object=sofa, target=desk)"}};
+  for (const auto& [text, calls] : cases) {
+    v1::TranslateRequest request = MakeRequest();
+    for (v1::Object& object : *request.mutable_object_list()->mutable_objects())
+      object.set_sat_at(object.id() == "desk");
+    v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
+    sentence.set_id("s1");
+    sentence.set_text(text);
+    sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
+    std::vector<std::string> lines;
+    const v1::LayoutGraph graph = Translate(request);
+    for (const v1::ConstraintEdge& edge : graph.edges()) lines.push_back(ToText(edge));
+    EXPECT_EQ(absl::StrJoin(lines, "\n"), calls) << text;
+  }
+}
+
 TEST(Translate, CallsOnlyWhatTheCatalogueHas) {
   v1::TranslateRequest request = MakeRequest();
   request.mutable_catalog()->clear_types();

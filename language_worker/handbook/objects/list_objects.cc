@@ -186,6 +186,8 @@ class ObjectLister {
                                                                        : static_cast<v1::ObjectKind>(furniture.kind()));
     object.set_walk_over(furniture.walk_over());
     object.set_round(furniture.round());
+    object.set_sat_at(furniture.sat_at());
+    object.set_seat(furniture.has_seat_height_m());
     object.set_category(furniture.category());
     object.set_rim_sides_m(furniture.rim_sides_m());
     object.set_rim_ends_m(furniture.rim_ends_m());

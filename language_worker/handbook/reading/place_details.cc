@@ -191,13 +191,14 @@ void TakeWallAcross(const PlacePatterns& patterns, Landmark::Kind kind, bool loo
     const bool window = std::ranges::any_of(
         openings.wishes, [&](const OpeningWish& one) { return !one.door && one.side == place.side; });
     const hb::AskedPlace* at_it = patterns.Find("facing", "window", hb::FURNITURE_KIND_FLOOR);
-    if (!window) place.side = "across " + place.side;
+    // Who sits at a desk that "faces the north wall" has that wall ahead.
+    if (!window && !place.furniture->sat_at()) place.side = "across " + place.side;
     if (window && at_it != nullptr) place.asked = at_it;
     return;
   }
   const bool door = kind == Landmark::Kind::kDoor;
   if (!(door || kind == Landmark::Kind::kWindow) || place.furniture->back() != hb::BACK_RULE_WALL ||
-      !AskedNames(*place.asked, "faces the")) {
+      place.furniture->sat_at() || !AskedNames(*place.asked, "faces the")) {
     return;
   }
   const hb::AskedPlace* wall = patterns.Find("against", "wall", hb::FURNITURE_KIND_FLOOR);

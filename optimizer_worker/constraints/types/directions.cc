@@ -34,16 +34,16 @@ T Faces(const Footprint& footprint, const Frame<T>& frame, const Vec2<T>& point)
   return sum + SquaredHinge(2.0 * Magnitude(p.x) - footprint.width_m);
 }
 
-// How an object misses looking at another: out of its strip, or behind.
-Shortfall NotFaced(const PlacedCall& call, int object, int target) {
-  const Frame<double> frame = call.FrameOf(object);
+// How an object, or its user, misses looking at another: out of its strip, or behind.
+Shortfall NotFaced(const PlacedCall& call, int object, int target, Look look = Look::kOwn) {
+  const Frame<double> frame = LookOf(call.FrameOf(object), look);
   const Vec2<double> p = frame.ToObject(call.FrameOf(target).center);
   const double aside = std::abs(p.x) - call.FootprintOf(object).width_m / 2;
   if (p.y >= 0 && aside > 0) {
-    return {fmt::format("{} is {:.2f} m to the side of where {} looks", call.Name(target), aside, call.Name(object)),
-            aside, "m"};
+    const std::string who = look == Look::kOwn ? call.Name(object) : WhoLooks(call, object, look);
+    return {fmt::format("{} is {:.2f} m to the side of where {} looks", call.Name(target), aside, who), aside, "m"};
   }
-  return Turned(SideOf(call.Name(object), Side::kFront), call.Name(target),
+  return Turned(WhoLooks(call, object, look), call.Name(target),
                 p.y >= 0 ? 0 : AngleOf(frame.front, call.FrameOf(target).center - frame.center));
 }
 
@@ -69,25 +69,41 @@ BoundCost BindFacing(const Arguments& a, const BindContext& context) {
   return MakeCost<kOnlyRelative>({object, target}, formula);
 }
 
+// The same of its user, and of no other.
+std::optional<Shortfall> UserFacesShortfall(const PlacedCall& call) {
+  return Worst({NotFaced(call, call.object(), call.target(), Look::kOfUser)});
+}
+
+BoundCost BindUserFaces(const Arguments& a, const BindContext& context) {
+  const int object = a.Object("object"), target = a.Object("target");
+  const auto formula = [own = FootprintOf(context, object)]<typename T>(const Frames<T, 2>& frames) {
+    return Faces(own, LookOf(frames[0], Look::kOfUser), frames[1].center);
+  };
+  return MakeCost<kOnlyRelative>({object, target}, formula);
+}
+
 // Turns an object away from another: cost = max(cos a - cos 45, 0)^2, a the angle between its front and the direction
 // from its centre to the target's. Zero exactly when the target is at least 45 degrees off its look. The released
 // io_not_facing is identically zero (SEMANTICS.md section 4).
+template <Look kLook>
 std::optional<Shortfall> NotFacingShortfall(const PlacedCall& call) {
-  const Frame<double> frame = call.FrameOf(call.object());
+  const Frame<double> frame = LookOf(call.FrameOf(call.object()), kLook);
   const double angle = AngleOf(frame.front, call.FrameOf(call.target()).center - frame.center);
   const double missed_deg = 45 - angle * 180 / kPi;
-  return Worst({{fmt::format("{} looks within {:.0f} degrees of {}, at least 45", call.NameOf("object"),
-                             angle * 180 / kPi, call.NameOf("target")),
-                 missed_deg, "deg"}});
+  const std::string who = kLook == Look::kOwn ? call.NameOf("object") : WhoLooks(call, call.object(), kLook);
+  return Worst(
+      {{fmt::format("{} looks within {:.0f} degrees of {}, at least 45", who, angle * 180 / kPi, call.NameOf("target")),
+        missed_deg, "deg"}});
 }
 
+template <Look kLook>
 BoundCost BindNotFacing(const Arguments& a, const BindContext&) {
   const auto formula = []<typename T>(const Frames<T, 2>& frames) {
     constexpr double kCos45 = 0.70710678118654757;
     const Vec2<T> to_target = frames[1].center - frames[0].center;
     constexpr double kNoDirection_m2 = 1e-8;
     if (ValueOf(SquaredNorm(to_target)) < kNoDirection_m2) return T(0.0);
-    return SquaredHinge(Dot(frames[0].front, to_target) / Length(to_target) - kCos45);
+    return SquaredHinge(Dot(LookOf(frames[0], kLook).front, to_target) / Length(to_target) - kCos45);
   };
   return MakeCost<kOnlyRelative>({a.Object("object"), a.Object("target")}, formula);
 }
@@ -147,9 +163,11 @@ BoundCost BindPerpendicular(const Arguments& a, const BindContext& context) {
 
 constexpr ConstraintCode kDirectionsCode[] = {
     {"facing", BindFacing, FacingShortfall},
-    {"not_facing", BindNotFacing, NotFacingShortfall},
+    {"not_facing", BindNotFacing<Look::kOwn>, NotFacingShortfall<Look::kOwn>},
     {"parallel", BindParallel, ParallelShortfall},
     {"perpendicular", BindPerpendicular, PerpendicularShortfall},
+    {"user_faces", BindUserFaces, UserFacesShortfall},
+    {"user_not_facing", BindNotFacing<Look::kOfUser>, NotFacingShortfall<Look::kOfUser>},
 };
 
 }  // namespace

@@ -157,24 +157,27 @@ std::vector<Segment> Targets(const Room& room, const RoomFeature& feature) {
   return targets;
 }
 
+template <Look kLook>
 std::optional<Shortfall> FacesFeatureShortfall(const PlacedCall& call) {
-  const Frame<double> frame = call.FrameOf(call.object());
+  const Frame<double> frame = LookOf(call.FrameOf(call.object()), kLook);
   double least = kPi;
   for (const Segment& s : FeatureSegments(call.scene().room, call.arguments().Feature("feature"))) {
     const Vec2<double> start = frame.ToObject(s.start), end = frame.ToObject(s.end);
     if (end.x <= 0 && start.x >= 0 && start.y + end.y >= 0) return std::nullopt;
     least = std::min({least, AngleOf(frame.front, s.start - frame.center), AngleOf(frame.front, s.end - frame.center)});
   }
-  return Worst({Turned(SideOf(call.NameOf("object"), Side::kFront), call.FeatureName(), least)});
+  return Worst({Turned(WhoLooks(call, call.object(), kLook), call.FeatureName(), least)});
 }
 
+template <Look kLook>
 BoundCost BindFacesFeature(const Arguments& a, const BindContext& context) {
   const auto formula = [features =
                             Targets(context.scene.room, a.Feature("feature"))]<typename T>(const Frames<T, 1>& frames) {
     return LeastOf<T>(features, frames, [](const Segment& feature, const auto& f) {
       using S = std::decay_t<decltype(f[0].center.x)>;
-      const Vec2<S> start = f[0].ToObject(Cast<S>(feature.start));
-      const Vec2<S> end = f[0].ToObject(Cast<S>(feature.end));
+      const Frame<S> look = LookOf(f[0], kLook);
+      const Vec2<S> start = look.ToObject(Cast<S>(feature.start));
+      const Vec2<S> end = look.ToObject(Cast<S>(feature.end));
       return SquaredHinge(end.x) + SquaredHinge(-start.x) + SquaredHinge(S(-0.5) * (start.y + end.y));
     });
   };
@@ -224,8 +227,9 @@ constexpr ConstraintCode kFeatureCode[] = {
     {"away_from_feature", BindAwayFromFeature, AwayFromFeatureShortfall},
     {"clear_of_feature", BindClearOfFeature, ClearOfFeatureShortfall},
     {"close_to_feature", BindCloseToFeature, CloseToFeatureShortfall},
-    {"faces_feature", BindFacesFeature, FacesFeatureShortfall},
+    {"faces_feature", BindFacesFeature<Look::kOwn>, FacesFeatureShortfall<Look::kOwn>},
     {"under_window", BindUnderWindow, nullptr, "its place under the nearest window"},
+    {"user_faces_feature", BindFacesFeature<Look::kOfUser>, FacesFeatureShortfall<Look::kOfUser>},
 };
 
 }  // namespace

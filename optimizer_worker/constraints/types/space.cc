@@ -250,20 +250,22 @@ BoundCost BindCentral(const Arguments& a, const BindContext& context) {
 // Zero exactly when it faces the middle of the room within 45 degrees; any heading will do in the very middle. The
 // released ind_facing_into_room is this with arccos without clipping, which scores 0 for many objects that are turned
 // exactly away.
+template <Look kLook>
 std::optional<Shortfall> FacingIntoRoomShortfall(const PlacedCall& call) {
-  const Frame<double> frame = call.FrameOf(call.object());
+  const Frame<double> frame = LookOf(call.FrameOf(call.object()), kLook);
   const Vec2<double> center = BoundsOf(call.scene().room.floor).Center();
-  return Worst({Turned(SideOf(call.NameOf("object"), Side::kFront), "the middle of the room",
+  return Worst({Turned(WhoLooks(call, call.object(), kLook), "the middle of the room",
                        AngleOf(frame.front, center - frame.center), kPi / 4)});
 }
 
+template <Look kLook>
 BoundCost BindFacingIntoRoom(const Arguments& a, const BindContext& context) {
   const auto formula = [room_center = Centroid(context.scene.room.floor)]<typename T>(const Frames<T, 1>& frames) {
     using std::atan2;
     const Vec2<T> to_center = Cast<T>(room_center) - frames[0].center;
     constexpr double kNoDirection_m2 = 1e-8;
     if (ValueOf(SquaredNorm(to_center)) < kNoDirection_m2) return T(0.0);
-    const Vec2<T>& front = frames[0].front;
+    const Vec2<T> front = LookOf(frames[0], kLook).front;
     const T angle = atan2(Magnitude(Cross(front, to_center)), Dot(front, to_center));
     return SquaredHinge(angle - kPi / 4);
   };
@@ -295,8 +297,9 @@ BoundCost BindZoneAffinity(const Arguments& a, const BindContext& context) {
 constexpr ConstraintCode kSpaceCode[] = {
     {"accessible", BindAccessible, AccessibleShortfall},
     {"central", BindCentral, nullptr, "the middle of the room"},
-    {"facing_into_room", BindFacingIntoRoom, FacingIntoRoomShortfall},
+    {"facing_into_room", BindFacingIntoRoom<Look::kOwn>, FacingIntoRoomShortfall<Look::kOwn>},
     {"in_zone", BindInZone, OffZone},
+    {"user_faces_room", BindFacingIntoRoom<Look::kOfUser>, FacingIntoRoomShortfall<Look::kOfUser>},
     {"zone", BindZoneAffinity},
 };
 
