@@ -116,7 +116,7 @@ void Seats::CountPeople() {
   for (const auto& [went, came] : program_.substitutes) {
     if (went == name) name = came;
   }
-  if (SeatPeopleAtKin(name)) return;
+  if (SeatPeopleInGroups(name) || SeatPeopleAtKin(name)) return;
   auto item =
       std::ranges::find_if(program_.floor_items, [&](const ProgramItem& one) { return one.furniture->name() == name; });
   const bool counted = std::ranges::any_of(
@@ -129,6 +129,10 @@ void Seats::CountPeople() {
     item = program_.floor_items.end() - 1;
   }
   const int places = std::max(1, PlacesOn(*item->furniture));
+  // A teacher's desk is not instead of theirs.
+  item->requested = item->requested || SeatOf(*item->furniture, handbook_) != nullptr;
+  if (!item->requested || item->in_each == 0)
+    item->in_each = facts_.people_in.each, item->in_rows = facts_.people_in.rows;
   item->count = std::min(kMostOfAKind, (*facts_.people + places - 1) / places);
   const std::string zone = item->zone;
   const hb::Furniture& furniture = *item->furniture;
@@ -157,6 +161,29 @@ bool Seats::SeatPeopleOnBenches() {
   host->count = std::min(kMostOfAKind / 2, (*facts_.people + at_each - 1) / at_each);
   bench->count = 2 * host->count;
   return true;
+}
+
+// Twenty-four pupils in groups of four have six tables for as many, where such stand in for the usual desks.
+bool Seats::SeatPeopleInGroups(const std::string& name) {
+  const int each = facts_.people_in.each;
+  if (each == 0 || facts_.people_in.rows) return false;
+  for (const hb::Noun& noun : handbook_.contents().nouns()) {
+    const auto is_usual = [&](const hb::NounOption& option) { return option.furniture() == name; };
+    if (!noun.one_of() || std::ranges::none_of(noun.options(), is_usual)) continue;
+    for (const hb::NounOption& option : noun.options()) {
+      const hb::Furniture* table = handbook_.FindFurniture(option.furniture());
+      const bool for_some = table != nullptr && table->category().ends_with("table") &&
+                            SeatOf(*table, handbook_) != nullptr && !IsWished(*table);
+      if (!for_some || table->name() == name) continue;
+      EraseUnasked([&](const ProgramItem& item) { return item.furniture->name() == name; });
+      const std::string zone = HomeOf(*table, program_);
+      const int count = std::min(kMostOfAKind, (*facts_.people + each - 1) / each);
+      program_.floor_items.push_back({table, nullptr, count, zone, true, 0, each});
+      SeatAt(*table, count, each, zone);
+      return true;
+    }
+  }
+  return false;
 }
 
 // Twenty-four pupils at "six island benches" sit four at each of those, and not at benches of ours.

@@ -36,6 +36,7 @@ class Seats {
   void SeatAsAsked();
   void CountPeople();
   bool SeatPeopleOnBenches();
+  bool SeatPeopleInGroups(const std::string& name);
   bool SeatPeopleAtKin(const std::string& name);
   void SeatPeopleAnywhere();
 

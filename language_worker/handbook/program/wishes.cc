@@ -20,6 +20,10 @@ class WishMaker {
 
   void Apply() {
     for (auto wish = facts_.wishes.rbegin(); wish != facts_.wishes.rend(); ++wish) Add(*wish);
+    for (const auto& [piece, other] : facts_.also_serves) {
+      seats_.EraseUnasked([&](const ProgramItem& item) { return item.furniture == other; });
+      program_.substitutes.emplace_back(other->name(), piece->name());
+    }
     KeepAskedSeats();
     KeepSeatsSaidWith();
     KeepAudience();

@@ -7,7 +7,6 @@
 #include "english/words.h"
 #include "language_worker/handbook/reading/furniture_reader.h"
 #include "language_worker/handbook/reading/named_sets.h"
-#include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/own_classes.h"
 #include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_words.h"
@@ -44,6 +43,10 @@ class BriefReader : Reading {
     TakeSizes(*this, pieces.mentions, size_words);
     ReadOtherRooms(pieces.mentions);
     ReadOpenings(tokens(), room_words, used, facts.openings);
+    // "Windows to the street" of a house may be in any wall.
+    for (OpeningWish& opening : facts.openings.wishes) {
+      if (opening.side == "street") opening.side = IsIn("rooms_at_the_street", facts.archetype->name()) ? "near" : "";
+    }
     ReadPlaces(*this, pieces.mentions);
     NoteOtherNames(text, pieces.mentions, facts);
     ReadThemesAndStyles();
@@ -193,10 +196,7 @@ class BriefReader : Reading {
     for (std::size_t i = 0; i < tokens().size(); ++i) {
       const auto [colour, length] = LongestAt(colours, tokens(), i, /*plural=*/false);
       if (length == 0 || used[i] || IsOfAThing(i + length)) continue;
-      // "No pink", "not hospital white".
-      const bool refused =
-          text.Is(i - std::min<std::size_t>(i, 1), "refusing") || text.Is(i - std::min<std::size_t>(i, 2), "refusing");
-      AddOnce(refused ? facts.refused_colours : facts.colours, colour);
+      AddOnce(IsRefusedLook(i) ? facts.refused_colours : facts.colours, colour);
       Use(i, i + length);
       i += length - 1;
     }
@@ -204,6 +204,15 @@ class BriefReader : Reading {
       for (const std::string& keyword : theme->keywords()) UseAll(keyword);
     }
     for (const hb::Style* style : facts.styles) UseAll(style->name());
+  }
+
+  // "No pink", "nothing rustic", "not hospital white".
+  bool IsRefusedLook(std::size_t i) const {
+    constexpr std::size_t kMostBack = 3;
+    for (std::size_t back = 1; back <= std::min(i, kMostBack) && !text.IsSign(i - back); ++back) {
+      if (text.Is(i - back, "refusing_looks")) return true;
+    }
+    return IsRefused(text, i);
   }
 
   // "Black taps": the colour of something small that is not drawn, not the room's.
@@ -230,6 +239,7 @@ class BriefReader : Reading {
       if (peoples_words[i] && !before[i])
         facts.people_said += (facts.people_said.empty() ? "" : " ") + tokens()[i].text;
     }
+    if (facts.people) facts.people_in = ReadPeopleInGroups(tokens(), peoples_words);
     std::vector<const hb::Need*> found;
     for (const hb::Need& need : handbook.contents().needs()) {
       int people = 0;
@@ -313,7 +323,7 @@ class BriefReader : Reading {
     const Phrase phrase(words);
     for (std::size_t i = 0; i < tokens().size(); ++i) {
       const std::size_t length = phrase.MatchAt(tokens(), i);
-      if (length > 0 && IsRefused(text, i)) continue;
+      if (length > 0 && IsRefusedLook(i)) continue;
       for (std::size_t k = i; k < i + length; ++k) {
         if (!used[k] && !(of_the_room && IsOfTheHouse(i, length))) return true;
       }
@@ -340,6 +350,12 @@ class BriefReader : Reading {
 };
 
 }  // namespace
+
+double AreaOf(const BriefFacts& facts) {
+  if (facts.size.area_m2) return *facts.size.area_m2;
+  const hb::Archetype& room = *facts.archetype;
+  return facts.size.width_m.value_or(room.width_m().typical()) * facts.size.depth_m.value_or(room.depth_m().typical());
+}
 
 absl::StatusOr<BriefFacts> ReadBrief(const v1::Brief& brief, const Handbook& handbook) {
   std::vector<Token> tokens = TokensOf(brief.text());

@@ -13,6 +13,7 @@
 #include "language_worker/handbook/handbook.h"
 #include "language_worker/handbook/reading/finishes.h"
 #include "language_worker/handbook/reading/opening_reader.h"
+#include "language_worker/handbook/reading/other_words.h"
 #include "language_worker/handbook/reading/shape_phrase.h"
 #include "language_worker/handbook/reading/size_phrase.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -83,6 +84,7 @@ struct BriefFacts {
   std::vector<Wish> wishes;                    // in the order of the text, one per class
   std::vector<const hb::Furniture*> too_many;  // of which more than kMostOfAKind are asked for
   std::vector<const hb::Furniture*> refusals;
+  std::vector<std::pair<const hb::Furniture*, const hb::Furniture*>> also_serves;  // the first as the second, too
   std::vector<std::string> sizes_not_had;  // "9 m desk": sizes of pieces that none of their class has
   std::vector<NamedSet> sets;
   std::vector<Place> places;
@@ -99,7 +101,8 @@ struct BriefFacts {
   std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours;  // "a green armchair"
   std::vector<std::pair<const hb::Furniture*, std::string>> object_materials;           // "a glass table", "dark oak"
   std::optional<int> people;
-  std::string people_said;               // its words for them
+  std::string people_said;  // its words for them
+  PeopleInGroups people_in;
   std::optional<int> year;               // of its time: "around 1750"
   std::string room_words;                // what it calls the room; where no kind is named, its first words
   std::vector<std::string> unheard;      // other words of which nothing was made: "of solid oak"
@@ -116,6 +119,9 @@ struct BriefFacts {
 
   const Handbook& HandbookOr(const Handbook& other) const { return own_handbook ? *own_handbook : other; }
 };
+
+// Floor area of the room, as far as the brief says it, square metres; else what is usual.
+double AreaOf(const BriefFacts& facts);
 
 // A brief while it is read.
 struct Reading {

@@ -11,6 +11,7 @@
 #include "language_worker/handbook/reading/named_sets.h"
 #include "language_worker/handbook/reading/noun_book.h"
 #include "language_worker/handbook/reading/other_words.h"
+#include "language_worker/handbook/reading/piece_choices.h"
 #include "language_worker/handbook/reading/piece_looks.h"
 #include "language_worker/handbook/reading/piece_mentions.h"
 #include "language_worker/handbook/reading/piece_words.h"
@@ -30,13 +31,14 @@ class FurnitureReader : Reading {
 
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens().size(); ++i) {
-      if (used[i] || IsMeasure(text, i) || IsNoNoun(text, i)) continue;
-      if (AreFronts(*this, i)) continue;
+      if (used[i] || IsMeasure(text, i) || IsNoNoun(text, i) || IsLikened(text, i) || AreFronts(*this, i)) continue;
       const hb::Furniture* partner =
           LongestAt(names_, tokens(), i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
       const bool seats = SeatsFollow(text, i + 1), several = CountsSeveral(text, i);
+      const hb::Furniture* const chairs = nouns_.ChairsBehind(tokens(), i + 1);
       const auto rank = [&](const hb::Furniture& furniture) {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
+        const bool its_seats = chairs != nullptr && SeatOf(furniture, handbook) == chairs;
         // "Sewing machines on tables".
         const bool host = partner != nullptr && Includes(partner->hosts(), furniture.name());
         // "Chairs for twelve" are no tables.
@@ -48,12 +50,13 @@ class FurnitureReader : Reading {
         // So many are no armchairs.
         const bool upright = several && IsSeat(furniture);
         return (handbook.IsOwn(furniture) ? 4096 : 0) + 2 * nouns_.RankAt(tokens(), i, furniture) + (beside ? 64 : 0) +
-               (small ? 32 : 0) + (table ? 128 : 0) + (host ? 7 : 0) + (upright ? 9 : 0);
+               (small ? 32 : 0) + (table ? 128 : 0) + (host ? 7 : 0) + (upright ? 9 : 0) + (its_seats ? 256 : 0);
       };
       auto [named, name_length] = BestAt(names_, tokens(), i, /*plural=*/true, rank);
       TakeOverlapping(i, named, name_length);
       if (named == nullptr && (named = SeatsAt(i)) != nullptr) name_length = 1;
-      if (named != nullptr && IsOnlyTold(text, *named, i, name_length)) {
+      if (named != nullptr && (IsInAnotherRoom(*this, i + name_length) || IsOnlyTold(text, *named, i, name_length) ||
+                               IsTheLastAsWell(*this, mentions_, *named, i))) {
         Use(i, i + name_length);
         continue;
       }
@@ -64,7 +67,8 @@ class FurnitureReader : Reading {
         i += other - 1;
         continue;
       }
-      if (named != nullptr && !own && (MakesACompound(text, i, i + name_length) || IsBehindItsDoor(i, i + name_length)))
+      if (named != nullptr && !own &&
+          (MakesACompound(text, i, i + name_length) || IsBehindItsDoor(*this, i, i + name_length)))
         continue;
       if (named != nullptr && named->named_as_said() && !own &&
           (IsOfAPurpose(text, i) || AnyAt(i + name_length) != nullptr)) {
@@ -80,7 +84,7 @@ class FurnitureReader : Reading {
       if (furniture != nullptr) furniture = handbook.FindFurniture(furniture->name());
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens(), i, name_length, *furniture);
       if (length == 0) {
-        if (text.IsWord(i) && refused) used[i] = RefuseKind(handbook, text, i, facts);
+        if (text.IsWord(i) && refused) used[i] = RefuseKind(handbook, text, i, 1, facts);
         // The drawers of "parts cabinets with many small drawers", which nobody knows.
         const std::size_t behind = i + name_length, parts = BehindParts(text, behind);
         if (named != nullptr && parts > behind) i = parts - 1;
@@ -88,11 +92,14 @@ class FurnitureReader : Reading {
       }
       if (refused) {
         AddOnce(facts.refusals, furniture);
-        if (length == 1) RefuseKind(handbook, text, i, facts);
+        RefuseKind(handbook, text, i, length, facts);
         last_.reset();
       } else if (const std::optional<Mention> meant = MeantBefore(text, i, length, nouns_, facts, handbook)) {
         mentions_.push_back(*meant);
         TakeSeatsOfEach(*meant, i, length);
+      } else if (const auto again = NamedAgainByItsLook(*this, *furniture, i, length)) {
+        mentions_.push_back(*again);
+        TakeLooksBefore(*this, *again->furniture, i);
       } else if (!IsSaidTwice(*furniture, i, length)) {
         Wishing(*furniture, i, length);
       }
@@ -102,6 +109,7 @@ class FurnitureReader : Reading {
       mentions_.back().end = BehindParts(text, i + 1);
       // The drawers of a desk are no chest; the cushions of a sofa lie on it.
       const std::size_t behind = mentions_.back().end, noun = i;
+      if (text.BehindPhrase(i + 2, "parts_in_two_words") == behind) Use(i + 1, behind);
       const hb::Furniture* part = behind > i + 1 ? AnyAt(behind - 1) : nullptr;
       if (part != nullptr && IsFloorPiece(*part) && part->category() != "mat") {
         Use(i + 1, behind);
@@ -115,6 +123,7 @@ class FurnitureReader : Reading {
       if (wish.count < 3 && text.At(noun).ends_with('s'))
         wish.count = std::max(wish.count, CountAlongWalls(text, *furniture, purpose.end, facts));
     }
+    ChooseOne(*this, mentions_);
     MeetLater(text, facts, mentions_);
     // What is asked for by its own name is not refused by a word for all of its kind: "no chairs but two armchairs".
     std::erase_if(facts.refusals, [this](const hb::Furniture* refusal) {
@@ -130,13 +139,6 @@ class FurnitureReader : Reading {
   bool TakesTurns(std::size_t i) const {
     return i > 1 && text.At(i - 2) == "instead" && text.At(i - 1) == "of" && text.Is(i + 1, "place_prepositions") &&
            !facts.wishes.empty();
-  }
-
-  // "The furnace room door", "a bar door"; the door of a cupboard is the cupboard's.
-  bool IsBehindItsDoor(std::size_t begin, std::size_t end) const {
-    const bool room =
-        text.At(end) == "room" || LongestAt(handbook.vocabulary().rooms, tokens(), begin, false).second > 0;
-    return room && IsBeforeADoor(text, end);
   }
 
   // A wish that what follows may belong to: its table, or the chairs that a table follows.
@@ -249,6 +251,7 @@ class FurnitureReader : Reading {
 
   void Wishing(const hb::Furniture& furniture, std::size_t i, std::size_t length) {
     PieceCount count = CountOf(handbook, text, furniture, i, length);
+    if (SaysMany(text, i)) count = {std::min(count.number, SensibleNumber(furniture, AreaOf(facts))), false};
     for (std::size_t k = text.PhraseBegin(i); k < i; ++k) {
       const std::optional<english::Measure> measure = english::MeasureAt(tokens(), k);
       if ((text.IsNumber(k) || NumberWord(text.At(k))) && measure && measure->unit == 0) counts_.push_back(k);

@@ -13,12 +13,6 @@ namespace {
 
 enum Rank { kOfOtherRooms = -1, kNotOfTheRoom, kOfAZone, kListed, kOfTheRoom, kOnePerPerson };
 
-double AreaOf(const BriefFacts& facts) {
-  if (facts.size.area_m2) return *facts.size.area_m2;
-  const hb::Archetype& room = *facts.archetype;
-  return facts.size.width_m.value_or(room.width_m().typical()) * facts.size.depth_m.value_or(room.depth_m().typical());
-}
-
 // Whether what stands before a noun leaves open which one it is.
 bool SaysLooks(const Token& token) {
   const bool sign = token.kind == Token::Kind::kSign && token.text != "-" && token.text != "'";
@@ -136,6 +130,19 @@ NounBook::Purpose NounBook::PurposeOf(const std::vector<Token>& tokens, std::siz
   for (std::size_t i = begin; i < end; ++i) name.push_back(tokens[i]);
   const auto [furniture, length] = LongestAt(names_, name, 0, /*plural=*/true);
   return length == name.size() ? Purpose{furniture, at + 1} : Purpose();
+}
+
+const hb::Furniture* NounBook::ChairsBehind(const std::vector<Token>& tokens, std::size_t end) const {
+  constexpr std::size_t kMostWords = 6;
+  const BriefText text(tokens);
+  for (std::size_t k = end + 1; text.At(end) == "with" && k < end + kMostWords; ++k) {
+    if (text.IsSign(k) && !text.IsHyphen(k)) break;
+    const auto [named, length] = LongestAt(names_, tokens, k, /*plural=*/true);
+    if (named == nullptr || !(named->category() == "chair" || named->category() == "armchair")) continue;
+    const hb::Furniture* meant = Modified(tokens, k, length, named);
+    return meant == named ? nullptr : meant;
+  }
+  return nullptr;
 }
 
 bool NounBook::IsOfTheRoom(const hb::Noun& noun, const hb::Furniture& furniture) const {

@@ -27,8 +27,8 @@ class NounBook {
   // How much a class belongs to the room; 0 when not at all. Of two that a word may mean the higher is meant.
   int RankOf(const hb::Furniture& furniture) const;
 
-  // The same for a class that is named at a token, by a noun that may mean another one in this kind of room; below 0 for
-  // what it means in other rooms alone.
+  // The same for a class that is named at a token, by a noun that may mean another one in this kind of room; below 0
+  // for what it means in other rooms alone.
   int RankAt(const std::vector<Token>& tokens, std::size_t i, const hb::Furniture& furniture) const;
 
   // The class that the words before a noun make of it: of "a comfy leather chair" an armchair, of "a two-seat sofa" a
@@ -44,6 +44,10 @@ class NounBook {
     std::size_t end = 0;
   };
   Purpose PurposeOf(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) const;
+
+  // "... with four child-size chairs", behind a table: not the usual ones. Null where none are named, or no more than
+  // that.
+  const hb::Furniture* ChairsBehind(const std::vector<Token>& tokens, std::size_t end) const;
 
   // The noun for several classes that these tokens are; null for others.
   const hb::Noun* NounAt(const std::vector<Token>& tokens, std::size_t i, std::size_t length) const;

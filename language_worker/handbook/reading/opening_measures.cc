@@ -95,7 +95,13 @@ bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
   for (int over = 0; over < 6 && words.Is(at, "before_opening_sizes"); ++over)
     sill = words.At(at++).starts_with("sill") || sill;
   std::size_t end = 0;
-  const std::optional<double> first = words.LengthAt(at, end);
+  std::optional<double> first = words.LengthAt(at, end);
+  // "80 x 60 cm": only the last has a unit.
+  if (!first && words.IsNumber(at) && words.Says(at + 1, {"x", "by"}) && words.NumberAt(at + 2) > 0) {
+    first = words.LengthAt(at + 2, end);
+    if (first) *first *= words.NumberAt(at) / words.NumberAt(at + 2);
+    end = at + 1;
+  }
   const std::optional<std::size_t> above = words.BehindPhrase(end, "above_the_floor");
   if (!first || *first <= 0 || (words.Is(end, "after_distances") && !above)) return false;
   // "..., 4 m x 3 m" is the room.
@@ -115,6 +121,17 @@ bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
     at = words.Is(end, "heights") ? end + 1 : end;
   }
   i = bracket && words.At(at) == ")" ? at + 1 : at;
+  return true;
+}
+
+// ", high,".
+bool TakeHeight(const BriefText& words, std::size_t& i, OpeningWish& wish) {
+  constexpr double kHighM = 1.5, kLowM = 0.4;
+  const bool high = words.Is(i + 1, "high_windows");
+  const bool ends = i + 2 >= words.size() || words.IsSign(i + 2);
+  if (wish.door || words.At(i) != "," || !ends || !(high || words.Is(i + 1, "low_windows"))) return false;
+  wish.sill_m = high ? kHighM : kLowM;
+  i += 2;
   return true;
 }
 
@@ -160,7 +177,9 @@ std::size_t ReadMeasures(const BriefText& words, std::size_t i, OpeningNoun& nou
   OpeningWish& wish = noun.wish;
   for (int part = 0; part < kMostParts; ++part) {
     const bool leads = wish.door && (TakeRoomList(words, i, noun) || TakeLeads(words, i, noun));
-    if (!leads && !TakeNumber(words, i, wish) && !TakeLengths(words, i, wish) && !TakeSwing(words, i, wish)) break;
+    if (!leads && !TakeNumber(words, i, wish) && !TakeLengths(words, i, wish) && !TakeHeight(words, i, wish) &&
+        !TakeSwing(words, i, wish))
+      break;
   }
   return i;
 }

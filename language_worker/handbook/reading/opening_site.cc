@@ -132,7 +132,9 @@ class SiteReader {
     const bool hand = IsOneOf(side, {"left", "right"}), told = !site_.sides.empty();
     const bool across = told && AxisOf(side) != '-' && AxisOf(side) != AxisOf(site_.sides.back());
     const bool part = end.end_of_wall || end.corner;
-    const bool by_hand = hand && (part ? form.part && !into : told && !end.wall);
+    // "In the south wall on the right side."
+    const bool its_side = told && IsIn("compass", site_.sides.back()) && words_.At(end.end - 1) == "side";
+    const bool by_hand = hand && (part ? form.part && !into : told && (!end.wall || its_side));
     if (!by_hand && !(toward && told && (hand || across))) return false;
     site_.along = {At::kEnd, side, {}};
     i_ = end.end;

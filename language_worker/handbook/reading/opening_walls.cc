@@ -24,6 +24,9 @@ Sides SeveralWallsAt(const BriefText& words, std::size_t i, std::size_t& end) {
                                                     {"all_walls", {"far", "left", "right", "near"}},
                                                     {"three_walls", {"far", "left", "right"}},
                                                     {"one_end", {"short"}},
+                                                    {"the_street", {"street"}},
+                                                    {"one_long_wall", {"long"}},
+                                                    {"one_short_wall", {"short"}},
                                                     {"facing_walls", {"left", "right"}},
                                                     {"two_walls", {"far", "left"}}};
   for (const auto& [list, sides] : kSeveral) {

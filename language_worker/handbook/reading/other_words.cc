@@ -141,6 +141,22 @@ std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool
   return PeopleReader(tokens, used).Read();
 }
 
+PeopleInGroups ReadPeopleInGroups(const std::vector<Token>& tokens, std::vector<bool>& used) {
+  constexpr int kFewest = 2, kMost = 12;
+  const BriefText text(tokens);
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (used[i] || used[i + 1] || !text.Says(i, {"in", "at", "into"})) continue;
+    const std::size_t at = i + 3;
+    const bool pairs = text.At(i + 1) == "pairs", of = text.At(i + 2) == "of";
+    const bool group = IsFormIn("groups_of_pieces", text.At(i + 1)) || text.At(i + 1) == "tables";
+    const int number = text.IsNumber(at) ? static_cast<int>(text.NumberAt(at)) : NumberWord(text.At(at)).value_or(0);
+    if (!pairs && !(group && of && number >= kFewest && number <= kMost)) continue;
+    Mark(i, pairs ? i + 2 : at + 1, used);
+    return {pairs ? 2 : number, pairs || IsFormIn("rows_of_pieces", text.At(i + 1))};
+  }
+  return {};
+}
+
 std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>& used) {
   constexpr double kLeast = 1000, kToday = 1990, kMostCentury = 19;
   const BriefText text(tokens);

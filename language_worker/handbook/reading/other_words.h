@@ -16,6 +16,13 @@ namespace flair::language {
 // not say.
 std::optional<int> ReadPeople(const std::vector<Token>& tokens, std::vector<bool>& used);
 
+// People who sit together, in what no piece is said of: "in groups of four", "at tables of six", "in pairs".
+struct PeopleInGroups {
+  int each = 0;  // 0 when it is not said
+  bool rows = false;
+};
+PeopleInGroups ReadPeopleInGroups(const std::vector<Token>& tokens, std::vector<bool>& used);
+
 // The time that a brief sets the room in: "around 1750", "the 1920s", "an 18th-century study"; none for today.
 std::optional<int> ReadYear(const std::vector<Token>& tokens, std::vector<bool>& used);
 

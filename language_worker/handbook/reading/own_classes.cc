@@ -10,6 +10,7 @@
 #include "english/wordnet.h"
 #include "english/words.h"
 #include "language_worker/handbook/reading/other_words.h"
+#include "language_worker/handbook/reading/piece_mentions.h"
 #include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/place_patterns.h"
 #include "language_worker/handbook/reading/vocabulary.h"
@@ -229,6 +230,8 @@ class OwnFinder {
   void Add(const NounPhrase& phrase) {
     const std::string name = NameOf(phrase);
     if (name.empty() || name.size() > kLongestName || IsRefused(text_, phrase.begin)) return;
+    const bool part = text_.BehindPhrase(phrase.begin, "parts_in_two_words").has_value();
+    if (part || IsBorne(text_, phrase.end - 1, /*small=*/false)) return;
     for (std::size_t i = phrase.begin; i < phrase.end; ++i) {
       const auto [kin, length] = LongestAt(handbook_.vocabulary().names, tokens_, i, /*plural=*/true);
       if (length == 0 || i + length < phrase.end || IsOtherThing(phrase)) continue;

@@ -52,12 +52,6 @@ bool IsNamedByADoor(const BriefText& text, std::size_t i) {
   return text.Is(door, "doors");
 }
 
-// "Waiters with trays".
-bool IsBorne(const BriefText& text, const hb::Furniture& furniture, std::size_t i) {
-  return i > 1 && text.At(i - 1) == "with" && CountsPeople(text.At(i - 2)) && text.At(i).ends_with('s') &&
-         furniture.kind() == hb::FURNITURE_KIND_SURFACE;
-}
-
 // "Where customers drop off bikes".
 bool IsOfATale(const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostBack = 6;
@@ -203,7 +197,8 @@ Walls WallsBehind(const BriefText& text, std::size_t end) {
     walls.is_long = walls.is_long || text.At(i) == "long";
     walls.is_short = walls.is_short || text.At(i) == "short";
     if (const auto said = NumberWord(text.At(i)); said && !text.Is(i, "articles")) number = *said;
-    if (!IsFormIn("wall_nouns", text.At(i))) continue;
+    if (text.At(i) == "both") number = 2;
+    if (!IsFormIn("wall_nouns", text.At(i)) || IsFormIn("wall_nouns", text.At(i + 1))) continue;  // "both side walls"
     const bool many = text.At(i).ends_with('s') || number > 1;
     if (!many) {
       walls.count = along ? 1 : 0;
@@ -226,8 +221,26 @@ bool IsNoNoun(const BriefText& text, std::size_t i) {
 }
 
 bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length) {
-  return IsHeld(text, furniture, i) || IsPassing(text, i, length) || IsBorne(text, furniture, i) ||
-         IsOfATale(text, i) || (length == 1 && IsBehindADoor(text, i));
+  return IsHeld(text, furniture, i) || IsPassing(text, i, length) ||
+         IsBorne(text, i, furniture.kind() == hb::FURNITURE_KIND_SURFACE) || IsOfATale(text, i) ||
+         (length == 1 && IsBehindADoor(text, i));
+}
+
+bool IsBorne(const BriefText& text, std::size_t i, bool small) {
+  constexpr std::size_t kMostBack = 6, kMostToPeople = 2;
+  if (!text.At(i).ends_with('s')) return false;
+  if (small && i > 1 && text.At(i - 1) == "with" && CountsPeople(text.At(i - 2))) return true;
+  const std::size_t begin = text.PhraseBegin(i);
+  for (std::size_t at = begin; at > 0 && at + kMostBack > begin; --at) {
+    const std::size_t k = at - 1;
+    if (text.EndsSentence(k) || text.Is(k, "clause_openers")) return false;
+    const auto end = text.BehindPhrase(k, "bearing");
+    if (!end || *end > begin) continue;
+    for (std::size_t who = k; who > 0 && who + kMostToPeople > k; --who) {
+      if (CountsPeople(text.At(who - 1)) && !text.Is(who - 1, "places_of_people")) return true;
+    }
+  }
+  return false;
 }
 
 bool IsBehindADoor(const BriefText& text, std::size_t i) {
@@ -266,6 +279,7 @@ std::size_t BehindParts(const BriefText& text, std::size_t end) {
   const bool stands = text.At(end) == "on";
   if (!stands && !text.Says(end, {"with", "without"})) return end;
   for (std::size_t i = end + 1; i < text.size() && i <= end + kMostOfAPart; ++i) {
+    if (const auto behind = text.BehindPhrase(i, "parts_in_two_words"); behind && !stands) return *behind;
     if (stands ? text.Is(i, "parts_to_stand_on") : IsFormIn("parts_of_furniture", text.At(i))) return i + 1;
     const bool word = text.IsWord(i) || text.IsHyphen(i) || text.IsNumber(i);
     if (!word || (stands && text.Is(i, "articles"))) break;

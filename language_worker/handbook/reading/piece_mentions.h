@@ -23,6 +23,9 @@ bool IsNoNoun(const BriefText& text, std::size_t i);
 // Whether the piece is only spoken of: what another one is made to hold, what passes by, what people bear or bring.
 bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length);
 
+// "Waiters with trays", "customers come with prams and backpacks": what people bring. `small`: it stands on tops.
+bool IsBorne(const BriefText& text, std::size_t i, bool small);
+
 // Whether the word at a token is that for a room behind a door which the brief names: "the closet door", then "near the
 // closet", where that door is.
 bool IsBehindADoor(const BriefText& text, std::size_t i);

@@ -63,6 +63,21 @@ bool AsksForFew(const BriefText& text, std::size_t i) {
   return false;
 }
 
+bool SaysMany(const BriefText& text, std::size_t i) {
+  constexpr std::size_t kMostBack = 6;
+  for (std::size_t at = i; at > 0 && at + kMostBack > i && (text.IsWord(at - 1) || text.IsHyphen(at - 1)); --at) {
+    if (const auto end = text.BehindPhrase(at - 1, "many_of_them"); end && *end <= i) return true;
+  }
+  return false;
+}
+
+int SensibleNumber(const hb::Furniture& furniture, double area_m2) {
+  constexpr double kForEachM2 = 5;
+  constexpr int kFewest = 3;
+  if (!IsFloorPiece(furniture)) return kFewest;
+  return std::clamp(static_cast<int>(area_m2 / kForEachM2), kFewest, kMostSmallThings);
+}
+
 std::optional<std::size_t> PhraseBefore(std::string_view list, const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostBack = 7;
   for (std::size_t at = i; at > 0 && at + kMostBack > i; --at) {
@@ -220,20 +235,26 @@ PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Fu
   const std::string_view last = text.At(i + length - 1);
   const bool plural = furniture.plural() != furniture.name() && last.ends_with('s') && !last.ends_with("ss") &&
                       LongestAt(handbook.vocabulary().names, text.tokens(), i, /*plural=*/false).second < length;
-  return plural ? PieceCount{2, false} : PieceCount{};
+  // "Shelving along both walls" is said in no number.
+  const bool mass = text.Is(i + length - 1, "mass_nouns") && !text.Is(text.PhraseBegin(i), "articles");
+  return plural ? PieceCount{2, false} : PieceCount{1, !mass};
 }
 
 std::string LastWord(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
 
-bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, BriefFacts& facts) {
+bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, std::size_t length, BriefFacts& facts) {
   if (IsFormIn("openings", text.At(i)) || IsFormIn("wall_nouns", text.At(i))) return false;
   bool any = false;
   for (const Vocabulary::Head& head : handbook.vocabulary().heads) {
-    if (std::ranges::none_of(head.words, [&](const Phrase& word) { return word.MatchAt(text.tokens(), i) == 1; }))
+    if (std::ranges::none_of(head.words, [&](const Phrase& word) { return word.MatchAt(text.tokens(), i) == length; }))
       continue;
-    for (const hb::Furniture* option : head.options) AddOnce(facts.refusals, option);
+    // "No small tables" is not said of the table to eat at, "no overhead light" of all that hang.
+    for (const hb::Furniture* option : head.options) {
+      if (length == 1 || !IsFloorPiece(*option)) AddOnce(facts.refusals, option);
+    }
     any = true;
   }
+  if (length > 1) return any;
   const std::string kind = text.At(i) == "lighting" ? "lamp" : english::Singular(text.At(i));
   const bool of_furniture =
       std::ranges::any_of(handbook.contents().furniture(), [&](const auto& one) { return one.category() == kind; });
@@ -249,6 +270,11 @@ bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, 
     any = true;
   }
   return any;
+}
+
+bool IsLikened(const BriefText& text, std::size_t i) {
+  const std::size_t begin = text.PhraseBegin(i);
+  return begin > 1 && text.At(begin - 1) == "like" && text.Is(begin - 2, "before_likeness");
 }
 
 bool IsRefused(const BriefText& text, std::size_t i) {
@@ -273,7 +299,7 @@ bool IsRefused(const BriefText& text, std::size_t i) {
     if (text.Is(at, "place_prepositions")) return false;
     if ((text.At(at) == "of" && before == "instead") || (text.At(at) == "than" && before == "rather")) return true;
     if (text.At(at) == "than") return false;
-    if (text.Is(at, "refusing")) return true;
+    if (text.Is(at, "refusing")) return !text.Says(at + 1, {"only", "just"});
     if (text.Says(at, {",", ".", ";", "with", "and"})) return false;
   }
   return false;
@@ -289,7 +315,9 @@ bool IsOptional(const BriefText& text, const std::vector<bool>& used, std::size_
   for (std::size_t back = 1; back <= kMostBefore && back <= begin; ++back) {
     const std::size_t at = begin - back;
     if (text.BehindPhrase(at, "optional_before")) return true;
-    if ((text.IsSign(at) && text.At(at) != ",") || text.Says(at, {"and", "with", "is"}) || used[at]) break;
+    // "Space for maybe 300 records, a piano."
+    const bool pause = text.At(at) == "," && (at == 0 || text.BehindPhrase(at - 1, "optional_before") != at);
+    if (pause || (text.IsSign(at) && text.At(at) != ",") || text.Says(at, {"and", "with", "is"}) || used[at]) break;
   }
   return false;
 }

@@ -28,6 +28,11 @@ struct PieceCount {
 PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Furniture& furniture, std::size_t i,
                    std::size_t length);
 
+// "Lots of plants": how many that is, nobody says.
+bool SaysMany(const BriefText& text, std::size_t i);
+// As many of them as a floor of that area has places for.
+int SensibleNumber(const hb::Furniture& furniture, double area_m2);
+
 // Groups that a brief asks for: "two rows of five benches", "sixteen desks in four blocks of four", "in rows of 4".
 struct Groups {
   int count = 0;    // 0 where it is not said
@@ -74,13 +79,16 @@ bool SeatsFollow(const BriefText& text, std::size_t i);
 // Where a phrase of a list begins among the words for the looks of the noun at `i`: "a wall-mounted flat screen".
 std::optional<std::size_t> PhraseBefore(std::string_view list, const BriefText& text, std::size_t i);
 
+// "It should feel like a hotel", "not like a waiting room": what the room is only compared with.
+bool IsLikened(const BriefText& text, std::size_t i);
+
 // "no tv", "without a desk", "no tv or desk", "a shower instead of a bathtub"; not "not near the bed", "no more than
 // two chairs", "no seats besides two chairs".
 bool IsRefused(const BriefText& text, std::size_t i);
 
-// A word alone refuses all of its kind: "no chairs" also the armchairs, "no lamps" those on tables and floor. Whether
-// there are any.
-bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, BriefFacts& facts);
+// A noun of so many tokens refuses all that it may mean, and a word alone all of its kind: "no chairs" also the
+// armchairs, "no lamps" those on tables and floor. Whether there are any.
+bool RefuseKind(const Handbook& handbook, const BriefText& text, std::size_t i, std::size_t length, BriefFacts& facts);
 
 // "a bench if there is room", "perhaps a bench", "an optional bench". Words in `used` belong to something else.
 bool IsOptional(const BriefText& text, const std::vector<bool>& used, std::size_t begin, std::size_t end);

@@ -160,6 +160,23 @@ std::optional<PlacePatterns::Match> PlaceByItself(const BriefText& text, std::si
   return match.asked == nullptr ? std::nullopt : std::optional(match);
 }
 
+void TakeWindowForIt(const BriefText& text, const PlacePatterns& patterns, const std::vector<Mention>& mentions,
+                     std::size_t m, std::size_t i, PlacePatterns::Match& match) {
+  constexpr std::size_t kMostBack = 18;
+  const std::size_t begin = text.PhraseBegin(mentions[m].begin);
+  const std::size_t least = std::max(m > 0 ? mentions[m - 1].end : 0, begin - std::min(begin, kMostBack));
+  for (std::size_t k = begin; k > least && !text.EndsSentence(k - 1); --k) {
+    if (!text.Is(k - 1, "windows")) continue;
+    const std::size_t window = text.PhraseBegin(k - 1);
+    if (window > 0 && text.Is(window - 1, "relating")) return;
+    const hb::AskedPlace* asked = patterns.Find(text.Quote(i, match.end - 1), "window", mentions[m].furniture->kind());
+    if (asked == nullptr) return;
+    match.asked = asked;
+    match.landmark.kind = Landmark::Kind::kWindow;
+    return;
+  }
+}
+
 bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std::size_t before, std::size_t begin,
                        std::size_t end, Place& place, OpeningWishes& openings) {
   const auto says_windows = [&](std::size_t from, std::size_t to) {
@@ -168,7 +185,8 @@ bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std
   };
   // "Two windows with a desk between them".
   const bool them = text.Says(end - 1, {"them", "between", "two"}) && says_windows(before, begin);
-  if (!text.Says(begin, {"between", "in"}) || !(them || says_windows(begin, end))) return false;
+  if (!text.Says(begin, {"between", "in"}) || text.At(begin + 1) == "front" || !(them || says_windows(begin, end)))
+    return false;
   const hb::AskedPlace* middle = patterns.Find("in the middle of", "wall", place.furniture->kind());
   if (middle == nullptr) middle = patterns.Find("in the middle of", "wall", hb::FURNITURE_KIND_FLOOR);
   if (middle == nullptr) return false;

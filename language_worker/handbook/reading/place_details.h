@@ -50,6 +50,11 @@ std::string SeenByAnAudience(std::string side);
 std::optional<PlacePatterns::Match> PlaceByItself(const BriefText& text, std::size_t i, const PlacePatterns& patterns,
                                                   const std::string& across);
 
+// "A wide window with a radiator below it": `it` in the words of a place, which begin at `i`, is the window where that
+// was named last before the piece of mention `m`, and not to tell a place itself.
+void TakeWindowForIt(const BriefText& text, const PlacePatterns& patterns, const std::vector<Mention>& mentions,
+                     std::size_t m, std::size_t i, PlacePatterns::Match& match);
+
 // "Two windows with a desk between them": in the middle of their wall. [begin, end) are the words of the place, the
 // sentence begins at `before`. False where they speak of no windows.
 bool PutBetweenWindows(const BriefText& text, const PlacePatterns& patterns, std::size_t before, std::size_t begin,

@@ -114,6 +114,10 @@ bool TargetFinder::FindNamedBefore(std::size_t subject, bool plural, Place& plac
       if (may_be) place.target = &target;
     }
   }
+  // "A board, the desk to the side of it."
+  if (place.target == nullptr && subject > 0 && AskedNames(*place.asked, "m of the {target}") && IsOnTheFloor(piece) &&
+      mentions_[subject - 1].furniture->kind() == hb::FURNITURE_KIND_WALL)
+    place.target = mentions_[subject - 1].furniture;
   return place.target != nullptr;
 }
 

@@ -58,6 +58,10 @@ class PlaceReader : Reading {
     std::vector<Match> matches = patterns_.MatchesAt(i);
     const std::optional<Subject> before = subjects_.Before(i);
     const bool of_a_wall = OpensSentence(i) || (before && before->furniture->back() == hb::BACK_RULE_WALL);
+    for (Match& match : matches) {
+      if (before && match.landmark.kind == Landmark::Kind::kPronoun && !match.landmark.each_other)
+        TakeWindowForIt(text, patterns_, mentions_, before->mention, i, match);
+    }
     if (const auto match = PlaceByItself(text, i, patterns_, of_a_wall ? targets_.OppositeOfLast() : ""))
       matches.insert(matches.begin(), *match);
     for (auto begin = matches.begin(), end = begin; begin != matches.end(); begin = end) {

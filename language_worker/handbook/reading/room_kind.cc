@@ -6,11 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "language_worker/handbook/reading/piece_words.h"
 #include "language_worker/handbook/reading/vocabulary.h"
 
 namespace flair::language {
 
 namespace {
+
+// "It should feel like a home, not like a hospital": no word for what the room is.
+bool IsCompared(const BriefText& text, std::size_t i) { return IsRefused(text, i) || IsLikened(text, i); }
 
 class RoomKindReader {
  public:
@@ -63,7 +67,7 @@ class RoomKindReader {
         found = use;
         length = 0;
       }
-      if (found.room.archetype == nullptr || IsADoor(found.room)) continue;
+      if (found.room.archetype == nullptr || IsADoor(found.room) || IsCompared(words_, i)) continue;
       found.within = within;
       found.outside =
           IsOutside(found.room) || IsOfAPiece(found.room) || BecomesAnother(found.room.end) || IsTheHome(found.room);
@@ -95,9 +99,13 @@ class RoomKindReader {
       const bool dwelling = words_.Is(one.room.begin, "houses") && one.room.end == one.room.begin + 1;
       one.outside = one.outside || (dwelling && std::ranges::any_of(found_, sized));
     }
-    // A use alone is none: "living" of "living plants".
+    // A use alone is none, "living" of "living plants", unless the brief begins with its area: "Open dining area next
+    // to the kitchen".
+    const bool area = !found_.empty() && found_[0].use && found_[0].room.end == found_[0].room.begin + 2 &&
+                      words_.BehindArticle(0) + 1 >= found_[0].room.begin &&
+                      std::all_of(found_.begin() + 1, found_.end(), [](const Found& one) { return one.outside; });
     std::erase_if(found_, [&](const Found& one) {
-      return one.use && (!one.closed || std::ranges::count(found_, one.list, &Found::list) < 2);
+      return one.use && !area && (!one.closed || std::ranges::count(found_, one.list, &Found::list) < 2);
     });
   }
 
@@ -281,11 +289,17 @@ RoomKind ReadRoomKind(const std::vector<Token>& tokens, const Handbook& handbook
 }
 
 const hb::Archetype* MostHintedAt(const Handbook& handbook, const std::vector<Token>& tokens) {
+  const BriefText text(tokens);
   const hb::Archetype* hinted = nullptr;
   int most = 0;
   for (const hb::Archetype& archetype : handbook.contents().archetypes()) {
     int hints = 0;
-    for (const std::string& hint : archetype.hints()) hints += Phrase(hint).Occurs(tokens) ? 1 : 0;
+    for (const std::string& hint : archetype.hints()) {
+      const Phrase words(hint);
+      std::size_t i = 0;
+      while (i < tokens.size() && (words.MatchAt(tokens, i) == 0 || IsCompared(text, i))) ++i;
+      hints += i < tokens.size() ? 1 : 0;
+    }
     if (hints <= most) continue;
     most = hints;
     hinted = &archetype;

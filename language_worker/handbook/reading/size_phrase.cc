@@ -185,7 +185,7 @@ class SizeReader {
         // There is one room: "140 x 70 cm each" is said of pieces, "2 by 2 m of bare floor" of a part of it.
         const double shorter_m = std::min(sides->width_m, sides->depth_m);
         if (owner_.IsOfAThing(i, sides->end) || owner_.IsRightBehindAThing(i, shorter_m) ||
-            text_.Says(sides->end, {"each", "apiece"}) || text_.Is(sides->end + 1, "free_floors")) {
+            text_.Says(sides->end, {"each", "apiece"}) || IsOfFreeFloor(sides->end)) {
           i = sides->end - 1;
           continue;
         }
@@ -193,8 +193,7 @@ class SizeReader {
         size_.depth_m = sides->depth_m;
         Mark(i, sides->end, used_);
       } else if (const auto area = english::MeasureAt(text_.tokens(), i, english::v1::Unit::KIND_AREA);
-                 area && area->unit > 0 && !owner_.IsOfAThing(i, area->end) &&
-                 !text_.Is(area->end + 1, "free_floors")) {
+                 area && area->unit > 0 && !owner_.IsOfAThing(i, area->end) && !IsOfFreeFloor(area->end)) {
         size_.area_m2 = area->value;
         Mark(i, area->end, used_);
       }
@@ -214,6 +213,9 @@ class SizeReader {
   }
 
  private:
+  // "2 by 2 m of bare floor"; "6 by 5 m, open to the hall" is the room.
+  bool IsOfFreeFloor(std::size_t end) const { return !text_.IsSign(end) && text_.Is(end + 1, "free_floors"); }
+
   // "height 2.4 m", "room height: 2.4 m", "a ceiling of 2.4 m", "the ceiling is at 2.4 m". The height of a shelf is
   // none of the room.
   bool IsHeightBefore(std::size_t i) const {

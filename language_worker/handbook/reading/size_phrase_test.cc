@@ -36,6 +36,7 @@ TEST_P(SizePair, GivesWidthAndDepthInMetres) {
 INSTANTIATE_TEST_SUITE_P(
     Forms, SizePair,
     testing::Values(PairCase{"metres", "A bedroom that is 4m x 5m.", 4, 5}, PairCase{"unit_once", "4 x 5 m", 4, 5},
+                    PairCase{"open_side", "Roughly 7 x 4 m, open towards the hall", 7, 4},
                     PairCase{"no_unit", "A bedroom that is 5x5 for a young girl", 5, 5},
                     PairCase{"decimals", "3.225m x 4.5m", 3.225, 4.5}, PairCase{"comma", "3,5 x 4", 3.5, 4},
                     PairCase{"by_words", "4 by 5 metres", 4, 5}, PairCase{"times_sign", "4 \u00d7 5", 4, 5},

@@ -122,7 +122,7 @@ class OpeningMaker {
     // A short wall leaves no room beside a door that stands further in.
     const double near_m = wall_m < kShortWallM ? 0.1 : choice_.Stepped("door.gap", 0.2, 0.5, 0.05);
     double offset_m = std::min(near_m, (wall_m - width_m) / 2);
-    if (plan_.rules.door_central() && wall_m > width_m + 2) offset_m = (wall_m - width_m) / 2;
+    if (plan_.rules.door_central() && wall_m > width_m + 2 && !HasOneWindowBeside()) offset_m = (wall_m - width_m) / 2;
     bool at_end = choice_.Index("door.end", 2) == 1;
     // A door at a corner that the room goes round would open into the way.
     const bool round_start = IsReentrant(room_, static_cast<int>(door_wall_));
@@ -138,6 +138,16 @@ class OpeningMaker {
     door.mutable_leaf()->set_hinge(at_end ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
     const bool asked = wish != nullptr && wish->swing != v1::DOOR_SWING_UNSPECIFIED;
     door.mutable_leaf()->set_swing(asked ? wish->swing : UsualSwing());
+  }
+
+  // Which leaves the door no place in the middle.
+  bool HasOneWindowBeside() const {
+    int count = 0;
+    for (const OpeningWish& wish : plan_.asked.wishes) {
+      const bool there = IsIn("near_walls", wish.side) || WallOf(room_, wish.side) == static_cast<int>(door_wall_);
+      if (!wish.door && there) count += wish.count;
+    }
+    return count == 1;
   }
 
   v1::DoorSwing UsualSwing() const {

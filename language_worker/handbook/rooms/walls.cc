@@ -170,8 +170,12 @@ std::optional<int> WallOf(const v1::Room& room, std::string_view words) {
     const std::optional<int> wall = OneWord(room, all[1]);
     if (wall && IsBlank(room, *wall)) return wall;
   }
-  for (const std::string& word : all) {
-    if (const std::optional<int> wall = OneWord(room, word)) return wall;
+  // "The short wall to the left": of the two the left one.
+  for (const bool length : {false, true}) {
+    for (const std::string& word : all) {
+      const std::optional<int> wall = IsIn("long_or_short", word) == length ? OneWord(room, word) : std::nullopt;
+      if (wall) return wall;
+    }
   }
   return std::nullopt;
 }
@@ -301,16 +305,26 @@ std::vector<WallSpan> WallSpace::Spread(int wall, int count, const OpeningSize& 
   const std::vector<WallSpan> free = Free(wall, size.corner_m);
   std::vector<WallSpan> spread;
   if (free.empty()) return spread;
-  const WallSpan span = Widest(free);
-  for (; count > 0; --count) {
-    const double share_m = (span.width_m + kBetweenM) / count;
-    const double width_m = std::min(size.width_m, RoundDownTo5Cm(share_m - kBetweenM));
-    if (width_m < size.least_m) continue;
-    for (int i = 0; i < count; ++i) {
-      const double middle_m = span.offset_m + share_m * i + (share_m - kBetweenM) / 2;
-      spread.push_back({middle_m - width_m / 2, width_m});
+  // Each into the part that has most left: one on either side of a door.
+  std::vector<int> in_each(free.size());
+  const auto share_m = [&](std::size_t part, int of) { return (free[part].width_m + kBetweenM) / of; };
+  for (int i = 0; i < count; ++i) {
+    std::size_t best = 0;
+    for (std::size_t part = 1; part < free.size(); ++part) {
+      if (share_m(part, in_each[part] + 1) > share_m(best, in_each[best] + 1) + kAlmost) best = part;
     }
-    break;
+    ++in_each[best];
+  }
+  for (std::size_t part = 0; part < free.size(); ++part) {
+    const auto width_m = [&] {
+      return std::min(size.width_m, RoundDownTo5Cm(share_m(part, in_each[part]) - kBetweenM));
+    };
+    while (in_each[part] > 0 && width_m() < size.least_m) --in_each[part];
+    for (int i = 0; i < in_each[part]; ++i) {
+      const double each_m = share_m(part, in_each[part]);
+      const double middle_m = free[part].offset_m + each_m * i + (each_m - kBetweenM) / 2;
+      spread.push_back({middle_m - width_m() / 2, width_m()});
+    }
   }
   return spread;
 }

@@ -67,7 +67,7 @@ class WallSpace {
   // no room the widest free part is taken, and `moved` is set.
   std::optional<WallSpan> Place(int wall, const OpeningSize& size, const AlongWall& along, bool& moved) const;
 
-  // Places for several, evenly over the widest free part; fewer when there is no room for all.
+  // Places for several, evenly over the free parts; fewer when there is no room for all.
   std::vector<WallSpan> Spread(int wall, int count, const OpeningSize& size) const;
 
   // Places side by side, each about `pane_m` wide, over all that is free.

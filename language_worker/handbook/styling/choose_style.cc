@@ -18,7 +18,31 @@ const auto& Pick(const List& list, const Choice& choice, const std::string& key)
   return list[static_cast<int>(choice.Index(key, static_cast<std::size_t>(list.size())))];
 }
 
-// What the brief names, else what its themes say, else what suits the kind of room.
+long RgbOf(const hb::NamedColour& colour) { return std::strtol(colour.hex().c_str() + 1, nullptr, 16); }
+
+// Squared distance of their red, green and blue.
+long DistanceOf(const hb::NamedColour& one, const hb::NamedColour& other) {
+  long distance = 0;
+  for (const int shift : {16, 8, 0}) {
+    const long difference = ((RgbOf(one) >> shift) & 255) - ((RgbOf(other) >> shift) & 255);
+    distance += difference * difference;
+  }
+  return distance;
+}
+
+// How far the colours of the brief are from those of a style.
+long FarFrom(const std::vector<const hb::NamedColour*>& asked, const hb::Style& style) {
+  long far = 0;
+  for (const hb::NamedColour* colour : asked) {
+    long nearest = 3 * 255 * 255;
+    for (const hb::Palette& palette : style.palettes())
+      for (const hb::NamedColour& one : palette.colours()) nearest = std::min(nearest, DistanceOf(*colour, one));
+    far += nearest;
+  }
+  return far;
+}
+
+// What the brief names, else what its themes say, else what suits the kind of room and the colours asked for.
 const hb::Style* PickStyle(const BriefFacts& facts, const Handbook& handbook, const Choice& choice) {
   if (!facts.styles.empty()) return facts.styles.front();
   for (const hb::Theme* theme : facts.themes) {
@@ -26,6 +50,13 @@ const hb::Style* PickStyle(const BriefFacts& facts, const Handbook& handbook, co
     if (const hb::Style* style = handbook.FindStyle(Pick(theme->styles(), choice, "style.theme"))) return style;
   }
   const hb::Archetype& archetype = EffectiveArchetype(facts, handbook);
+  const hb::Style* nearest = nullptr;
+  for (const std::string& name : archetype.styles()) {
+    const hb::Style* style = facts.colours.empty() ? nullptr : handbook.FindStyle(name);
+    if (style == nullptr) continue;
+    if (nearest == nullptr || FarFrom(facts.colours, *style) < FarFrom(facts.colours, *nearest)) nearest = style;
+  }
+  if (nearest != nullptr) return nearest;
   if (archetype.styles_size() > 0) {
     if (const hb::Style* style = handbook.FindStyle(Pick(archetype.styles(), choice, "style.room"))) return style;
   }
@@ -40,8 +71,6 @@ hb::Finish PlainCeiling() {
   return finish;
 }
 
-long RgbOf(const hb::NamedColour& colour) { return std::strtol(colour.hex().c_str() + 1, nullptr, 16); }
-
 long BrightnessOf(const hb::NamedColour& colour) {
   const long rgb = RgbOf(colour);
   return 3 * (rgb >> 16 & 255) + 6 * (rgb >> 8 & 255) + (rgb & 255);
@@ -49,14 +78,9 @@ long BrightnessOf(const hb::NamedColour& colour) {
 
 // Whether somebody who wants none of the one would not want the other: pink and blush.
 bool IsAlike(const hb::NamedColour& one, const hb::NamedColour& other) {
-  constexpr long kAlike = 60 * 60;  // squared distance of their red, green and blue
+  constexpr long kAlike = 60 * 60;
   if (one.hex().size() != 7 || other.hex().size() != 7) return false;
-  long distance = 0;
-  for (const int shift : {16, 8, 0}) {
-    const long difference = ((RgbOf(one) >> shift) & 255) - ((RgbOf(other) >> shift) & 255);
-    distance += difference * difference;
-  }
-  return distance < kAlike || other.name().find(one.name()) != std::string::npos;
+  return DistanceOf(one, other) < kAlike || other.name().find(one.name()) != std::string::npos;
 }
 
 // The style without colours like those; the last of a list stays.
@@ -83,6 +107,7 @@ StyleChoice::StyleChoice(const BriefFacts& facts, const Handbook& handbook, cons
       choice_(choice),
       object_colours_(facts.object_colours),
       object_materials_(facts.object_materials),
+      asked_colours_(facts.colours),
       style_(Without(facts.refused_colours, *PickStyle(facts, handbook, choice))) {
   palette_ = Pick(style_.palettes(), choice, "style.palette");
   wall_ = Pick(style_.walls(), choice, "style.wall");
@@ -168,6 +193,13 @@ void StyleChoice::TakeAskedMaterial(const hb::Furniture& furniture, Look& look) 
   look.colour = !shaded ? colours.front() : IsIn("dark_shades", shade) ? *darkest : *lightest;
 }
 
+// Of several colours of the brief seats have the first that the walls have not, and cushions and rugs the last.
+void StyleChoice::TakeAskedColour(const hb::Furniture& furniture, Look& look) const {
+  const bool textile = furniture.material_group() == "textile", seat = furniture.material_group() == "upholstery";
+  if (asked_colours_.empty() || !(textile || (seat && asked_colours_.size() > 1))) return;
+  look.colour = textile ? *asked_colours_.back() : *asked_colours_[asked_colours_.size() > 2 ? 1 : 0];
+}
+
 StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number) const {
   Look look;
   const hb::MaterialChoice* material = MaterialOf(furniture.material_group());
@@ -177,6 +209,7 @@ StyleChoice::Look StyleChoice::LookOf(const hb::Furniture& furniture, int number
   const auto& colours = material != nullptr && material->colours_size() > 0 ? material->colours() : palette_.colours();
   look.colour =
       colours[static_cast<int>(choice_.Index("colour." + furniture.name(), static_cast<std::size_t>(colours.size())))];
+  TakeAskedColour(furniture, look);
   TakeAskedMaterial(furniture, look);
   if (const hb::NamedColour* fixed = handbook_.FindColour(furniture.fixed_colour())) look.colour = *fixed;
   for (const auto& [piece, colour] : object_colours_) {

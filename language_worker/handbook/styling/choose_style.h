@@ -50,12 +50,14 @@ class StyleChoice {
   void Lead(const std::vector<const hb::NamedColour*>& colours);
   void Take(const AskedFinish& asked);
   const hb::MaterialChoice* MaterialOf(const std::string& group) const;
+  void TakeAskedColour(const hb::Furniture& furniture, Look& look) const;
   void TakeAskedMaterial(const hb::Furniture& furniture, Look& look) const;
 
   const Handbook& handbook_;
   const Choice& choice_;
   const std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours_;
   const std::vector<std::pair<const hb::Furniture*, std::string>> object_materials_;
+  const std::vector<const hb::NamedColour*> asked_colours_;  // of the room
   hb::Style style_;  // without the colours that the brief refuses
   std::string title_;
   hb::Palette palette_;
