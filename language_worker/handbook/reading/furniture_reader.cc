@@ -32,10 +32,10 @@ class FurnitureReader : Reading {
   NamedPieces Read() {
     for (std::size_t i = 0; i < tokens().size(); ++i) {
       if (used[i] || IsMeasure(text, i) || IsNoNoun(text, i) || IsLikened(text, i) || AreFronts(*this, i)) continue;
-      const hb::Furniture* partner =
-          LongestAt(names_, tokens(), i, /*plural=*/true).second == 1 ? PartnerOf(i) : nullptr;
+      const std::size_t longest = LongestAt(names_, tokens(), i, /*plural=*/true).second;
+      const hb::Furniture* partner = longest == 1 ? PartnerOf(i) : nullptr;
       const bool seats = SeatsFollow(text, i + 1), several = CountsSeveral(text, i);
-      const hb::Furniture* const chairs = nouns_.ChairsBehind(tokens(), i + 1);
+      const hb::Furniture* const chairs = nouns_.ChairsBehind(tokens(), i + longest);
       const auto rank = [&](const hb::Furniture& furniture) {
         const bool beside = partner != nullptr && StandsWith(furniture, *partner);
         const bool its_seats = chairs != nullptr && SeatOf(furniture, handbook) == chairs;

@@ -45,8 +45,8 @@ class OpeningReader {
 
   void Read() {
     for (std::size_t i = 0; i < words_.size(); i = std::max(i + 1, read_to_)) {
-      const bool read =
-          ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadWayOut(i) || ReadOneOfThem(i);
+      const bool read = ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadWayOut(i) ||
+                        ReadOpenSide(i) || ReadOneOfThem(i);
       if (!read && !room_[i]) ReadNamed(i);
     }
     list_.Settle();
@@ -115,16 +115,15 @@ class OpeningReader {
     return true;
   }
 
-  // "You come in from the west", "it is entered on the short side".
+  // "You come in from the west", "it is entered on the short side"; "open on the south side", as wide as that is.
   bool ReadWayIn(std::size_t i) {
-    const auto behind = words_.BehindPhrase(i, "coming_in");
+    const bool open = words_.At(i) == "open" && !words_.Is(i - std::min<std::size_t>(i, 1), "doors");
+    const auto behind = open ? std::optional(i + 1) : words_.BehindPhrase(i, "coming_in");
     if (!behind || !words_.Says(*behind, {"from", "on", "at", "through"})) return false;
     OpeningSite site;
     if (!ReadSiteAfter(words_, *behind, /*door=*/true, /*verbs=*/false, site) || site.sides.size() != 1) return false;
-    OpeningWish wish;
-    wish.door = wish.definite = true;
-    wish.side = site.sides[0];
-    wish.along = site.along;
+    OpeningWish wish{.door = true, .definite = true, .side = site.sides[0], .along = site.along, .fills = open};
+    if (open) wish.swing = v1::DOOR_SWING_NONE;
     wish.said = Quote(i, site.end);
     list_.Add(wish);
     Use(i, site.end);

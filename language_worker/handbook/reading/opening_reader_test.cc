@@ -112,6 +112,7 @@ TEST(OpeningReader, ReadsWhatAClauseTellsOfSeveral) {
        "door@short to:bedroom; door@across short to:bathroom"},
       {"One door to the passage and one to the larder.", "door; door to:larder"},
       {"Window 90 x 70 cm, high, on the west wall.", "window@west w0.9 h0.7 sill1.5"},
+      {"A nook, 3 x 2 m, open on the south side to the hall.", "door@south open"},
       {"North glazing full width.", "window@north w100"},
       {"Both get a bit of the window, which is in the centre of the long wall.", "window@long middle"},
       {"A shop window and a glass door on the short street side.", "window@near w2; door@short"},

@@ -66,15 +66,17 @@ bool AsksForFew(const BriefText& text, std::size_t i) {
 bool SaysMany(const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostBack = 6;
   for (std::size_t at = i; at > 0 && at + kMostBack > i && (text.IsWord(at - 1) || text.IsHyphen(at - 1)); --at) {
-    if (const auto end = text.BehindPhrase(at - 1, "many_of_them"); end && *end <= i) return true;
+    if (const auto end = text.BehindPhrase(at - 1, "many_of_them"); end && *end <= i) return !AsksForFew(text, i);
   }
   return false;
 }
 
 int SensibleNumber(const hb::Furniture& furniture, double area_m2) {
-  constexpr double kForEachM2 = 5;
+  constexpr double kForEachM2 = 5, kSmallM2 = 0.3;
   constexpr int kFewest = 3;
-  if (!IsFloorPiece(furniture)) return kFewest;
+  if (furniture.kind() == hb::FURNITURE_KIND_SURFACE) return kFewest;
+  const bool large = furniture.width_m().typical() * furniture.depth_m().typical() > kSmallM2;
+  if (!IsFloorPiece(furniture) || PlacesOn(furniture) > 0 || large) return kMostSmallThings;
   return std::clamp(static_cast<int>(area_m2 / kForEachM2), kFewest, kMostSmallThings);
 }
 

@@ -30,7 +30,7 @@ PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Fu
 
 // "Lots of plants": how many that is, nobody says.
 bool SaysMany(const BriefText& text, std::size_t i);
-// As many of them as a floor of that area has places for.
+// As many small ones of them as a floor of that area has places for.
 int SensibleNumber(const hb::Furniture& furniture, double area_m2);
 
 // Groups that a brief asks for: "two rows of five benches", "sixteen desks in four blocks of four", "in rows of 4".

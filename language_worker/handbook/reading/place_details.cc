@@ -59,11 +59,16 @@ bool IsOfTheHolder(const PlacePatterns::Match& match, const hb::Furniture& held,
   }
 }
 
-void TakeStand(const Handbook& handbook, const PlacePatterns::Match& match, const hb::Furniture*& piece) {
+void TakeStand(const Reading& reading, const PlacePatterns::Match& match, const hb::Furniture*& piece) {
   if (piece->kind() != hb::FURNITURE_KIND_SURFACE || piece->companions().empty() || match.asked->carried() != 0) return;
   const std::string& side = match.landmark.side;
   if (match.landmark.kind == Landmark::Kind::kWall && (side.empty() || side == "opposite")) return;
-  const hb::Furniture* stand = handbook.FindFurniture(piece->companions(0).furniture());
+  const hb::Furniture* stand = reading.handbook.FindFurniture(piece->companions(0).furniture());
+  // On a dresser that is asked for, too.
+  const auto host = std::ranges::find_if(reading.facts.wishes, [&](const Wish& wish) {
+    return Includes(piece->hosts(), wish.furniture->name()) && wish.furniture->back() == hb::BACK_RULE_WALL;
+  });
+  if (host != reading.facts.wishes.end()) stand = host->furniture;
   if (stand != nullptr && IsOnTheFloor(*stand) && !IsFor(*match.asked, *piece, false) &&
       IsFor(*match.asked, *stand, false))
     piece = stand;
@@ -170,7 +175,8 @@ void TakeWindowForIt(const BriefText& text, const PlacePatterns& patterns, const
     const std::size_t window = text.PhraseBegin(k - 1);
     if (window > 0 && text.Is(window - 1, "relating")) return;
     const hb::AskedPlace* asked = patterns.Find(text.Quote(i, match.end - 1), "window", mentions[m].furniture->kind());
-    if (asked == nullptr) return;
+    const bool before = text.Says(i, {"in", "before"});
+    if (asked == nullptr || !(before || AskedNames(*asked, "under the window"))) return;
     match.asked = asked;
     match.landmark.kind = Landmark::Kind::kWindow;
     return;

@@ -37,7 +37,7 @@ bool GoesAlong(const hb::Furniture& furniture, Landmark::Kind kind);
 bool IsOfTheHolder(const PlacePatterns::Match& match, const hb::Furniture& held, const hb::Furniture& holder);
 
 // "The TV opposite the window": what it comes with stands there. On a wall it hangs, but for one of a list.
-void TakeStand(const Handbook& handbook, const PlacePatterns::Match& match, const hb::Furniture*& piece);
+void TakeStand(const Reading& reading, const PlacePatterns::Match& match, const hb::Furniture*& piece);
 
 // "Our books along the wall": what holds such things stands there, and is wished for. The piece itself elsewhere.
 const hb::Furniture* StorageAlong(const Reading& reading, std::size_t i, const hb::AskedPlace& asked,

@@ -118,7 +118,7 @@ class PlaceReader : Reading {
     const bool after = subject.has_value();
     if (!after) subject = subjects_.Before(i, match.landmark.kind == Landmark::Kind::kPronoun);
     if (!subject) return {};
-    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(handbook, match, subject->furniture);
+    if (!otherwise && match.landmark.kind != Landmark::Kind::kWall) TakeStand(*this, match, subject->furniture);
     const std::optional<Subject> holder = after ? std::nullopt : subjects_.HolderOf(*subject);
     // "A basin with a mirror on the right wall": nobody tells the mirror's wall apart from the basin's.
     const bool of_both = holder && !match.landmark.side.empty() && AskedNames(asked, "{wall}") &&
@@ -161,7 +161,7 @@ class PlaceReader : Reading {
       // "Wall bars, a mat in front of them and a rack": the mat's place is at that wall, too.
       if (const auto place = OwnPlace(m); place && place->landmark.kind != Landmark::Kind::kPronoun) break;
       if (OwnPlace(m)) continue;
-      TakeStand(handbook, match, one.furniture);
+      TakeStand(*this, match, one.furniture);
       if (!subjects_.HolderOf(one) && IsFor(*match.asked, *one.furniture, false)) all.push_back(one);
     }
     return all;

@@ -346,6 +346,11 @@ bool ReadAsked(const BriefFacts& facts, const v1::Room& room, AskedRun& asked) {
       asked.basin_at_window = true;
       continue;
     }
+    const auto is_wet = [](const hb::Furniture& piece) {
+      return piece.run() == hb::RUN_PART_BASIN || piece.run() == hb::RUN_PART_WASHER;
+    };
+    // The one is beside the other anyway.
+    if (place.target != nullptr && is_wet(*place.furniture) && is_wet(*place.target)) continue;
     if (text.find("{wall}") == std::string::npos) return false;
     if (!place.side.empty()) asked.wall = WallOf(room, place.side);
   }
@@ -358,7 +363,6 @@ bool HasForm(const std::vector<RunPlace>& run, RunForm form) {
   std::set<int> walls;
   for (const RunPlace& place : run) walls.insert(place.wall);
   const bool facing = std::ranges::any_of(walls, [&](int wall) { return walls.contains((wall + 2) % 4); });
-  if (walls.size() == 3 && form == RunForm::kFacing) return facing;
   if (walls.size() == 2) return form == RunForm::kAny || form == (facing ? RunForm::kFacing : RunForm::kRoundCorner);
   return form == RunForm::kAny || form == (walls.size() == 1 ? RunForm::kStraight : RunForm::kRoundTwoCorners);
 }
@@ -388,18 +392,9 @@ std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& object
   const auto worktops = std::ranges::equal_range(units, hb::RUN_PART_WORKTOP, {}, part);
   std::ranges::stable_sort(worktops, std::greater(), [](const Unit& unit) { return unit.place.width_m; });
   if (wet + hot == 2 && worktops.size() > 1) std::rotate(worktops.begin() + 1, worktops.end(), units.end());
-  // A galley with its basin under the window at the end goes round that, too.
-  double longest_m = 0;
-  for (int wall = 0; wall < room.walls_size(); ++wall) longest_m = std::max(longest_m, WallLength(room, wall));
-  const bool at_its_end = std::ranges::none_of(room.openings(), [&](const v1::Opening& one) {
-    const std::optional<int> wall = WallNamed(room, one.wall());
-    return one.kind() == v1::OPENING_KIND_WINDOW && wall && WallLength(room, *wall) > longest_m - kSmallM;
-  });
-  const bool round = facts.run_form == RunForm::kFacing && asked.basin_at_window && at_its_end;
-  const RunForm form = round ? RunForm::kRoundTwoCorners : facts.run_form;
   const auto first = static_cast<int>(choice.Index("wall of the run", static_cast<std::size_t>(room.walls_size())));
   std::vector<RunPlace> places;
-  for (const Unit& unit : RunPlanner(room, std::move(units), asked, form, first).Best()) {
+  for (const Unit& unit : RunPlanner(room, std::move(units), asked, facts.run_form, first).Best()) {
     RunPlace& place = places.emplace_back(unit.place);
     const double middle_m = place.offset_m + place.width_m / 2;
     place.clear_above_m = WallLength(room, place.wall);
