@@ -45,8 +45,8 @@ class OpeningReader {
 
   void Read() {
     for (std::size_t i = 0; i < words_.size(); i = std::max(i + 1, read_to_)) {
-      const bool read = ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadWayOut(i) ||
-                        ReadOpenSide(i) || ReadOneOfThem(i);
+      const bool read =
+          ReadDark(i) || ReadWindowWall(i) || ReadAspect(i) || ReadWayIn(i) || ReadWayOut(i) || ReadOneOfThem(i);
       if (!read && !room_[i]) ReadNamed(i);
     }
     list_.Settle();
@@ -222,6 +222,7 @@ class OpeningReader {
   // Settles where an opening is by what stands before it and by what was named last, and lists it.
   void Place(OpeningNoun& noun, OpeningSite& site, std::size_t end) {
     OpeningWish& wish = noun.wish;
+    if (!wish.side.empty() && site.sides == Sides{"street"}) site.sides = {wish.side};
     const bool behind = !site.sides.empty(), own = behind || !wish.side.empty();
     std::size_t begin = noun.begin;
     Sides listed;

@@ -88,7 +88,7 @@ TEST(OpeningReader, ReadsWallsThatGoByOtherOpenings) {
       {"Windows on both sides.", "window@left; window@right"},
       {"A window on the wall across from the door.", "window@far"},
       {"The door is right in the middle of one of the short walls.", "door@short middle"},
-      {"A door on the west wall and a window in the east wall opposite.", "door@west; window@east"},
+      {"A door on the west wall and a window in the east wall opposite.", "door@west; window@across west"},
       {"The door is in the north wall on the left side.", "door@north end:left"},
       {"Windows on three sides.", "window@far; window@left; window@right"},
       {"Windows opposite each other.", "window@left; window@right"},

@@ -72,7 +72,7 @@ bool SaysMany(const BriefText& text, std::size_t i) {
 }
 
 int SensibleNumber(const hb::Furniture& furniture, double area_m2) {
-  constexpr double kForEachM2 = 5, kSmallM2 = 0.3;
+  constexpr double kForEachM2 = 5, kSmallM2 = 0.21;
   constexpr int kFewest = 3;
   if (furniture.kind() == hb::FURNITURE_KIND_SURFACE) return kFewest;
   const bool large = furniture.width_m().typical() * furniture.depth_m().typical() > kSmallM2;
