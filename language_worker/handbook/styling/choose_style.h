@@ -58,7 +58,7 @@ class StyleChoice {
   const std::vector<std::pair<const hb::Furniture*, const hb::NamedColour*>> object_colours_;
   const std::vector<std::pair<const hb::Furniture*, std::string>> object_materials_;
   const std::vector<const hb::NamedColour*> asked_colours_;  // of the room
-  hb::Style style_;  // without the colours that the brief refuses
+  hb::Style style_;                                          // without the colours that the brief refuses
   std::string title_;
   hb::Palette palette_;
   hb::Finish wall_, floor_, ceiling_;
