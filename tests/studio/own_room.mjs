@@ -57,12 +57,12 @@ await withStudio(async ({ page }) => {
   const done = page.getByRole('button', { name: 'Done' });
   await page.getByLabel('Width', { exact: true }).fill('7');
   await page.keyboard.press('Enter');
-  await page.getByText('Window 1 is wider than wall 1').waitFor();
+  await page.getByText('Window 1 is wider than south wall').waitFor();
   assert.ok(await done.isDisabled());
   assert.deepEqual(await seriousFaults(page), [], 'the drawing');
   await page.getByLabel('Width', { exact: true }).fill('1.8');
   await page.keyboard.press('Enter');
-  await page.getByLabel('From the left end').fill('2');
+  await page.getByLabel('From the west end').fill('2');
   await page.keyboard.press('Enter');
   await until(page, () => done.isEnabled(), 'a room without faults');
   await done.click();
@@ -90,7 +90,7 @@ await withStudio(async ({ page }) => {
   const sofa = layout.graph.objectList.objects.find(({ name }) => name === 'sofa').id;
   const placeOf = (from) => from.placements.find(({ objectId }) => objectId === sofa);
   await page.getByRole('button', { name: 'Edit room' }).click();
-  await page.getByRole('button', { name: /^Wall 6/ }).click();
+  await page.getByRole('button', { name: /^West wall/ }).click();
   for (let i = 0; i < 4; ++i) await page.keyboard.press('Shift+ArrowLeft');
   await page.getByRole('button', { name: 'Done' }).click();
   await page.locator('[data-piece]').first().waitFor();

@@ -94,10 +94,10 @@ test("arrows go one centimetre, with shift ten, and held keys are one act", asyn
 test("R turns by 90 degrees clockwise", async () => {
   const { page } = studio;
   await studio.select("double_bed");
-  assert.equal(await studio.field("Turned"), "90°");
+  assert.equal(await studio.field("Faces"), "W");
   await page.keyboard.press("r");
   await page.waitForSelector("[aria-label^='Undo: ']:not([aria-label='Undo: nothing'])");
-  assert.equal(await studio.field("Turned"), "0°");
+  assert.equal(await studio.field("Faces"), "N");
   await page.keyboard.press("Control+z");
   await page.waitForSelector("[aria-label='Undo: nothing']");
 });

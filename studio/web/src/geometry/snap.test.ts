@@ -58,3 +58,15 @@ test("angles near a step are taken to it", () => {
   assert.equal(snappedAngle(0.26, Math.PI / 12, 0.05), Math.PI / 12);
   assert.equal(snappedAngle(0.13, Math.PI / 12, 0.05), 0.13);
 });
+
+test("what is pushed into a wall comes out of it, whatever else it could be in line with", () => {
+  const other = { id: "other", polygon: corners({ x: 3.54, y: 2.4, theta: 0 }, size), theta: 0 };
+  const { by } = snapped(piece(3.53, 1.6), floor, [other], 0.05);
+  assert.ok(Math.abs(by.x + 0.03) < 1e-9, String(by.x));
+});
+
+test("a wall's middle catches what stands at it, not only the room's", () => {
+  const l = [vec(0, 0), vec(6, 0), vec(6, 2), vec(2, 2), vec(2, 5), vec(0, 5)];
+  const { by } = snapped(piece(1.03, 4.75), l, [], 0.05);
+  assert.ok(Math.abs(by.x + 0.03) < 1e-9, String(by.x));
+});

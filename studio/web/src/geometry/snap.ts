@@ -40,6 +40,7 @@ interface Candidate {
 
 // How far into a wall something is pushed before it goes through.
 const kStopped = 0.5;
+const kTouch = 1e-6;
 
 const kParallel = Math.cos((88.5 * Math.PI) / 180);
 
@@ -50,8 +51,17 @@ function wallCandidates(moving: Moving, floor: readonly Vec[], within: number): 
     if (d < -within || d > Math.max(within, kStopped)) return [];
     const along = unit(sub(b, a));
     const spots = moving.polygon.map((p) => dot(sub(p, a), along));
-    const beside = Math.min(...spots) < dot(sub(b, a), along) && Math.max(...spots) > 0;
-    return beside ? [{ n: inward, d, rank: Math.abs(d) * 0.8, guide: () => ({ a, b, kind: "wall" as const }) }] : [];
+    const long = dot(sub(b, a), along);
+    const beside = Math.min(...spots) < long && Math.max(...spots) > 0;
+    if (!beside) return [];
+    // What is in a wall comes out of it before all else.
+    const wall = { n: inward, d, rank: d > kTouch ? -d : Math.abs(d) * 0.8, guide: () => ({ a, b, kind: "wall" as const }) };
+    // At a wall, its middle is a place of its own.
+    const middle = dot(a, along) + long / 2, toMiddle = middle - spanAlong(moving.polygon, along).mid;
+    return Math.abs(toMiddle) > within ? [wall] : [wall, {
+      n: along, d: toMiddle, rank: Math.abs(toMiddle) * 0.9,
+      guide: (at: readonly Vec[]) => guideAlong(along, middle, at, "axis"),
+    }];
   });
 }
 

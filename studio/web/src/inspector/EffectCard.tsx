@@ -2,11 +2,12 @@
 import { Icon } from "../app/Icon";
 import type { OpenRoom } from "../state/open_room";
 
-// What the last act has cost or brought elsewhere, until it is closed or the next act. It lies over the end of the panel,
-// so that nothing above it moves.
-export function EffectCard({ room }: { room: OpenRoom }) {
+// What the last act has cost or brought elsewhere, until it is closed or the next act; what the panel above tells (`told`)
+// is not told again. It lies over the end of the panel, so that nothing above it moves.
+export function EffectCard({ room, told }: { room: OpenRoom; told(sentenceId: string): boolean }) {
   const effect = room.effect.value;
-  if (!effect || effect.gained.length + effect.lost.length === 0) return null;
+  const lost = effect?.lost.filter(({ sentenceId }) => !told(sentenceId)) ?? [];
+  if (!effect || effect.gained.length + lost.length === 0) return null;
   return (
     <section class="effect" aria-label="What the last change did">
       <header>
@@ -22,16 +23,16 @@ export function EffectCard({ room }: { room: OpenRoom }) {
         </button>
       </header>
       <ul>
-        {effect.lost.map((text) => (
+        {lost.map(({ text }) => (
           <li key={text} class="is-lost">
             <Icon name="cross" size={13} />
-            <span>No longer: {text}</span>
+            <span>No longer: {room.spoken(text)}</span>
           </li>
         ))}
-        {effect.gained.map((text) => (
+        {effect.gained.map(({ text }) => (
           <li key={text} class="is-gained">
             <Icon name="check" size={13} />
-            <span>Now: {text}</span>
+            <span>Now: {room.spoken(text)}</span>
           </li>
         ))}
       </ul>

@@ -17,7 +17,7 @@ export function Faults({ room, of, title }: { room: OpenRoom; of?: readonly Piec
         {faults.map(({ objectId, partnerId, message }) => (
           <li key={`${objectId} ${message}`} class="notice is-bad">
             <button onClick={() => room.select([objectId, partnerId].filter(isNamed))}>
-              {withStop(capital(message))}
+              {withStop(capital(room.spoken(message)))}
             </button>
           </li>
         ))}

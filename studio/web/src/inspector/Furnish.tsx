@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { useState } from "preact/hooks";
 import type { OpenRoom } from "../state/open_room";
+import examples from "./furnish_examples.json";
+
+// What such a room might be asked to hold.
+function exampleFor(roomType: string): string {
+  const known: Readonly<Record<string, string>> = examples;
+  return known[roomType.replace(/_/g, " ")] ?? known[""]!;
+}
 
 // For a room in which nothing stands: a brief furnishes it.
 export function Furnish({ room }: { room: OpenRoom }) {
   const [text, setText] = useState("");
+  const example = exampleFor(room.layout.value?.graph?.room?.roomType ?? "");
   const [isSent, setSent] = useState(false);
   const send = async () => {
     if (!text.trim() || isSent) return;
@@ -20,7 +28,7 @@ export function Furnish({ room }: { room: OpenRoom }) {
           rows={3}
           value={text}
           maxLength={4000}
-          placeholder="A living room with a piano and two armchairs by the window"
+          placeholder={example}
           onInput={(event) => setText(event.currentTarget.value)}
           onKeyDown={(event) => {
             if (event.key !== "Enter" || event.shiftKey || event.isComposing) return;
@@ -29,6 +37,7 @@ export function Furnish({ room }: { room: OpenRoom }) {
           }} />
       </label>
       <div class="furnish-foot">
+        {!text && <button type="button" class="link-button" onClick={() => setText(example)}>Take this</button>}
         <span class="hint">Or add pieces one by one: press F.</span>
         <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>Furnish</button>
       </div>

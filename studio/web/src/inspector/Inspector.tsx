@@ -3,6 +3,7 @@
 import { useRef } from "preact/hooks";
 import type { OpenRoom } from "../state/open_room";
 import { EffectCard } from "./EffectCard";
+import { objectIn } from "./note";
 import { PiecePanel } from "./PiecePanel";
 import { RoomPanel } from "./RoomPanel";
 import { SayField } from "./SayField";
@@ -15,6 +16,10 @@ export function Inspector({ room }: { room: OpenRoom }) {
   const pieces = room.pieces.value;
   const chosen = [...room.selection.value].flatMap((id) => pieces.get(id) ?? []);
   const [only] = chosen;
+  // The room's panel lists every wish that does not hold, a piece's those about it.
+  const told = (sentenceId: string) => chosen.length === 0 ||
+    (chosen.length === 1 && objectIn(room.explanation.value?.note, only!.id)?.demands?.some(
+      (demand) => demand.sentence_id === sentenceId) === true);
   return (
     <aside class="inspector" aria-label="Inspector">
       <div class="inspector-body" tabIndex={-1} ref={body}>
@@ -22,7 +27,7 @@ export function Inspector({ room }: { room: OpenRoom }) {
         {only && chosen.length === 1 && <PiecePanel key={only.id} room={room} piece={only} />}
         {chosen.length > 1 && <SeveralPanel room={room} pieces={chosen} />}
       </div>
-      <EffectCard room={room} />
+      <EffectCard room={room} told={told} />
       <SayField room={room} about={chosen.length === 1 ? only : undefined} />
     </aside>
   );

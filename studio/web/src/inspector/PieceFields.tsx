@@ -2,8 +2,11 @@
 // Sizes, place and heading of a piece, to be typed.
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { figure, parseLength } from "../app/units";
-import { wrapped } from "../geometry/vec";
-import { placementOf, type Piece } from "../state/pieces";
+import { headingText, parseHeading } from "../geometry/compass";
+import { boxOf } from "../geometry/polygon";
+import { sub } from "../geometry/vec";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
+import { footprintOf, placementOf, type Piece } from "../state/pieces";
 import { movePieces, resizePiece } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
@@ -49,19 +52,26 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
     void apply(metres);
     return true;
   };
-  const move = (to: Partial<typeof pose>) => void movePieces(room, [placementOf(piece, { ...piece.pose, ...to })]);
+  const move = (to: Partial<typeof pose>, z = piece.z) =>
+    void movePieces(room, [{ ...placementOf(piece, { ...piece.pose, ...to }), zM: z }]);
+  const gaps = sub(boxOf(footprintOf(piece, pose)).min, boxOf(room.floor.value).min);
   const place = (text: string, axis: "x" | "y") => {
     const metres = parseLength(text, units);
-    if (metres !== undefined) move({ [axis]: metres });
+    if (metres !== undefined) move({ [axis]: pose[axis] + metres - gaps[axis] });
     return metres !== undefined;
   };
   const turn = (text: string) => {
-    const degrees = Number(text.replace("°", "").trim());
-    if (!text.trim() || !Number.isFinite(degrees)) return false;
-    move({ theta: wrapped((degrees * Math.PI) / 180) });
+    const theta = parseHeading(text);
+    if (theta !== undefined) move({ theta });
+    return theta !== undefined;
+  };
+  const hang = (text: string) => {
+    const metres = parseLength(text, units);
+    if (metres === undefined || metres < 0 || metres > kLargest) return false;
+    move({}, metres);
     return true;
   };
-  const heading = Math.round(((wrapped(pose.theta) * 180) / Math.PI) * 10) / 10 % 360;
+  const isHung = piece.object.kind === ObjectKind.WALL || piece.object.kind === ObjectKind.CEILING;
   return (
     <div class="fields">
       <Field label="Width" text={figure(width, units)} take={(text) => size(text, (metres) =>
@@ -70,9 +80,14 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
         resizePiece(room, piece, { pose: piece.pose, size: { width, depth: metres } }))} />
       <Field label="Height" text={figure(piece.object.heightM, units)} take={(text) => size(text, (metres) =>
         resizePiece(room, piece, { pose: piece.pose, size: piece.size }, metres))} />
-      <Field label="From west" title="Of its middle, from the room's western end" text={figure(pose.x, units)} isLocked={piece.pinned} take={(text) => place(text, "x")} />
-      <Field label="From south" title="Of its middle, from the room's southern end" text={figure(pose.y, units)} isLocked={piece.pinned} take={(text) => place(text, "y")} />
-      <Field label="Turned" title="0° looks north, 90° west" text={`${heading}°`} isLocked={piece.pinned} take={turn} />
+      <Field label="To west wall" title="From its western side to the room's western end" isLocked={piece.pinned}
+        text={figure(gaps.x, units)} take={(text) => place(text, "x")} />
+      <Field label="To south wall" title="From its southern side to the room's southern end" isLocked={piece.pinned}
+        text={figure(gaps.y, units)} take={(text) => place(text, "y")} />
+      <Field label="Faces" title="N, NE, E... or degrees clockwise from north, which is up on the plan; R adds 90"
+        isLocked={piece.pinned} text={headingText(pose.theta)} take={turn} />
+      {isHung && <Field label="Above floor" title="From the floor to its lower edge" isLocked={piece.pinned}
+        text={figure(piece.z, units)} take={hang} />}
     </div>
   );
 }

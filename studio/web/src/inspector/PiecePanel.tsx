@@ -41,7 +41,7 @@ function PieceName({ room, piece }: { room: OpenRoom; piece: Piece }) {
 
 export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const about = objectIn(room.explanation.value?.note, piece.id);
-  const told = new Set(faultsOf(room).map((one) => one.message.replace(/\.$/, "")));
+  const told = new Set(faultsOf(room).map((one) => room.spoken(one.message).replace(/\.$/, "")));
   const demands = useKept(sorted(about?.demands ?? []), keyOf, () => true);
   const asked = piece.object.requested ? "You asked for it." : "";
   return (

@@ -5,28 +5,12 @@ import { area } from "../geometry/polygon";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
-import type { Demand, Note } from "./note";
 import { Faults } from "./Faults";
 import { Furnish } from "./Furnish";
-import { useKept } from "./kept";
 import { Measures } from "./Measures";
 import { PieceList } from "./PieceList";
-import { SentenceRow } from "./Sentence";
+import { Wishes } from "./Wishes";
 import { capital, withStop } from "./words";
-
-interface Wish {
-  readonly demand: Demand;
-  readonly objectId: string;
-}
-
-const keyOf = ({ demand, objectId }: Wish): string => demand.sentence_id ?? `${objectId} ${demand.about_it}`;
-
-// Every wish once, with the first piece that it is about.
-function wishesOf(note: Note): Wish[] {
-  const wishes = (note.zones ?? []).flatMap(({ objects = [] }) =>
-    objects.flatMap(({ id: objectId, demands = [] }) => demands.map((demand): Wish => ({ demand, objectId }))));
-  return [...new Map(wishes.reverse().map((wish) => [keyOf(wish), wish])).values()].reverse();
-}
 
 function Lines({ title, lines }: { title: string; lines: readonly string[] | undefined }) {
   if (!lines || lines.length === 0) return null;
@@ -42,8 +26,6 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
   const { units } = useStudio().settings;
   const explanation = room.explanation.value, note = explanation?.note ?? {};
   const layout = room.layout.value, shape = layout?.graph?.room;
-  // One that is missed stays in the list while it is looked at, also when it comes to hold.
-  const missed = useKept(wishesOf(note), keyOf, ({ demand }) => demand.fate === "missed");
   return (
     <>
       <header class="panel-head">
@@ -72,16 +54,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
       )}
       <Faults room={room} title="What is wrong" />
       {room.pieces.value.size === 0 ? <Furnish room={room} /> : <Measures note={note} metrics={layout?.metrics} />}
-      {missed.length > 0 && (
-        <section>
-          <h3 class="eyebrow">Wishes that do not hold</h3>
-          <ul class="sentences">
-            {missed.map((wish) => (
-              <SentenceRow key={keyOf(wish)} room={room} {...wish} />
-            ))}
-          </ul>
-        </section>
-      )}
+      <Wishes room={room} note={note} />
       <Lines title="Wishes that contradict each other" lines={note.clashes} />
       <PieceList room={room} note={note} />
       <Lines title="Left out of the room" lines={note.left_out} />

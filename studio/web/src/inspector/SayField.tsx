@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { useEffect, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
-import { say } from "../state/commands";
+import { say, undo } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
-import { theName, type Piece } from "../state/pieces";
+import { isSolid, theName, type Piece } from "../state/pieces";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { capital } from "./words";
+
+// A sentence about what is there.
+function exampleFor(room: OpenRoom, about: Piece | undefined): string {
+  const pieces = [...room.pieces.value.values()];
+  const piece = about ?? pieces.find((one) => isSolid(one) && one.object.seat) ?? pieces.find(isSolid);
+  if (!piece) return "The room has an armchair";
+  const name = capital(theName(piece.object));
+  const { kind, walkOver } = piece.object;
+  if (walkOver) return `${name} is in the middle of the room`;
+  if (kind === ObjectKind.FLOOR) return piece.object.seat ? `${name} faces the window` : `${name} is against the north wall`;
+  return kind === ObjectKind.WALL ? `${name} hangs on the north wall` : `${name} is in a corner`;
+}
 
 // Adds what one sentence asks for; the server says when it does not understand.
 export function SayField({ room, about }: { room: OpenRoom; about: Piece | undefined }) {
@@ -23,18 +36,23 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
     );
     setSent(false);
     if (!answer) return;
+    // The focus stays: letters that are typed next are a sentence, not keys of the plan.
     setText("");
-    // Keys are for the plan again: what was said can be undone.
-    (document.activeElement as HTMLElement | null)?.blur();
   };
   return (
     <form class="say" onSubmit={(event) => { event.preventDefault(); void send(); }}>
       {remark && <p class="say-remark" role="alert">{remark}</p>}
       <div class="say-line">
         <input value={text} maxLength={400} aria-label={label} aria-busy={isSent}
-          placeholder={about ? `${capital(theName(about.object))} faces the window` : "The armchair faces the window"}
+          placeholder={exampleFor(room, about)}
           onInput={(event) => { setText(event.currentTarget.value); setRemark(""); }}
-          onKeyDown={(event) => { if (event.key === "Escape") event.currentTarget.blur(); }} />
+          onKeyDown={(event) => {
+            if (event.key === "Escape") event.currentTarget.blur();
+            // With nothing left to take back here, it is the last act that is meant.
+            if (text || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.key.toLowerCase() !== "z") return;
+            event.preventDefault();
+            if (room.document.peek().undoLabel) void undo(room);
+          }} />
         <button class="icon-button" type="submit" aria-label="Add the sentence" title="Add the sentence (Enter)"
           disabled={!text.trim() || isSent}><Icon name="chat" /></button>
       </div>

@@ -34,7 +34,7 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
   const [isOpen, setOpen] = useState(false);
   const { units } = useStudio().settings;
   const { fate, shortfall, isLive } = liveFate(room, demand);
-  const text = (demand.about_it || demand.sentence || "").replace(/\.$/, "");
+  const text = room.spoken(demand.about_it || demand.sentence || "").replace(/\.$/, "");
   const sentences = room.layout.value?.graph?.constraintList?.sentences;
   const origin = sentences?.find((one) => one.id === demand.sentence_id)?.origin ?? SentenceOrigin.UNSPECIFIED;
   // What is dropped has no constraint left; saying it again makes one.
@@ -44,8 +44,9 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
     room.pointedAt.value = { ...demand, other_object_ids: [...own, ...(demand.other_object_ids ?? [])] };
   };
   const unpoint = () => { room.pointedAt.value = undefined; };
+  const isNew = fate === "missed" && room.effect.value?.lost.some((one) => one.sentenceId === demand.sentence_id);
   const mark = fate === "holds" ? "check" : fate === "missed" ? "cross" : "dash";
-  const missed = fate === "missed" ? (isLive ? shortfall : shortfall || missedText(demand, units.value)) : shortfall;
+  const missed = fate === "missed" ? (isLive ? room.spoken(shortfall) : shortfall || missedText(demand, units.value)) : shortfall;
   return (
     <li
       class={`sentence is-${fate.replace(" ", "-")} ${isLive ? "is-live" : ""}`}
@@ -64,7 +65,9 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
         </span>
         <span class="sentence-text">{text}</span>
       </button>
-      {missed && <p class="sentence-missed">{missed}</p>}
+      {(missed || isNew) && (
+        <p class="sentence-missed">{[missed, isNew && "since the last change"].filter(Boolean).join(", ")}</p>
+      )}
       {isOpen && (
         <div class="sentence-more">
           {demand.reason && <p class="sentence-reason">{demand.reason}</p>}

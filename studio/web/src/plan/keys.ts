@@ -6,7 +6,7 @@ import { isSolid, type Piece } from "../state/pieces";
 import { editedClearance } from "./ClearanceField";
 import { shownClearances } from "./clearance_of";
 import type { PlanController } from "./controller";
-import { pivotOf, rotated } from "./gestures/rotate";
+import { turnedInside } from "./gestures/rotate";
 import { Nudge } from "./nudge";
 import { zoom } from "./view";
 
@@ -16,7 +16,7 @@ let copied: readonly Piece[] = [];
 
 function turn(plan: PlanController, angle: number): void {
   const pieces = plan.chosen.peek().filter((piece) => !piece.pinned);
-  if (pieces.length > 0) void plan.drop(rotated(pieces, pivotOf(pieces), angle));
+  if (pieces.length > 0) void plan.drop(turnedInside(plan, pieces, angle));
 }
 
 // The next piece of the room, as tab does for fields; false at the end, where the focus goes on.
@@ -46,7 +46,7 @@ function editClearance(plan: PlanController): boolean {
 
 function onCommand(plan: PlanController, key: string): boolean {
   const chosen = plan.chosen.peek();
-  if (key === "a") plan.room.select([...plan.room.pieces.peek().values()].filter(isSolid).map((piece) => piece.id));
+  if (key === "a") plan.room.select(plan.room.pieces.peek().keys());
   else if (key === "c" && getSelection()?.isCollapsed !== false) copied = chosen;
   else if (key === "v") void duplicatePieces(plan.room, copied);
   else if (key === "d") void duplicatePieces(plan.room, chosen);

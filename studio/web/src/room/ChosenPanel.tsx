@@ -113,7 +113,7 @@ function DoorFields({ door, wall }: { door: Door; wall: WallLine }) {
     ["end", capital(ends.end)],
   ] as const;
   // As on the plan, from left to right.
-  const isTurned = ends.start === "right" || ends.start === "lower";
+  const isTurned = ends.start === "east" || ends.start === "south";
   const set = (part: Partial<Door>) => setFixture(drawing, { ...door, ...part });
   const swings = door.swing === "inward" || door.swing === "outward";
   return (
@@ -161,7 +161,7 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
   const set = (part: Partial<Fixture>) => setFixture(drawing, { ...fixture, ...part } as Fixture);
   const gaps = wall && gapsOf(fixture, wall),
     ends = endsOf(wall?.along ?? { x: 1, y: 0 });
-  const isTurned = ends.start === "right" || ends.start === "lower";
+  const isTurned = ends.start === "east" || ends.start === "south";
   const before = gaps && (
     <MetresField
       key="before"

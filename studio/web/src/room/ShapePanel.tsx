@@ -14,13 +14,23 @@ import { emptySketch, extentOf } from "./sketch";
 
 const icons: Record<string, IconName> = { door: "door", window: "window", socket: "socket" };
 
+// Browsers list only what begins as the field does: empty, it lists every kind. What was there comes back on leaving.
+function openList(input: HTMLInputElement): void {
+  input.value = "";
+  try {
+    input.showPicker();
+  } catch {
+    // A browser that does not know how opens the list at the first letter.
+  }
+}
+
 function RoomType() {
   const drawing = useDrawing(),
     { roomType } = drawing.sketch.value;
   const take = (input: HTMLInputElement) => {
     const typed = input.value.trim().toLowerCase().slice(0, 60);
-    if (!typed) input.value = roomType;
-    else if (typed !== roomType)
+    input.value = typed || roomType;
+    if (typed && typed !== roomType)
       drawing.commit({ ...drawing.sketch.peek(), roomType: typed }, "change the kind of room");
   };
   return (
@@ -29,9 +39,16 @@ function RoomType() {
       <input
         key={roomType}
         defaultValue={roomType}
+        placeholder={roomType}
         list="room-types"
         maxLength={60}
+        onClick={(event) => openList(event.currentTarget)}
         onBlur={(event) => take(event.currentTarget)}
+        onInput={(event) => {
+          // Taken from the list, and not on the way to another word.
+          const { value } = event.currentTarget;
+          if (!(event instanceof InputEvent) && (roomTypes as string[]).includes(value)) event.currentTarget.blur();
+        }}
         onKeyDown={(event) => {
           event.stopPropagation();
           if (event.key === "Enter") event.currentTarget.blur();

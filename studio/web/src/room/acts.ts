@@ -3,7 +3,7 @@
 import { dot, type Vec } from "../geometry/vec";
 import type { RoomDrawing, Selection } from "./controller";
 import { newFixture, withFixture, withoutFixture } from "./fixtures";
-import { wallNamesOf, spokenFixture, spokenWall } from "./names";
+import { spokenFixture, spokenWallsOf } from "./names";
 import { widthOf, type Fixture, type Sketch } from "./sketch";
 import { withCornerAt, withCornerOn, withoutCorner, withWallMoved } from "./walls";
 
@@ -16,7 +16,7 @@ export function cornerIndex(sketch: Sketch, key: string): number {
 }
 
 export function nameOfWall(sketch: Sketch, key: string): string {
-  return spokenWall(wallNamesOf(sketch).get(key) ?? "wall");
+  return spokenWallsOf(sketch).get(key) ?? "wall";
 }
 
 export function setFixture(drawing: RoomDrawing, fixture: Fixture): void {

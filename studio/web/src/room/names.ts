@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What walls are called: by compass in an upright rectangle, else by number; names that they came with stay.
+import { pointOf } from "../geometry/compass";
+import { times } from "../geometry/vec";
+import { wallWords } from "../geometry/wall_names";
 import { isUprightRectangle, wallsOf, type Sketch } from "./sketch";
-
-const compass = (inward: { x: number; y: number }): string => {
-  if (Math.abs(inward.x) > Math.abs(inward.y)) return inward.x > 0 ? "west" : "east";
-  return inward.y > 0 ? "south" : "north";
-};
 
 // Key -> name, as docs/rooms.md says.
 export function wallNamesOf(sketch: Sketch): Map<string, string> {
   const walls = wallsOf(sketch);
   const names = new Map<string, string>();
   if (isUprightRectangle(sketch) && walls.every(({ key }) => !sketch.wallNames[key])) {
-    for (const { key, inward } of walls) names.set(key, compass(inward));
+    for (const { key, inward } of walls) names.set(key, pointOf(times(inward, -1)));
     return names;
   }
   const taken = new Set(walls.map(({ key }) => sketch.wallNames[key]).filter(Boolean));
@@ -25,12 +23,15 @@ export function wallNamesOf(sketch: Sketch): Map<string, string> {
   return names;
 }
 
-const isNumbered = /^wall_(\d+)$/;
+// Key -> "north wall", "shorter north wall", "garden wall".
+export function spokenWallsOf(sketch: Sketch): Map<string, string> {
+  const names = wallNamesOf(sketch);
+  // While they are drawn, nobody knows at which side of them the room will be.
+  const words = wallWords(!sketch.isClosed ? [] : wallsOf(sketch).map(({ key, a, b }) => ({ name: names.get(key)!, a, b })));
+  return new Map([...names].map(([key, name]) => [key, words.get(name) ?? ownName(name)]));
+}
 
-// "north wall", "wall 3", "garden wall".
-export function spokenWall(name: string): string {
-  const number = isNumbered.exec(name)?.[1];
-  if (number) return `wall ${number}`;
+function ownName(name: string): string {
   const words = name.replace(/_/g, " ");
   return /wall/.test(words) ? words : `${words} wall`;
 }
@@ -38,9 +39,9 @@ export function spokenWall(name: string): string {
 // "door 1" of "door_1".
 export const spokenFixture = (id: string): string => id.replace(/_/g, " ");
 
-// The ends of a wall as they lie on the screen: "left", "right", "upper", "lower".
+// The ends of a wall by the compass: "west", "east", "north", "south".
 export function endsOf(along: { x: number; y: number }): { start: string; end: string } {
   if (Math.abs(along.x) >= Math.abs(along.y))
-    return along.x > 0 ? { start: "left", end: "right" } : { start: "right", end: "left" };
-  return along.y > 0 ? { start: "lower", end: "upper" } : { start: "upper", end: "lower" };
+    return along.x > 0 ? { start: "west", end: "east" } : { start: "east", end: "west" };
+  return along.y > 0 ? { start: "south", end: "north" } : { start: "north", end: "south" };
 }

@@ -63,7 +63,7 @@ function placeGesture(drawing: RoomDrawing, start: PointerEvent, kind: Exclude<T
     end() {
       const placed = drawing.ghost.peek();
       if (!placed) return drawing.studio.toasts.note("Put it on a wall.");
-      drawing.take("select");
+      drawing.ghost.value = undefined;
       drawing.commit(withFixture(drawing.sketch.peek(), placed), `add a ${kind}`);
       drawing.select({ kind: "fixture", id: placed.id });
     },

@@ -76,7 +76,7 @@ test("what the server would refuse is said before", () => {
       wall: `w${i + 1}`,
     })),
   };
-  assert.match(texts(crossed).join(), /Wall 1 and wall 3 cross or touch/);
+  assert.match(texts(crossed).join(), /South-east wall and north-east wall cross or touch/);
   const door = newFixture(rect, "door", "w4", 2.5);
   assert.match(texts(withFixture(rect, door)).join(), /Door 1 reaches beyond the end of west wall/);
   const window = newFixture(rect, "window", "w1", 1);

@@ -149,8 +149,16 @@ export function settle(room: OpenRoom): void {
   else room.tell(kAllSettled);
 }
 
-export const undo = (room: OpenRoom) => room.act({ case: "undo", value: {} });
-export const redo = (room: OpenRoom) => room.act({ case: "redo", value: {} });
+// What was undone is told: it may be out of sight.
+async function inHistory(room: OpenRoom, step: "undo" | "redo") {
+  const { undoLabel, redoLabel } = room.document.peek();
+  const answer = await room.act({ case: step, value: {} });
+  if (answer) room.tell(step === "undo" ? `Undone: ${undoLabel}.` : `Done again: ${redoLabel}.`);
+  return answer;
+}
+
+export const undo = (room: OpenRoom) => inHistory(room, "undo");
+export const redo = (room: OpenRoom) => inHistory(room, "redo");
 export const rename = (room: OpenRoom, title: string) => room.act({ case: "title", value: title });
 
 export const say = (room: OpenRoom, text: string, tell?: (text: string) => void) =>

@@ -34,7 +34,10 @@ test("sentences that came to hold and that ceased to are told apart", () => {
     layout(SATISFIED, VIOLATED, SATISFIED, SATISFIED),
     layout(SATISFIED, SATISFIED, VIOLATED, SATISFIED),
   );
-  assert.deepEqual(effect, { gained: ["One."], lost: ["Two."] });
+  assert.deepEqual(effect, {
+    gained: [{ sentenceId: "s1", text: "One." }],
+    lost: [{ sentenceId: "s2", text: "Two." }],
+  });
 });
 
 test("what is dropped is neither", () => {

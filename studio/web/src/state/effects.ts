@@ -2,9 +2,14 @@
 // What an act has brought about beside what it was for: sentences that hold since then, and those that no longer do.
 import { OutcomeStatus, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 
+export interface Change {
+  readonly sentenceId: string;
+  readonly text: string;
+}
+
 export interface Effect {
-  readonly gained: readonly string[];
-  readonly lost: readonly string[];
+  readonly gained: readonly Change[];
+  readonly lost: readonly Change[];
 }
 
 // Sentence id -> whether all its constraints hold; those that come from no sentence are left out.
@@ -24,6 +29,6 @@ export function effectOf(before: SolvedLayout | undefined, after: SolvedLayout):
   const texts = new Map(after.graph?.constraintList?.sentences.map((one) => [one.id, one.text]));
   const was = verdicts(before);
   const changed = (to: boolean) => [...verdicts(after)].filter(([id, holds]) => holds === to && was.get(id) === !to)
-    .map(([id]) => texts.get(id) ?? id);
+    .map(([id]): Change => ({ sentenceId: id, text: texts.get(id) ?? id }));
   return { gained: changed(true), lost: changed(false) };
 }

@@ -5,6 +5,7 @@ import type { MessageInitShape } from "@bufbuild/protobuf";
 import type { Clients } from "../api/clients";
 import { isConflict, isNothingToDo, isUnknownCall, sentenceOf } from "../api/problems";
 import type { Pose } from "../geometry/footprint";
+import { spoken, spokenThroughout, wallWords } from "../geometry/wall_names";
 import { noteOf, type Demand, type Note } from "../inspector/note";
 import type { PlanParts } from "../gen/flair/v1/renderer_service_pb";
 import { Severity } from "../gen/flair/v1/provenance_pb";
@@ -13,7 +14,7 @@ import type { ActRequestSchema, ActResponse, Document } from "../gen/flair/v1/st
 import { effectOf, type Effect } from "./effects";
 import { Judging } from "./judging";
 import { animate } from "./motion";
-import { floorOf, piecesOf, type Poses } from "./pieces";
+import { floorOf, piecesOf, wallsOf, type Poses } from "./pieces";
 import { isDrawnAlike } from "./structure";
 import type { ToastAct, Toasts } from "./toasts";
 
@@ -50,6 +51,8 @@ export class OpenRoom {
   readonly pieces = computed(() => piecesOf(this.layout.value));
   readonly floor = computed(() => floorOf(this.layout.value));
   readonly outcomes = computed(() => new Map(this.layout.value?.edgeOutcomes.map((one) => [one.edgeId, one])));
+  // What walls are called that have but a number.
+  readonly wallWords = computed(() => wallWords(wallsOf(this.layout.value?.graph?.room)));
   readonly judging: Judging;
   private readonly poses = new Map<string, ReadonlySignal<Pose | undefined>>();
   private queue: Promise<unknown> = Promise.resolve();
@@ -90,8 +93,18 @@ export class OpenRoom {
     this.endMotion();
   }
 
+  // What was pointed at in a list is gone with it, and no leaving of the pointer is told.
   select(ids: Iterable<string>): void {
-    this.selection.value = new Set(ids);
+    batch(() => {
+      this.selection.value = new Set(ids);
+      this.hovered.value = "";
+      this.pointedAt.value = undefined;
+    });
+  }
+
+  // A text of the server in the words of this room.
+  spoken(text: string): string {
+    return spoken(text, this.wallWords.value);
   }
 
   // Shows the first that is known of it.
@@ -132,8 +145,12 @@ export class OpenRoom {
       if (response.document && !this.isClosed) this.show(response.document, response.layout);
       const isTold = !kUntold.has(act.case ?? "");
       this.effect.value = response.layout && isTold ? effectOf(before, response.layout) : undefined;
-      for (const { severity, message } of response.diagnostics) {
-        if (severity >= Severity.WARNING && !known.has(message)) tell(message);
+      // What a list or the card tells is not told by a toast as well.
+      const told = [...(this.effect.peek()?.lost ?? []).map(({ text }) => text.replace(/\.$/, "")),
+        ...(response.layout?.metrics?.findings ?? []).map((one) => one.message.replace(/\.$/, ""))];
+      for (const { severity, message: said } of response.diagnostics) {
+        const message = this.spoken(said), isNew = !known.has(said) && !told.some((one) => said.includes(one));
+        if (severity >= Severity.WARNING && isNew) tell(message);
         else if (act.case === "room") this.toasts.note(message);
       }
       return response;
@@ -199,7 +216,8 @@ export class OpenRoom {
     try {
       const { revision, note, notAsAsked } = await this.clients.studio.explain({ documentId: this.id });
       if (revision !== this.document.peek().revision) return;
-      this.explanation.value = { note: noteOf(note), notAsAsked };
+      const walls = this.wallWords.peek();
+      this.explanation.value = spokenThroughout({ note: noteOf(note), notAsAsked: [...notAsAsked] }, walls);
     } catch (error) {
       if (!isUnknownCall(error)) this.toasts.error(sentenceOf(error));
     }

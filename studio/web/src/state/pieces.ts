@@ -2,6 +2,7 @@
 // What the page needs to know of a layout's objects, and questions about them.
 import { corners, contains, type Pose, type Size } from "../geometry/footprint";
 import { vec, wrapped, type Vec } from "../geometry/vec";
+import type { NamedWall } from "../geometry/wall_names";
 import { ObjectKind, type Object$ } from "../gen/flair/v1/object_list_pb";
 import type { Placement } from "../gen/flair/v1/placement_pb";
 import type { Room } from "../gen/flair/v1/room_pb";
@@ -103,4 +104,9 @@ export function placementOf(piece: Piece, pose: Pose): Omit<Placement, "$typeNam
 }
 
 export const cornersOf = (room: Room | undefined): Vec[] => room?.floor?.vertices.map((v) => vec(v.xM, v.yM)) ?? [];
+export function wallsOf(room: Room | undefined): NamedWall[] {
+  const corners = cornersOf(room);
+  return corners.map((a, i) => ({ name: room?.walls[i]?.name ?? "", a, b: corners[(i + 1) % corners.length]! }));
+}
+
 export const floorOf = (layout: SolvedLayout | undefined): Vec[] => cornersOf(layout?.graph?.room);

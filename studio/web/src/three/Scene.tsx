@@ -5,12 +5,17 @@ import { isUnknownCall, sentenceOf } from "../api/problems";
 import { Icon } from "../app/Icon";
 import { DocumentFormat } from "../gen/flair/v1/studio_service_pb";
 import type { OpenRoom } from "../state/open_room";
+import { theName, type Piece } from "../state/pieces";
 import { useStudio, type Studio } from "../state/studio";
 import type { Sight } from "./camera";
 import { Traced } from "./Traced";
-import { View3d, type Mode } from "./view3d";
+import { fromPiece } from "./places";
+import { View3d, type Mode, type Remembered } from "./view3d";
 
 const kPause = 350;
+
+// By room, for as long as the page is open.
+const remembered = new Map<string, Remembered>();
 
 // Keeps the view at what the document shows.
 function followDocument(studio: Studio, room: OpenRoom, view: View3d, told: (state: string) => void): () => void {
@@ -52,13 +57,24 @@ function pick(room: OpenRoom, id: string, isAdding: boolean): void {
 export default function Scene({ room }: { room: OpenRoom }) {
   const studio = useStudio();
   const host = useRef<HTMLDivElement>(null), view = useRef<View3d>();
-  const [mode, setMode] = useState<Mode>("orbit");
+  const memory = remembered.get(room.id) ?? { mode: "orbit" };
+  remembered.set(room.id, memory);
+  const [mode, setMode] = useState<Mode>(memory.mode), [hasWalked, setWalked] = useState(false);
   const [state, setState] = useState("Loading the view...");
   const [traced, setTraced] = useState<{ sight: Sight | undefined; isWithin: boolean }>();
   useEffect(() => {
     let made: View3d;
     try {
-      made = new View3d(host.current!, (id, isAdding) => pick(room, id, isAdding));
+      made = new View3d(host.current!, {
+        remembered: memory,
+        furnished: () => {
+          const shape = room.layout.peek()?.graph?.room;
+          return shape && { room: shape, pieces: room.pieces.peek() };
+        },
+        onPick: (id, isAdding) => pick(room, id, isAdding),
+        onMode: setMode,
+        onStep: () => setWalked(true),
+      });
     } catch {
       return setState("This browser shows nothing in three dimensions: it has no WebGL.");
     }
@@ -76,12 +92,18 @@ export default function Scene({ room }: { room: OpenRoom }) {
     setMode(to);
     view.current?.setMode(to);
   };
+  const chosen = [...room.selection.value].flatMap((id) => room.pieces.value.get(id) ?? []);
+  const seat = !state && chosen.length === 1 ? chosen[0] : undefined;
+  const lookFrom = (piece: Piece) => {
+    setMode("walk");
+    view.current?.lookFrom(fromPiece(piece, room.floor.peek()));
+  };
   const trace = () => setTraced({ sight: state ? undefined : view.current?.sight, isWithin: mode === "walk" });
   return (
     <div class="scene" ref={host} role="region" aria-label="The room in three dimensions">
       {state && <p class="scene-state">{state}</p>}
-      {!state && mode === "walk" && (
-        <p class="scene-state is-hint">Walk with W A S D or the arrow keys, with Shift faster; drag to look around.</p>
+      {!state && mode === "walk" && !hasWalked && (
+        <p class="scene-state is-hint">Walk with W A S D, turn with the arrow keys, with Shift faster; drag to look around; double click on the floor to go there.</p>
       )}
       <div class="scene-tools">
         <div class="segmented" role="group" aria-label="How to look">
@@ -98,6 +120,12 @@ export default function Scene({ room }: { room: OpenRoom }) {
             Walk
           </button>
         </div>
+        {seat && (
+          <button class="button" title="See the room as from there" onClick={() => lookFrom(seat)}>
+            <Icon name="pointer" />
+            From {theName(seat.object)}
+          </button>
+        )}
         <button class="button" title="A picture with real light and shadows, from where you look now" onClick={trace}>
           <Icon name="camera" />
           Ray-trace

@@ -2,19 +2,46 @@
 // The furnished room in three.js: what is loaded, lit, looked at and selected. Draws only when something changed.
 import {
   AmbientLight, Box3, BoxHelper, Color, DirectionalLight, Group, HemisphereLight, Mesh, PerspectiveCamera, Raycaster,
-  Scene, TextureLoader, Vector2, Vector3, type Light, type Object3D,
+  Scene, TextureLoader, Vector2, Vector3, type Intersection, type Light, type Object3D, type Quaternion,
 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
+import type { Room } from "../gen/flair/v1/room_pb";
+import { cornersOf, type Pieces } from "../state/pieces";
 import type { Sight } from "./camera";
 import { Quality } from "./quality";
+import { atDoor, keptInside, onFloor, wallBehind, wallsInTheWay, type Stand } from "./places";
 import { Walk } from "./walk";
 
 export type Mode = "orbit" | "walk";
 
-const kEyeHeight = 1.6;
 const kOrbitAngle = 50;
 const kWalkAngle = 72;
+// Nearer than this nothing is drawn: as far as one may be, for what lies close together is then told apart.
+const kOrbitNear = 0.5;
+const kWalkNear = 0.05;
+const kOnFloor = 0.06;
+
+// What the view needs to know of the room that it shows.
+export interface Furnished {
+  readonly room: Room;
+  readonly pieces: Pieces;
+}
+
+// Where one looked from when the view was last open.
+export interface Remembered {
+  mode: Mode;
+  walk?: { readonly position: Vector3; readonly rotation: Quaternion };
+}
+
+export interface ViewHost {
+  readonly furnished: () => Furnished | undefined;
+  readonly remembered: Remembered;
+  onPick(id: string, isAdding: boolean): void;
+  onMode(mode: Mode): void;
+  onStep(): void;
+}
 
 // Pictures in the file are read by <img>: the page's policy lets nothing else read them.
 function makeLoader(): GLTFLoader {
@@ -53,12 +80,13 @@ export class View3d {
   private readonly loader = makeLoader();
   private model: Object3D | undefined;
   private selected: ReadonlySet<string> = new Set();
-  private mode: Mode = "orbit";
+  private mode: Mode;
   private frame = 0;
   private loads = 0;
 
   // Throws where the browser has no WebGL.
-  constructor(private readonly host: HTMLElement, private readonly onPick: (id: string, isAdding: boolean) => void) {
+  constructor(private readonly host: HTMLElement, private readonly owner: ViewHost) {
+    this.mode = owner.remembered.mode;
     const canvas = this.quality.renderer.domElement, { ambience } = this.quality;
     host.prepend(canvas);
     const sun = new DirectionalLight(0xfff3e0, 1.6);
@@ -68,7 +96,7 @@ export class View3d {
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.maxPolarAngle = Math.PI * 0.49;
     this.orbit.addEventListener("change", () => this.draw());
-    this.walk = new Walk(this.camera, canvas, () => this.draw());
+    this.walk = new Walk(this.camera, canvas, () => this.draw(), () => owner.onStep());
     this.listenToPicks();
     this.resize();
   }
@@ -87,28 +115,70 @@ export class View3d {
     this.quality.prepare(scene);
     // The file's lights are for engines with exposure; here the room is lit evenly, and lamps only glow.
     scene.traverse((node) => { if ((node as Light).isLight) node.visible = false; });
-    const ceiling = scene.getObjectByName("ceiling");
-    if (ceiling) ceiling.visible = this.mode === "walk";
     this.scene.add(scene);
-    if (isFirst) this.lookFromAbove();
+    if (isFirst) this.setMode(this.mode);
     this.mark();
   }
 
   setMode(mode: Mode): void {
-    this.mode = mode;
+    this.remember();
+    this.mode = this.owner.remembered.mode = mode;
     this.orbit.enabled = mode === "orbit";
-    const ceiling = this.model?.getObjectByName("ceiling");
-    if (ceiling) ceiling.visible = mode === "walk";
     this.camera.fov = mode === "walk" ? kWalkAngle : kOrbitAngle;
+    this.camera.near = mode === "walk" ? kWalkNear : kOrbitNear;
     this.camera.updateProjectionMatrix();
     if (mode === "orbit") {
       this.walk.stop();
       this.lookFromAbove();
     } else {
-      this.lookFromDoor();
+      this.goOnWalking();
       this.walk.start();
     }
     this.draw();
+  }
+
+  // Looks from there, walking.
+  lookFrom({ eye, target }: Stand): void {
+    if (this.mode !== "walk") this.setMode("walk");
+    this.camera.position.set(eye.x, eye.z, -eye.y);
+    this.camera.lookAt(target.x, target.z, -target.y);
+    this.draw();
+  }
+
+  // Where one was before, or else at the door.
+  private goOnWalking(): void {
+    const furnished = this.owner.furnished(), { walk } = this.owner.remembered;
+    if (!furnished) return;
+    const floor = cornersOf(furnished.room);
+    this.walk.allowed = (at) => keptInside(floor, at);
+    if (!walk) return this.lookFrom(atDoor(furnished.room));
+    this.camera.position.copy(walk.position);
+    this.camera.quaternion.copy(walk.rotation);
+  }
+
+  private remember(): void {
+    if (this.mode !== "walk" || !this.model || !this.walk.isWalking) return;
+    this.owner.remembered.walk = {
+      position: this.camera.position.clone(), rotation: this.camera.quaternion.clone(),
+    };
+  }
+
+  // From outside, walls that are in the way are left out, with all that is in them and on them; so is what hangs from the
+  // ceiling, from above it.
+  private clearTheView(): void {
+    const furnished = this.owner.furnished(), { model } = this;
+    if (!furnished || !model) return;
+    const { room, pieces } = furnished, { position } = this.camera, isWithin = this.mode === "walk";
+    const away = isWithin ? new Set<string>() : wallsInTheWay(room, { x: position.x, y: -position.z });
+    const isAbove = !isWithin && position.y > room.heightM;
+    for (const node of model.getObjectByName("shell")?.children ?? []) {
+      node.visible = node.name === "ceiling" ? isWithin : !away.has(node.userData.wall);
+    }
+    for (const node of model.getObjectByName("furniture")?.children ?? []) {
+      const piece = pieces.get(node.name);
+      if (piece?.object.kind === ObjectKind.WALL) node.visible = away.size === 0 || !away.has(wallBehind(piece, room));
+      if (piece?.object.kind === ObjectKind.CEILING) node.visible = !isAbove;
+    }
   }
 
   select(ids: ReadonlySet<string>): void {
@@ -134,6 +204,7 @@ export class View3d {
   }
 
   dispose(): void {
+    this.remember();
     this.loads += 1;
     cancelAnimationFrame(this.frame);
     this.walk.stop();
@@ -146,6 +217,7 @@ export class View3d {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
       this.quality.begin(() => this.draw());
+      this.clearTheView();
       this.quality.renderer.render(this.scene, this.camera);
       this.quality.end();
     });
@@ -168,16 +240,6 @@ export class View3d {
     this.draw();
   }
 
-  private lookFromDoor(): void {
-    const box = this.boxOfRoom(), middle = box.getCenter(new Vector3());
-    const door = this.model?.getObjectByName("door_1");
-    const at = door ? new Box3().setFromObject(door).getCenter(new Vector3()) : new Vector3(middle.x, 0, box.max.z);
-    const step = middle.clone().sub(at).setY(0).normalize().multiplyScalar(0.4);
-    this.camera.position.copy(at.add(step)).setY(kEyeHeight);
-    this.camera.lookAt(middle.x, kEyeHeight - 0.25, middle.z);
-    this.walk.bounds = box;
-  }
-
   private mark(): void {
     this.marks.clear();
     for (const id of this.selected) {
@@ -192,17 +254,31 @@ export class View3d {
     let from = new Vector2();
     canvas.addEventListener("pointerdown", (event) => { from = new Vector2(event.clientX, event.clientY); });
     canvas.addEventListener("pointerup", (event) => {
-      if (event.button !== 0 || from.distanceTo(new Vector2(event.clientX, event.clientY)) > 4 || !this.model) return;
-      const box = canvas.getBoundingClientRect();
-      const at = new Vector2(
-        ((event.clientX - box.left) / box.width) * 2 - 1,
-        1 - ((event.clientY - box.top) / box.height) * 2,
-      );
-      const ray = new Raycaster();
-      ray.setFromCamera(at, this.camera);
-      const hit = ray.intersectObject(this.model, true).find(({ object }) => object.visible && this.isSeen(object));
-      this.onPick(pieceOf(hit?.object ?? null), event.shiftKey);
+      if (event.button !== 0 || from.distanceTo(new Vector2(event.clientX, event.clientY)) > 4) return;
+      const hit = this.hitAt(event);
+      if (hit) this.owner.onPick(pieceOf(hit.object), event.shiftKey);
+      else if (this.model) this.owner.onPick("", event.shiftKey);
     });
+    // A double click on the floor goes there.
+    canvas.addEventListener("dblclick", (event) => {
+      const hit = this.hitAt(event), furnished = this.owner.furnished();
+      if (!hit || hit.point.y > kOnFloor || !furnished) return;
+      const ahead = this.camera.getWorldDirection(new Vector3());
+      this.lookFrom(onFloor(cornersOf(furnished.room), { x: hit.point.x, y: -hit.point.z }, { x: ahead.x, y: -ahead.z }));
+      this.owner.onMode("walk");
+    });
+  }
+
+  private hitAt(event: MouseEvent): Intersection | undefined {
+    if (!this.model) return undefined;
+    const box = this.quality.renderer.domElement.getBoundingClientRect();
+    const at = new Vector2(
+      ((event.clientX - box.left) / box.width) * 2 - 1,
+      1 - ((event.clientY - box.top) / box.height) * 2,
+    );
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    return ray.intersectObject(this.model, true).find(({ object }) => object.visible && this.isSeen(object));
   }
 
   private isSeen(node: Object3D): boolean {

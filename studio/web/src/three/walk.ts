@@ -1,28 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walking: W, A, S, D or arrows go, with Shift faster; dragging looks around.
-import { Euler, Vector3, type Box3, type Camera } from "three";
+// Walking: W, A, S, D and the up and down arrows go, with Shift faster; left and right arrows turn; dragging looks around.
+// A tap is a step.
+import { Euler, Vector3, type Camera } from "three";
+import type { Vec } from "../geometry/vec";
 
-// Metres a second: as one strolls, and as one hurries.
+// Metres and radians a second: as one strolls, and as one hurries.
 const kSpeed = 1.4;
 const kFast = 3.5;
+const kTurn = Math.PI / 3;
+// Of a tap, however short.
+const kStep = 0.1;
+const kStepTurn = Math.PI / 36;
 // A picture that takes longer slows the walk, so that nobody runs through walls unseen.
 const kLongestStep = 0.25;
 const kTurnPerPixel = 0.0035;
-const kMargin = 0.25;
 
-const directions: Record<string, [number, number]> = {
-  KeyW: [0, -1],
-  ArrowUp: [0, -1],
-  KeyS: [0, 1],
-  ArrowDown: [0, 1],
-  KeyA: [-1, 0],
-  ArrowLeft: [-1, 0],
-  KeyD: [1, 0],
-  ArrowRight: [1, 0],
+// To the right, back, and turned to the left.
+const directions: Record<string, readonly [number, number, number]> = {
+  KeyW: [0, -1, 0],
+  ArrowUp: [0, -1, 0],
+  KeyS: [0, 1, 0],
+  ArrowDown: [0, 1, 0],
+  KeyA: [-1, 0, 0],
+  KeyD: [1, 0, 0],
+  ArrowLeft: [0, 0, 1],
+  ArrowRight: [0, 0, -1],
 };
 
 export class Walk {
-  bounds: Box3 | undefined;
+  // Where one may stand, of a place in the room.
+  allowed: (at: Vec) => Vec = (at) => at;
   private readonly held = new Set<string>();
   private frame = 0;
   private last = 0;
@@ -34,7 +41,12 @@ export class Walk {
     private readonly camera: Camera,
     private readonly canvas: HTMLElement,
     private readonly draw: () => void,
+    private readonly onStep: () => void,
   ) {}
+
+  get isWalking(): boolean {
+    return this.isOn;
+  }
 
   start(): void {
     if (this.isOn) return;
@@ -65,7 +77,10 @@ export class Walk {
     if (!directions[event.code] || isTyping || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     event.stopPropagation();
+    if (event.repeat && this.held.has(event.code)) return;
     this.held.add(event.code);
+    this.go([event.code], kStep, kStepTurn);
+    this.onStep();
     if (this.frame) return;
     this.last = performance.now();
     this.frame = requestAnimationFrame((now) => this.step(now));
@@ -73,10 +88,32 @@ export class Walk {
 
   private look(event: PointerEvent): void {
     if (event.buttons !== 1) return;
+    this.turn(event.movementX * kTurnPerPixel, event.movementY * kTurnPerPixel);
+    this.draw();
+  }
+
+  private turn(by: number, up = 0): void {
     const angles = new Euler().setFromQuaternion(this.camera.quaternion, "YXZ");
-    angles.y += event.movementX * kTurnPerPixel;
-    angles.x = Math.max(-1.2, Math.min(1.2, angles.x + event.movementY * kTurnPerPixel));
+    angles.y += by;
+    angles.x = Math.max(-1.2, Math.min(1.2, angles.x + up));
     this.camera.quaternion.setFromEuler(angles);
+  }
+
+  private go(codes: Iterable<string>, metres: number, angle: number): void {
+    const by = new Vector3();
+    let turn = 0;
+    for (const code of codes) {
+      const [right, back, left] = directions[code]!;
+      by.add(new Vector3(right, 0, back));
+      turn += left;
+    }
+    if (turn) this.turn(turn * angle);
+    const heading = new Euler().setFromQuaternion(this.camera.quaternion, "YXZ").y;
+    by.normalize().multiplyScalar(metres).applyAxisAngle(new Vector3(0, 1, 0), heading);
+    const { position } = this.camera;
+    // The view's frame has south as z.
+    const { x, y } = this.allowed({ x: position.x + by.x, y: -(position.z + by.z) });
+    position.set(x, position.y, -y);
     this.draw();
   }
 
@@ -85,17 +122,7 @@ export class Walk {
     if (this.held.size === 0) return;
     const seconds = Math.min((now - this.last) / 1000, kLongestStep);
     this.last = now;
-    const by = new Vector3();
-    for (const code of this.held) by.add(new Vector3(directions[code]![0], 0, directions[code]![1]));
-    const heading = new Euler().setFromQuaternion(this.camera.quaternion, "YXZ").y;
-    by.normalize().multiplyScalar((this.isFast ? kFast : kSpeed) * seconds).applyAxisAngle(new Vector3(0, 1, 0), heading);
-    this.camera.position.add(by);
-    if (this.bounds) {
-      const { min, max } = this.bounds;
-      this.camera.position.x = Math.min(max.x - kMargin, Math.max(min.x + kMargin, this.camera.position.x));
-      this.camera.position.z = Math.min(max.z - kMargin, Math.max(min.z + kMargin, this.camera.position.z));
-    }
-    this.draw();
+    this.go(this.held, (this.isFast ? kFast : kSpeed) * seconds, kTurn * seconds);
     this.frame = requestAnimationFrame((next) => this.step(next));
   }
 }

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { moved } from "../../geometry/footprint";
+import { corners, moved, type Pose, type Size } from "../../geometry/footprint";
 import { boxOf } from "../../geometry/polygon";
 import { snapped, type Moving, type Target } from "../../geometry/snap";
 import { add, sub, vec, type Vec } from "../../geometry/vec";
-import { mounted } from "../../geometry/wall_mount";
+import { isBacked, mounted, turnedToWall, type Mounted } from "../../geometry/wall_mount";
 import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
 import { footprintOf, guestsOf, isSolid, theName, type Piece, type Poses } from "../../state/pieces";
 import { capital } from "../../inspector/words";
 import type { PlanController } from "../controller";
 import { kDragStart, kSnapPixels, type Gesture } from "../gesture";
 
-// A lone piece by its own sides, several by the box around them.
+// Several pieces by the box around them.
 function movingOf(pieces: readonly Piece[], by: Vec): Moving {
-  const [only, ...others] = pieces;
-  if (only && others.length === 0) return { polygon: footprintOf(only, moved(only.pose, by)), theta: only.pose.theta };
   const { min, max } = boxOf(pieces.flatMap((piece) => footprintOf(piece, moved(piece.pose, by))));
   return { polygon: [min, vec(max.x, min.y), max, vec(min.x, max.y)], theta: 0 };
 }
@@ -26,11 +24,19 @@ export function snapTargets(plan: PlanController, moving: readonly Piece[]): Tar
     .map((piece) => ({ id: piece.id, polygon: footprintOf(piece), theta: piece.pose.theta }));
 }
 
-// A lone piece that hangs on a wall goes along the walls.
-function hungAt(plan: PlanController, pieces: readonly Piece[], by: Vec) {
-  const [only, ...others] = pieces;
-  if (!only || others.length > 0 || only.object.kind !== ObjectKind.WALL) return undefined;
-  return mounted(add(only.pose, by), only.object.widthM, only.object.depthM, plan.room.floor.peek());
+// Where a lone piece comes to rest when the pointer wants it there: what hangs goes along the walls, what has its back at
+// a wall turns it to the wall that it is brought to.
+export function restOf(
+  plan: PlanController,
+  { kind, size, pose, isBackedUp }: { kind: ObjectKind; size: Size; pose: Pose; isBackedUp: boolean },
+  targets: readonly Target[],
+): Mounted {
+  const within = kSnapPixels / plan.view.peek().scale, floor = plan.room.floor.peek();
+  const hung = kind === ObjectKind.WALL ? mounted(pose, size, floor, targets, within) : undefined;
+  if (hung) return hung;
+  const wanted = isBackedUp ? turnedToWall(pose, size, floor, within) : pose;
+  const { by, guides } = snapped({ polygon: corners(wanted, size), theta: wanted.theta }, floor, targets, within);
+  return { pose: moved(wanted, by), guides };
 }
 
 // Drags the selected pieces; alt lets them go anywhere, shift keeps to one axis. A press without a move is a click.
@@ -43,6 +49,8 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
   const chosen = plan.chosen.peek();
   const movable = chosen.filter((piece) => !piece.pinned);
   const targets = snapTargets(plan, movable);
+  const isBackedUp = movable.length === 1 && isSolid(movable[0]!)
+    && isBacked(movable[0]!.pose, movable[0]!.size, plan.room.floor.peek());
   let poses: Poses | undefined;
 
   function byOf(event: PointerEvent): Vec {
@@ -57,14 +65,15 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
       if (!poses && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart) return;
       if (movable.length === 0) return;
       let by = byOf(event);
-      const hung = event.altKey ? undefined : hungAt(plan, movable, by);
-      if (hung) {
-        plan.guides.value = [{ a: hung.a, b: hung.b, kind: "wall" }];
-        poses = new Map([[movable[0]!.id, { ...movable[0]!.pose, ...hung.pose }]]);
-        return plan.preview(poses);
-      }
+      const [only, ...others] = movable;
       if (event.altKey) {
         plan.guides.value = [];
+      } else if (only && others.length === 0) {
+        const pose = moved(only.pose, by);
+        const rest = restOf(plan, { kind: only.object.kind, size: only.size, pose, isBackedUp }, targets);
+        plan.guides.value = rest.guides;
+        poses = new Map([[only.id, rest.pose]]);
+        return plan.preview(poses);
       } else {
         const within = kSnapPixels / plan.view.peek().scale;
         const snap = snapped(movingOf(movable, by), plan.room.floor.peek(), targets, within);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { center, type Pose } from "../../geometry/footprint";
 import { boxOf } from "../../geometry/polygon";
+import { heldInside } from "../../geometry/wall_mount";
+import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
 import { snappedAngle } from "../../geometry/snap";
 import { add, middle, sub, turned, type Vec } from "../../geometry/vec";
 import { footprintOf, type Piece, type Poses } from "../../state/pieces";
@@ -23,6 +25,13 @@ export function rotated(pieces: readonly Piece[], pivot: Vec, angle: number): Po
   }));
 }
 
+// A lone piece does not turn into walls.
+export function turnedInside(plan: PlanController, pieces: readonly Piece[], angle: number): Poses {
+  const poses = rotated(pieces, pivotOf(pieces), angle), [only, ...others] = pieces;
+  if (!only || others.length > 0 || only.object.kind !== ObjectKind.FLOOR) return poses;
+  return new Map([[only.id, heldInside(poses.get(only.id)!, only.size, plan.room.floor.peek())]]);
+}
+
 // Turns by the handle, in steps of 15 degrees; alt turns freely.
 export function rotateGesture(plan: PlanController, start: PointerEvent): Gesture {
   const pieces = plan.chosen.peek().filter((piece) => !piece.pinned);
@@ -40,7 +49,7 @@ export function rotateGesture(plan: PlanController, start: PointerEvent): Gestur
       if (pieces.length === 0) return;
       const free = heading + angleOf(event) - from;
       const theta = event.altKey ? free : snappedAngle(free, kStep, kStep / 2);
-      poses = rotated(pieces, pivot, theta - heading);
+      poses = event.altKey ? rotated(pieces, pivot, theta - heading) : turnedInside(plan, pieces, theta - heading);
       plan.preview(poses);
     },
     end() { if (poses) void plan.drop(poses); },

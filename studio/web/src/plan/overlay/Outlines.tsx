@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { footprintOf } from "../../state/pieces";
+import { footprintOf, type Piece } from "../../state/pieces";
 import { usePlan } from "../context";
 import { resizing } from "../gestures/resize";
-import { corners } from "../../geometry/footprint";
+import { corners, toRoom, type Pose } from "../../geometry/footprint";
+import { vec } from "../../geometry/vec";
+import { Icon } from "../../app/Icon";
+import { toScreen } from "../view";
 import { pixelPoints } from "./pixels";
+
+// Within a corner at its back.
+const kInset = 0.12;
+const lockAt = ({ size: { width, depth } }: Piece, pose: Pose) => {
+  const x = Math.max(width / 2 - kInset, 0), y = Math.max(depth / 2 - kInset, 0);
+  return toRoom(pose, vec(-x, -y));
+};
 
 // Outlines of what is selected, pointed at and named by a sentence; locks; the marquee.
 export function Outlines() {
@@ -24,6 +34,12 @@ export function Outlines() {
     <g pointer-events="none">
       {hovered && !selected.has(hovered) && !plan.gesture.value && outline(hovered, "is-hovered")}
       {[...named].map((id) => outline(id, "is-named"))}
+      {[...pieces.values()].filter(({ pinned }) => pinned).map((piece) => {
+        const { x, y } = toScreen(view, lockAt(piece, room.poseOf(piece.id) ?? piece.pose));
+        return <g key={piece.id} class="piece-lock" transform={`translate(${x} ${y})`}>
+          <circle r={8} /><g transform="translate(-5.5 -5.5)"><Icon name="lock" size={11} /></g>
+        </g>;
+      })}
       {[...selected].map((id) => outline(id, pieces.get(id)?.pinned ? "is-selected is-locked" : "is-selected"))}
       {marquee && <rect class="marquee" x={marquee.min.x} y={marquee.min.y} width={marquee.max.x - marquee.min.x}
         height={marquee.max.y - marquee.min.y} />}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { vec } from "./vec";
+import { spoken, spokenThroughout, wallWords } from "./wall_names";
+
+const corners = [vec(0, 0), vec(5, 0), vec(5, 2), vec(3, 2), vec(3, 4), vec(0, 4)];
+const walls = corners.map((a, i) => ({ name: `wall_${i + 1}`, a, b: corners[(i + 1) % corners.length]! }));
+const words = wallWords(walls);
+
+test("walls are called by the side of the room that they are on, alike ones by their lengths", () => {
+  assert.deepEqual([...words.values()], ["south wall", "east wall of 2.00 m (2)", "shorter north wall",
+    "east wall of 2.00 m (4)", "longer north wall", "west wall"]);
+  assert.equal(wallWords([{ ...walls[0]!, name: "garden" }]).size, 0);
+});
+
+test("texts of the server name them so", () => {
+  assert.equal(spoken("against wall_5, 17 m2", words), "against the longer north wall, 17 m²");
+  assert.equal(spoken("the wall_1 wall; wall_12", words), "the south wall; wall_12");
+});
+
+test("what programs read of a note stays", () => {
+  const note = { id: "wall_1", demands: [{ sentence: "The bed is at wall_1.", about_it: "at wall_1", edge_ids: ["wall_1"] }] };
+  assert.deepEqual(spokenThroughout(note, words),
+    { id: "wall_1", demands: [{ sentence: "The bed is at wall_1.", about_it: "at the south wall", edge_ids: ["wall_1"] }] });
+});

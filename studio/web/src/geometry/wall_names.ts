@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What walls without a name of their own ("wall_3") are called: by the point of the compass that they lie at.
+import { pointOf } from "./compass";
+import { distance, left, sub, times, type Vec } from "./vec";
+
+export interface NamedWall {
+  readonly name: string;
+  readonly a: Vec;
+  readonly b: Vec;
+}
+
+const isNumbered = /^wall_\d+$/;
+const kAlike = 0.01;
+
+const lengthOf = ({ a, b }: NamedWall): number => distance(a, b);
+// Rooms are at the left of their walls.
+const sideOf = ({ a, b }: NamedWall): string => pointOf(times(left(sub(b, a)), -1));
+
+function told(wall: NamedWall, alike: readonly NamedWall[]): string {
+  const side = sideOf(wall), length = lengthOf(wall);
+  const others = alike.filter((one) => one !== wall);
+  if (others.length === 0) return `${side} wall`;
+  const differs = others.every((one) => Math.abs(lengthOf(one) - length) > kAlike);
+  if (differs && others.every((one) => lengthOf(one) > length)) return `${others.length > 1 ? "shortest" : "shorter"} ${side} wall`;
+  if (differs && others.every((one) => lengthOf(one) < length)) return `${others.length > 1 ? "longest" : "longer"} ${side} wall`;
+  return `${side} wall of ${length.toFixed(2)} m${differs ? "" : ` (${wall.name.replace("wall_", "")})`}`;
+}
+
+// Name -> "north wall", "shorter north wall", "north wall of 1.20 m"; only for walls that have but a number.
+export function wallWords(walls: readonly NamedWall[]): Map<string, string> {
+  const alikeOf = (wall: NamedWall) => walls.filter((one) => sideOf(one) === sideOf(wall));
+  return new Map(walls.filter(({ name }) => isNumbered.test(name)).map((wall) => [wall.name, told(wall, alikeOf(wall))]));
+}
+
+// A text of the server with the walls so called and square metres as they are written.
+export function spoken(text: string, walls: ReadonlyMap<string, string>): string {
+  return text.replace(/\b(?:the )?(wall)[_ ](\d+)(?: wall)?\b/g, (all, _, number: string) => {
+    const words = walls.get(`wall_${number}`);
+    return words ? `the ${words}` : all;
+  }).replace(/(\d) ?m2\b/g, "$1 m²");
+}
+
+// What programs read of a note; the rest is for people.
+const kForPrograms = /^(id|.*_ids?|sentence|types|kind|unit|fate|role)$/;
+
+// The same for every text of a note.
+export function spokenThroughout<T>(value: T, walls: ReadonlyMap<string, string>): T {
+  if (typeof value === "string") return spoken(value, walls) as T;
+  if (Array.isArray(value)) return value.map((one) => spokenThroughout(one, walls)) as T;
+  if (typeof value !== "object" || value === null) return value;
+  return Object.fromEntries(Object.entries(value).map(([key, one]) =>
+    [key, kForPrograms.test(key) ? one : spokenThroughout(one, walls)])) as T;
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every wish of the room with its mark: those that do not hold first, the others by a click.
+import { useState } from "preact/hooks";
+import type { OpenRoom } from "../state/open_room";
+import { useKept } from "./kept";
+import type { Demand, Note } from "./note";
+import { SentenceRow } from "./Sentence";
+
+export interface Wish {
+  readonly demand: Demand;
+  readonly objectId: string;
+}
+
+const keyOf = ({ demand, objectId }: Wish): string => demand.sentence_id ?? `${objectId} ${demand.about_it}`;
+
+// Every wish once, with the first piece that it is about.
+function wishesOf(note: Note): Wish[] {
+  const wishes = (note.zones ?? []).flatMap(({ objects = [] }) =>
+    objects.flatMap(({ id: objectId, demands = [] }) => demands.map((demand): Wish => ({ demand, objectId }))));
+  const ofNone = (note.demands_of_no_object ?? []).map((demand): Wish => ({ demand, objectId: "" }));
+  return [...new Map([...wishes, ...ofNone].reverse().map((wish) => [keyOf(wish), wish])).values()].reverse();
+}
+
+const choices = { missed: "Do not hold", holds: "Hold", all: "All" } as const;
+type Choice = keyof typeof choices;
+
+const isOf = (choice: Choice, { demand }: Wish): boolean => choice === "all" || demand.fate === choice;
+
+function Rows({ room, wishes, choice }: { room: OpenRoom; wishes: readonly Wish[]; choice: Choice }) {
+  // One that is missed stays in the list while it is looked at, also when it comes to hold.
+  const shown = useKept(wishes, keyOf, (wish) => isOf(choice, wish));
+  if (shown.length === 0) return <p class="hint">{choice === "missed" ? "Every wish holds." : "None."}</p>;
+  return (
+    <ul class="sentences">
+      {shown.map((wish) => (
+        <SentenceRow key={keyOf(wish)} room={room} demand={wish.demand} objectId={wish.objectId} />
+      ))}
+    </ul>
+  );
+}
+
+export function Wishes({ room, note }: { room: OpenRoom; note: Note }) {
+  const [choice, setChoice] = useState<Choice>("missed");
+  const wishes = wishesOf(note);
+  if (wishes.length === 0) return null;
+  return (
+    <section>
+      <h3 class="eyebrow">Wishes</h3>
+      <div class="segmented is-worded wish-choice" role="group" aria-label="Which wishes">
+        {(Object.keys(choices) as Choice[]).map((one) => (
+          <button key={one} aria-pressed={one === choice} onClick={() => setChoice(one)}>
+            {choices[one]} <span class="hint">{wishes.filter((wish) => isOf(one, wish)).length}</span>
+          </button>
+        ))}
+      </div>
+      <Rows key={choice} room={room} wishes={wishes} choice={choice} />
+    </section>
+  );
+}
