@@ -12,13 +12,6 @@ namespace {
 
 constexpr size_t kMostLetters = 80;
 
-std::string NameOf(const v1::SolvedLayout& layout, const std::string& id) {
-  for (const v1::Object& object : layout.graph().object_list().objects()) {
-    if (object.id() == id) return object.name();
-  }
-  return id;
-}
-
 // "the desk", "3 pieces".
 std::string Pieces(const v1::SolvedLayout& layout, const std::vector<std::string>& ids) {
   return ids.size() == 1 ? "the " + NameOf(layout, ids.front()) : fmt::format("{} pieces", ids.size());
@@ -66,6 +59,13 @@ std::pair<std::string, std::string> VerbOf(const v1::LayoutEdit& edit) {
 }
 
 }  // namespace
+
+std::string NameOf(const v1::SolvedLayout& layout, const std::string& id) {
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    if (object.id() == id) return object.name();
+  }
+  return id;
+}
 
 std::string WithArticle(const std::string& name) {
   constexpr std::string_view kVowels = "aeiou";

@@ -12,6 +12,9 @@ namespace flair::session {
 // "a desk", "an armchair".
 std::string WithArticle(const std::string& name);
 
+// Of an object; its id when it is none.
+std::string NameOf(const v1::SolvedLayout& layout, const std::string& id);
+
 // `layout` is the one before the act, which names the objects.
 std::string MoveLabel(const v1::SolvedLayout& layout, const v1::MoveObjects& move);
 std::string EditLabel(const v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::LayoutEdit>& edits);

@@ -262,12 +262,25 @@ absl::StatusOr<v1::ActResponse> Documents::TakeVariant(Record record, int index,
   for (int i = 0, seen = 0; i < all->solved_layout().runner_ups_size() && at < 0; ++i) {
     if (cli::IsComplete(all->solved_layout().runner_ups(i)) && seen++ == index) at = i;
   }
-  ASSIGN_OR_RETURN(v1::SolvedLayout variant, acts_.Evaluated(cli::VariantOf(all->solved_layout(), at), call));
+  ASSIGN_OR_RETURN(Acted taken, acts_.Taken(before->solved_layout(), cli::VariantOf(all->solved_layout(), at), call));
   LayoutState state;
   state.set_label(fmt::format("take variant {}", index + 2));
   state.set_settled_layout_id("shown");
-  RETURN_IF_ERROR(PushState(record, ArtifactOf(std::move(variant), all->producer(), all->id()), std::move(state)));
-  return Answer(record, before);
+  const v1::Producer& producer = taken.producer.program().empty() ? all->producer() : taken.producer;
+  RETURN_IF_ERROR(PushState(record, ArtifactOf(std::move(taken.layout), producer, all->id()), std::move(state)));
+  ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
+  for (const std::string& id : taken.moved_ids) response.add_moved_object_ids(id);
+  for (v1::Diagnostic& diagnostic : taken.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
+  return response;
+}
+
+absl::StatusOr<v1::FindVariantsResponse> Documents::FindVariants(const v1::FindVariantsRequest& request,
+                                                                 CallContext& call) {
+  ASSIGN_OR_RETURN(v1::GetDocumentResponse found,
+                   FindAlternatives(request.document_id(), request.revision(), request.count(), request.seed(), call));
+  v1::FindVariantsResponse response;
+  response.mutable_document()->Swap(found.mutable_document());
+  return response;
 }
 
 }  // namespace flair::session

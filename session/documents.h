@@ -30,6 +30,8 @@ struct DocumentParts {
       note_text;
   // What of the brief was done otherwise or not at all.
   std::function<std::vector<std::string>(const v1::SolvedLayout&)> not_as_asked;
+  // What a designer says of objects in a room, for those that are added; null: nothing.
+  SentencesOf sentences_of;
   // Furniture that can be added.
   std::vector<v1::FurnitureOffer> furniture;
   // The model that designs at first, without its key; and how another one comes to: the channels of an orchestrator and
@@ -54,6 +56,8 @@ class Documents {
   absl::StatusOr<v1::GetDocumentResponse> Get(const v1::GetDocumentRequest& request);
   absl::StatusOr<v1::DeleteDocumentResponse> Delete(const v1::DeleteDocumentRequest& request);
   absl::StatusOr<v1::ActResponse> Act(const v1::ActRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::FindVariantsResponse> FindVariants(const v1::FindVariantsRequest& request,
+                                                        runtime::CallContext& call);
   absl::StatusOr<v1::JudgeResponse> Judge(const v1::JudgeRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::ExplainResponse> Explain(const v1::ExplainRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::DrawDocumentResponse> Draw(const v1::DrawDocumentRequest& request, runtime::CallContext& call);
@@ -125,8 +129,8 @@ class Documents {
 
   const std::unique_ptr<DocumentStore> store_;
   Stages stages_;
-  const LayoutActs acts_{stages_};
   const DocumentParts parts_;
+  const LayoutActs acts_{stages_, parts_.sentences_of};
   DocumentEvents events_;
 
   std::mutex mutex_;  // of all below

@@ -27,31 +27,6 @@ v1::Producer ByHand() {
   return producer;
 }
 
-// In the graph's order: those that are new in `after` or stand elsewhere than in `before`.
-std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after) {
-  std::map<std::string, std::string> places;
-  for (const v1::Placement& placement : before.placements()) {
-    places[placement.object_id()] = placement.SerializeAsString();
-  }
-  std::set<std::string> moved;
-  for (const v1::Placement& placement : after.placements()) {
-    const auto known = places.find(placement.object_id());
-    if (known == places.end() || known->second != placement.SerializeAsString()) moved.insert(placement.object_id());
-  }
-  std::vector<std::string> ids;
-  for (const v1::Object& object : after.graph().object_list().objects()) {
-    if (moved.contains(object.id())) ids.push_back(object.id());
-  }
-  return ids;
-}
-
-// To the eye.
-bool SamePlace(const v1::Placement& a, const v1::Placement& b) {
-  constexpr double kSeen_m = 0.01, kSeen_rad = 0.02;
-  return a.object_id() == b.object_id() && std::hypot(a.x_m() - b.x_m(), a.y_m() - b.y_m()) < kSeen_m &&
-         std::abs(std::remainder(a.theta_rad() - b.theta_rad(), 2 * M_PI)) < kSeen_rad;
-}
-
 // A solve holds what was moved; afterwards only what somebody has locked stays locked.
 void KeepOnlyWantedPins(const v1::LayoutGraph& before, const EditList& edits, v1::LayoutGraph& graph) {
   std::set<std::string> wanted;
@@ -92,6 +67,23 @@ v1::Point2 MiddleOf(const v1::Polygon& floor) {
 }
 
 }  // namespace
+
+std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after) {
+  std::map<std::string, std::string> places;
+  for (const v1::Placement& placement : before.placements()) {
+    places[placement.object_id()] = placement.SerializeAsString();
+  }
+  std::set<std::string> moved;
+  for (const v1::Placement& placement : after.placements()) {
+    const auto known = places.find(placement.object_id());
+    if (known == places.end() || known->second != placement.SerializeAsString()) moved.insert(placement.object_id());
+  }
+  std::vector<std::string> ids;
+  for (const v1::Object& object : after.graph().object_list().objects()) {
+    if (moved.contains(object.id())) ids.push_back(object.id());
+  }
+  return ids;
+}
 
 absl::StatusOr<v1::SolvedLayout> LayoutActs::Evaluated(v1::SolvedLayout layout, CallContext& call) const {
   v1::EvaluateResponse response;
@@ -141,12 +133,14 @@ absl::StatusOr<Acted> LayoutActs::Solved(const Standing& standing, const EditLis
     request.set_request_id("flair-session");
     *request.mutable_solved_layout() = *standing.settled;
     request.mutable_solved_layout()->clear_runner_ups();
+    LendSentences(standing.shown.graph(), *request.mutable_solved_layout()->mutable_graph());
     *request.mutable_edits() = standing.pending;
     request.mutable_edits()->MergeFrom(edits);
     ASSIGN_OR_RETURN(v1::ResolveResponse response, stages_.Resolve(request, call));
     acted.layout.Swap(response.mutable_solved_layout());
     acted.producer = response.producer();
     KeepOnlyWantedPins(standing.settled->graph(), request.edits(), *acted.layout.mutable_graph());
+    ReturnSubjects(standing.shown.graph(), *acted.layout.mutable_graph());
   }
   acted.layout.clear_runner_ups();
   acted.moved_ids = MovedIds(standing.shown, acted.layout);
@@ -220,11 +214,13 @@ absl::StatusOr<Acted> LayoutActs::Clear(const Standing& standing, CallContext& c
 absl::StatusOr<Acted> LayoutActs::Edit(const Standing& standing, const v1::EditLayout& edit, CallContext& call) const {
   if (edit.edits().empty()) return absl::InvalidArgumentError("edit.edits: is empty; say what to change");
   if (edit.edits_size() > 1000) return InvalidArgument("edit.edits: {}; at most 1000 at once", edit.edits_size());
+  if (std::ranges::any_of(edit.edits(), &v1::LayoutEdit::has_add_object)) return Add(standing, edit, call);
   const EditList edits = Completed(standing.shown, edit.edits());
   ASSIGN_OR_RETURN(Acted acted, RemovesAll(standing.shown, edits) ? Clear(standing, call)
                                 : edit.without_solving()          ? Unsolved(standing, edits, call)
                                                                   : Solved(standing, edits, call));
   acted.label = EditLabel(standing.shown, edits);
+  for (v1::Diagnostic& left : LeftBehind(standing.shown, edits)) acted.diagnostics.push_back(std::move(left));
   return acted;
 }
 
@@ -333,40 +329,6 @@ absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActReq
     default:
       return absl::InvalidArgumentError("act: is not set; say what to do");
   }
-}
-
-absl::StatusOr<v1::SolvedLayout> LayoutActs::WithAlternatives(const v1::SolvedLayout& shown, int count, int64_t seed,
-                                                              CallContext& call) const {
-  constexpr int kMost = 16;
-  if (count < 1 || count > kMost) return InvalidArgument("count: {}; must be in [1, {}]", count, kMost);
-  if (shown.graph().object_list().objects().empty()) {
-    return absl::FailedPreconditionError("the room is empty: there is nothing to place otherwise");
-  }
-  v1::SolveRequest request;
-  request.set_request_id("flair-session");
-  *request.mutable_layout_graph() = shown.graph();
-  request.mutable_options()->set_seed(seed);
-  // One of them may be what is shown.
-  request.mutable_options()->set_variant_count(count + 1);
-  ASSIGN_OR_RETURN(v1::SolveResponse response, stages_.Solve(request, call));
-  v1::SolvedLayout& best = *response.mutable_solved_layout();
-  v1::SolvedLayout all = shown;
-  all.clear_runner_ups();
-  const auto add = [&](v1::RunnerUp other) {
-    const bool same = std::ranges::equal(other.placements(), shown.placements(), SamePlace);
-    if (!same && !other.edge_outcomes().empty() && all.runner_ups_size() < count)
-      *all.add_runner_ups() = std::move(other);
-  };
-  v1::RunnerUp first;
-  first.set_cost(best.total_cost());
-  *first.mutable_placements() = best.placements();
-  *first.mutable_edge_outcomes() = best.edge_outcomes();
-  *first.mutable_zone_regions() = best.zone_regions();
-  *first.mutable_metrics() = best.metrics();
-  *first.mutable_diagnostics() = best.diagnostics();
-  add(std::move(first));
-  for (v1::RunnerUp& other : *best.mutable_runner_ups()) add(std::move(other));
-  return all;
 }
 
 absl::StatusOr<v1::JudgeResponse> LayoutActs::Judge(const v1::SolvedLayout& layout, const v1::JudgeRequest& request,

@@ -2,7 +2,9 @@
 // What acts make of a layout. Nothing here is stored, and no act has a history: see documents.h.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -11,6 +13,7 @@
 #include "flair/v1/studio_service.pb.h"
 #include "session/edit_lists.h"
 #include "session/stages.h"
+#include "session/trying.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::session {
@@ -44,11 +47,21 @@ struct Acted {
   EditList pending;
 };
 
+// Objects that are new in `after` or stand elsewhere than in `before`, in the graph's order.
+std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after);
+
+// What a designer says of objects in a room.
+using SentencesOf =
+    std::function<absl::StatusOr<v1::ConstraintList>(const v1::Room&, const v1::ZonePlan&, const v1::ObjectList&)>;
+
+// Pieces that were used with what the edits take away and have no other use: one remark each, its subject the piece.
+std::vector<v1::Diagnostic> LeftBehind(const v1::SolvedLayout& before, const EditList& edits);
+
 // Acts on a layout by the stages. Every error leaves things as they are: INVALID_ARGUMENT names the field of the act.
 // `stages` must outlive it. Thread-safe.
 class LayoutActs {
  public:
-  explicit LayoutActs(Stages& stages) : stages_(stages) {}
+  LayoutActs(Stages& stages, SentencesOf sentences_of) : stages_(stages), sentences_of_(std::move(sentences_of)) {}
 
   // Every act but those about the document itself: undo, redo, title, variants, furnishing.
   absl::StatusOr<Acted> Act(const Standing& standing, const v1::ActRequest& request, runtime::CallContext& call) const;
@@ -61,12 +74,22 @@ class LayoutActs {
   absl::StatusOr<v1::SolvedLayout> WithAlternatives(const v1::SolvedLayout& shown, int count, int64_t seed,
                                                     runtime::CallContext& call) const;
 
+  // `variant`, another layout of what is shown, with what is locked by now where it stands: where it stood otherwise,
+  // the rest is solved around it and a diagnostic says so.
+  absl::StatusOr<Acted> Taken(const v1::SolvedLayout& shown, v1::SolvedLayout variant,
+                              runtime::CallContext& call) const;
+
   // The same graph with other places: verdicts and measures anew, nothing moved.
   absl::StatusOr<v1::SolvedLayout> Evaluated(v1::SolvedLayout layout, runtime::CallContext& call) const;
 
  private:
   absl::StatusOr<Acted> Move(const Standing& standing, const v1::MoveObjects& move, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Edit(const Standing& standing, const v1::EditLayout& edit, runtime::CallContext& call) const;
+  // With pieces that are new: what a designer says of them comes along.
+  absl::StatusOr<Acted> Add(const Standing& standing, const v1::EditLayout& edit, runtime::CallContext& call) const;
+  // Of what is new in `with`, as constraints: those that name it.
+  absl::StatusOr<v1::LayoutGraph> SaidOf(const IdSet& added, const v1::SolvedLayout& with,
+                                         runtime::CallContext& call) const;
   // Nothing but the room.
   absl::StatusOr<Acted> Clear(const Standing& standing, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Settle(const Standing& standing, runtime::CallContext& call) const;
@@ -79,10 +102,19 @@ class LayoutActs {
 
   // Solves what is pending and `edits`, from `settled` where there is one, else anew.
   absl::StatusOr<Acted> Solved(const Standing& standing, const EditList& edits, runtime::CallContext& call) const;
+  // As Solved; where the aim is not reached that way, what is in reach of it may move too, and be placed anew. The best
+  // of all that.
+  absl::StatusOr<Acted> Tried(const Standing& standing, const EditList& edits, const Aim& aim,
+                              runtime::CallContext& call) const;
+  // Everything but `free` stays where it stands.
+  absl::StatusOr<Acted> SolvedAround(const v1::SolvedLayout& from, const IdSet& free, runtime::CallContext& call) const;
+  // What stands against it that the aim is reached: what would give way if nothing counted more.
+  absl::StatusOr<std::string> WhyNot(const v1::SolvedLayout& layout, const Aim& aim, runtime::CallContext& call) const;
   // Applies the edits without solving.
   absl::StatusOr<Acted> Unsolved(const Standing& standing, const EditList& edits, runtime::CallContext& call) const;
 
   Stages& stages_;
+  const SentencesOf sentences_of_;
 };
 
 }  // namespace flair::session

@@ -8,6 +8,8 @@
 #include "room/validation/validate.h"
 #include "session/act_words.h"
 #include "session/layout_acts.h"
+#include "session/naming.h"
+#include "session/trying.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
@@ -38,15 +40,35 @@ std::string SubjectOf(const v1::ConstraintEdge& edge, const v1::LayoutGraph& gra
   return "";
 }
 
-// Why a sentence does not hold; empty when it does.
-std::string Unmet(const v1::SolvedLayout& layout, const std::string& sentence_id) {
-  for (int i = 0; i < layout.edge_outcomes_size() && i < layout.graph().edges_size(); ++i) {
-    const v1::EdgeOutcome& outcome = layout.edge_outcomes(i);
-    if (layout.graph().edges(i).sentence_id() != sentence_id) continue;
-    if (outcome.status() == v1::OUTCOME_STATUS_SATISFIED) continue;
-    return outcome.reason().empty() ? "other wishes stand against it" : outcome.reason();
+// What nobody asked for gives way to what the user says: twice the heaviest of a designer's sentences.
+double WeightOfSaid(const v1::ConstraintList& list) {
+  constexpr double kLeast = 4, kMost = 10;
+  double heaviest = 0;
+  for (const v1::Sentence& sentence : list.sentences()) {
+    if (sentence.origin() != v1::SENTENCE_ORIGIN_BRIEF) heaviest = std::max(heaviest, sentence.weight());
   }
-  return "";
+  return std::clamp(2 * heaviest, kLeast, kMost);
+}
+
+v1::Diagnostic Remark(v1::Severity severity, const char* code, const std::string& subject, std::string message) {
+  v1::Diagnostic remark;
+  remark.set_severity(severity);
+  remark.set_code(code);
+  remark.set_subject_id(subject);
+  remark.set_message(std::move(message));
+  return remark;
+}
+
+// What does not hold of all that is said of these or of what is in their reach, but for `sentence_id`.
+IdSet WaitingFor(const v1::SolvedLayout& layout, const IdSet& ids, const std::string& sentence_id) {
+  const IdSet reach = InReach(layout, ids);
+  IdSet waiting;
+  for (const std::string& one : UnmetSentences(layout)) {
+    const IdSet named = ObjectsOf({one}, layout.graph());
+    const bool near = std::ranges::any_of(named, [&](const std::string& id) { return reach.contains(id); });
+    if (near && one != sentence_id) waiting.insert(one);
+  }
+  return waiting;
 }
 
 }  // namespace
@@ -61,22 +83,24 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   request.set_request_id("flair-session");
   *request.mutable_room() = graph.room();
   *request.mutable_zone_plan() = graph.zone_plan();
-  *request.mutable_object_list() = graph.object_list();
+  const IdSet selected(say.selected_object_ids().begin(), say.selected_object_ids().end());
+  *request.mutable_object_list() = MeantBy(text, standing.shown, selected);
   *request.mutable_style_sheet() = graph.style_sheet();
   ASSIGN_OR_RETURN(*request.mutable_catalog(), stages_.Catalog(call));
   v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
   sentence.set_id(FreeId(graph.constraint_list().sentences(), "said_"));
   sentence.set_text(text);
   sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
-  sentence.set_weight(1);
+  sentence.set_weight(WeightOfSaid(graph.constraint_list()));
   sentence.set_reason(fmt::format("you said \"{}\"", text));
   sentence.set_origin(v1::SENTENCE_ORIGIN_BRIEF);
   RETURN_IF_ERROR(Validate(request));
   ASSIGN_OR_RETURN(const v1::TranslateResponse translated, stages_.Translate(request, call));
   const v1::LayoutGraph& understood = translated.layout_graph();
   if (understood.edges().empty()) {
-    return InvalidArgument("say.text: \"{}\" is not understood{}", text,
-                           understood.diagnostics().empty() ? "" : ": " + understood.diagnostics(0).message());
+    return InvalidArgument(
+        "say.text: \"{}\" is not understood{}", text,
+        understood.diagnostics().empty() ? "" : ": " + WithNames(understood.diagnostics(0).message(), standing.shown));
   }
   v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
   EditList edits;
@@ -90,30 +114,20 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
     added.set_id(id);
     id = "e" + std::to_string(std::stoi(id.substr(1)) + 1);
   }
-  // Who says something of a piece that was moved by hand wants it to move.
   const std::string subject = SubjectOf(understood.edges(0), graph);
-  EditList pending;
-  for (const v1::LayoutEdit& edit : standing.pending) {
-    if (!edit.has_move_object() || edit.move_object().object_id() != subject) *pending.Add() = edit;
-  }
-  const v1::SolvedLayout* const from = standing.settled == nullptr ? nullptr : &settled;
-  ASSIGN_OR_RETURN(Acted acted, Solved({shown, from, pending}, edits, call));
-  if (from != nullptr && !Unmet(acted.layout, sentence.id()).empty()) {
-    // From where it stands it does not get there: it is placed anew.
-    for (int i = settled.placements_size() - 1; i >= 0; --i) {
-      if (settled.placements(i).object_id() == subject) settled.mutable_placements()->DeleteSubrange(i, 1);
-    }
-    absl::StatusOr<Acted> anew = Solved({shown, from, pending}, edits, call);
-    if (anew.ok() && Unmet(anew->layout, sentence.id()).empty()) acted = *std::move(anew);
-  }
+  Aim aim{{sentence.id()}, {}};
+  for (const v1::ConstraintEdge& edge : understood.edges()) aim.object_ids.insert(SubjectOf(edge, graph));
+  ASSIGN_OR_RETURN(Acted acted, Tried({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending},
+                                      edits, aim, call));
   acted.label = fmt::format("say \"{}\"", text);
-  acted.diagnostics.insert(acted.diagnostics.end(), understood.diagnostics().begin(), understood.diagnostics().end());
-  if (const std::string why = Unmet(acted.layout, sentence.id()); !why.empty()) {
-    v1::Diagnostic& unmet = acted.diagnostics.emplace_back();
-    unmet.set_severity(v1::SEVERITY_WARNING);
-    unmet.set_code("said_in_vain");
-    unmet.set_message(fmt::format("\"{}\" is noted but does not hold: {}", text, why));
-    unmet.set_subject_id(subject);
+  for (const v1::Diagnostic& one : understood.diagnostics()) {
+    acted.diagnostics.push_back(one);
+    acted.diagnostics.back().set_message(WithNames(one.message(), standing.shown));
+  }
+  if (const std::string unmet = WhyUnmet(acted.layout, aim.sentence_ids); !unmet.empty()) {
+    ASSIGN_OR_RETURN(const std::string why, WhyNot(acted.layout, aim, call));
+    acted.diagnostics.push_back(Remark(v1::SEVERITY_WARNING, "said_in_vain", subject,
+                                       fmt::format("\"{}\" is noted but does not hold: {}; {}", text, unmet, why)));
   }
   return acted;
 }
@@ -124,8 +138,10 @@ absl::StatusOr<Acted> LayoutActs::Weigh(const Standing& standing, const v1::Weig
     return InvalidArgument("weigh.weight: {}; must be in [0, 100], 0 drops the sentence", weigh.weight());
   }
   EditList edits;
+  double before = 0;
   for (const v1::ConstraintEdge& edge : standing.shown.graph().edges()) {
     if (edge.sentence_id() != weigh.sentence_id()) continue;
+    before = std::max(before, edge.weight());
     if (weigh.weight() == 0) {
       edits.Add()->set_remove_edge_id(edge.id());
     } else {
@@ -138,8 +154,31 @@ absl::StatusOr<Acted> LayoutActs::Weigh(const Standing& standing, const v1::Weig
     return InvalidArgument("weigh.sentence_id: no constraint comes from a sentence \"{}\"",
                            weigh.sentence_id().substr(0, 80));
   }
-  ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
-  acted.label = WeighLabel(standing.shown, weigh);
+  const v1::SolvedLayout& shown = standing.shown;
+  const IdSet it = {weigh.sentence_id()};
+  const bool held = WhyUnmet(shown, it).empty();
+  Aim aim{it, ObjectsOf(it, shown.graph())};
+  // What is dropped or counts no more than before makes room for others.
+  const bool more = weigh.weight() > before && !held;
+  if (!more) aim.sentence_ids = WaitingFor(shown, aim.object_ids, weigh.sentence_id());
+  ASSIGN_OR_RETURN(Acted acted, Tried(standing, edits, aim, call));
+  acted.label = WeighLabel(shown, weigh);
+  const std::string subject = aim.object_ids.empty() ? "" : *aim.object_ids.begin();
+  const std::string unmet = WhyUnmet(acted.layout, aim.sentence_ids);
+  const std::string of_it = QuotedTexts(shown.graph(), it);
+  if (aim.sentence_ids.empty()) {
+    if (!acted.moved_ids.empty()) return acted;
+    const bool raised = weigh.weight() > before;
+    acted.diagnostics.push_back(
+        Remark(v1::SEVERITY_NOTE, "nothing_waits", subject,
+               raised ? fmt::format("Nothing moves: {} holds already", of_it)
+                      : fmt::format("Nothing moves: all else that is wished around here holds already")));
+  } else if (!unmet.empty() && (more || acted.moved_ids.empty())) {
+    ASSIGN_OR_RETURN(const std::string why, WhyNot(acted.layout, aim, call));
+    acted.diagnostics.push_back(Remark(
+        v1::SEVERITY_WARNING, "weighed_in_vain", subject,
+        fmt::format("{} still does not hold: {}; {}", QuotedTexts(shown.graph(), aim.sentence_ids), unmet, why)));
+  }
   return acted;
 }
 

@@ -16,6 +16,7 @@
 #include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
+#include "cli/session/designer_sentences.h"
 #include "cli/session/furniture_offers.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
@@ -37,6 +38,7 @@ absl::StatusOr<v1::Artifact> ReadUpload(const std::string& bytes) {
 absl::StatusOr<session::DocumentParts> Parts(const StageChoice& stages) {
   session::DocumentParts parts;
   ASSIGN_OR_RETURN(parts.furniture, FurnitureOffers(stages));
+  parts.sentences_of = SentencesOfHandbook(stages);
   parts.read_file = ReadUpload;
   parts.not_as_asked = NotAsAsked;
   parts.note_json = [](const v1::SolvedLayout& layout,

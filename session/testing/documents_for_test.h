@@ -11,6 +11,7 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/artifact_file.h"
 #include "cli/output/report_text.h"
+#include "cli/session/designer_sentences.h"
 #include "orchestrator/testing/temporary_folder.h"
 #include "session/documents.h"
 
@@ -42,6 +43,7 @@ class DocumentsTest : public ::testing::Test {
     parts.note_json = [](const auto&, const auto&) { return std::string("{}"); };
     parts.note_text = parts.note_json;
     parts.not_as_asked = cli::NotAsAsked;
+    parts.sentences_of = cli::SentencesOfHandbook({});
     v1::FurnitureOffer& lamp = parts.furniture.emplace_back();
     lamp.mutable_object()->set_name("floor lamp");
     lamp.mutable_object()->set_kind(v1::OBJECT_KIND_FLOOR);

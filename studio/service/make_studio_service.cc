@@ -96,6 +96,7 @@ class StudioService final : public runtime::Service {
     });
     Add<v1::CreateDocumentRequest>("CreateDocument", documents, &Documents::Create);
     Add<v1::ActRequest>("Act", documents, &Documents::Act);
+    Add<v1::FindVariantsRequest>("FindVariants", documents, &Documents::FindVariants);
     Add<v1::JudgeRequest>("Judge", documents, &Documents::Judge);
     Add<v1::ExplainRequest>("Explain", documents, &Documents::Explain);
     Add<v1::DrawDocumentRequest>("DrawDocument", documents, &Documents::Draw);
