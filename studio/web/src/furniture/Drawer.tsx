@@ -9,6 +9,8 @@ import type { OpenRoom } from "../state/open_room";
 import { theName } from "../state/pieces";
 import { useStudio } from "../state/studio";
 import { OfferTile } from "./OfferTile";
+import { offerSeat } from "./seat";
+import { useUsual } from "./usual";
 
 const kPause = 120;
 
@@ -49,8 +51,17 @@ export function Drawer({ room }: { room: OpenRoom }) {
   const offers = useOffers(query.trim());
   const chosen = [...room.selection.value].flatMap((id) => room.pieces.value.get(id) ?? []);
   const replaced = chosen.length === 1 ? chosen[0] : undefined;
-  const groups = groupsOf(offers ?? []);
-  const add = (offer: FurnitureOffer) => void addPieceSomewhere(room, offer.object!);
+  const studio = useStudio();
+  const roomType = room.layout.value?.graph?.room?.roomType ?? "";
+  const usual = useUsual(roomType);
+  const isSearch = query.trim() !== "";
+  // Answers to a search come best first; the rest by what it is, after what such a room usually has.
+  const groups = isSearch
+    ? [{ name: "found", offers: offers ?? [] }]
+    : [...(usual.length > 0 ? [{ name: `for the ${roomType.replace(/_/g, " ")}`, offers: usual }] : []), ...groupsOf(offers ?? [])];
+  const add = async (offer: FurnitureOffer) => {
+    if (await addPieceSomewhere(room, offer.object!)) await offerSeat(studio, room);
+  };
   return (
     <div class="drawer">
       <label class="search">
@@ -60,12 +71,12 @@ export function Drawer({ room }: { room: OpenRoom }) {
       </label>
       {replaced && <p class="hint"><Icon name="swap" size={13} /> replaces {theName(replaced.object)}.</p>}
       {offers?.length === 0 && <p class="hint">Nothing is called that.</p>}
-      {groups.map((group) => (
+      {groups.filter((group) => group.offers.length > 0).map((group) => (
         <section key={group.name}>
           <h3 class="eyebrow">{group.name}</h3>
           <ul class="offers">
             {group.offers.filter((offer) => offer.object).map((offer) => (
-              <OfferTile key={keyOf(offer)} offer={offer} onAdd={() => add(offer)}
+              <OfferTile key={keyOf(offer)} offer={offer} onAdd={() => void add(offer)}
                 onReplace={replaced && (() => void replacePiece(room, replaced.id, offer.object!))} />
             ))}
           </ul>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
 import { figure } from "../app/units";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import type { FurnitureOffer } from "../gen/flair/v1/studio_service_pb";
 import { Drawn } from "../plan/Drawn";
-import { plainSymbol } from "../plan/plain";
+import { frontSymbol, plainSymbol } from "../plan/plain";
 import { useStudio } from "../state/studio";
 import { carried } from "./carried";
 
@@ -17,8 +18,10 @@ interface OfferProps {
 export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
   const { units } = useStudio().settings;
   const object = offer.object!;
-  const size = Math.max(object.widthM, object.depthM) * 1.12;
-  const sizes = `${figure(object.widthM, units.value)} × ${figure(object.depthM, units.value)}`;
+  // What hangs is known by its front, all else by its plan.
+  const isHung = object.kind === ObjectKind.WALL, across = isHung ? object.heightM : object.depthM;
+  const size = Math.max(object.widthM, across) * 1.12;
+  const sizes = [object.widthM, object.depthM, object.heightM].map((one) => figure(one, units.value)).join(" × ");
   return (
     <li class="offer">
       <button draggable onClick={onAdd} title={[`Add a ${object.name}: click, or drag it into the room`, object.description].filter(Boolean).join("\n")}
@@ -31,10 +34,10 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
         }}
       >
         <svg viewBox={`${-size / 2} ${-size / 2} ${size} ${size}`} aria-hidden="true">
-          <Drawn svg={offer.svg || plainSymbol({ width: object.widthM, depth: object.depthM }, object.round)} />
+          <Drawn svg={(isHung && frontSymbol(object)) || offer.svg || plainSymbol({ width: object.widthM, depth: object.depthM }, object.round)} />
         </svg>
         <span class="offer-name">{object.name}</span>
-        <small>{sizes}</small>
+        <small title="Width, depth, height">{sizes}</small>
       </button>
       {onReplace && (
         <button class="icon-button offer-replace" onClick={onReplace} aria-label={`Replace by the ${object.name}`}

@@ -5,6 +5,7 @@ import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { addPiece } from "../state/commands";
 import type { PlanController } from "./controller";
 import { carried } from "../furniture/carried";
+import { offerSeat } from "../furniture/seat";
 import { restOf, snapTargets } from "./gestures/move";
 
 export function usePlanDrop(plan: PlanController, host: { current: HTMLElement | null }): void {
@@ -32,7 +33,8 @@ export function usePlanDrop(plan: PlanController, host: { current: HTMLElement |
       const pose = poseOf(event);
       plan.guides.value = [];
       element.focus({ preventScroll: true });
-      void addPiece(plan.room, object, pose, object.kind === ObjectKind.WALL ? object.elevationM : 0);
+      const z = object.kind === ObjectKind.WALL ? object.elevationM : 0;
+      void addPiece(plan.room, object, pose, z).then((isAdded) => { if (isAdded) void offerSeat(plan.studio, plan.room); });
     };
     const onLeave = () => { plan.guides.value = []; };
     element.addEventListener("dragover", onOver);

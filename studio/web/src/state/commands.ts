@@ -99,6 +99,7 @@ export async function addPiece(room: OpenRoom, object: MessageInitShape<typeof O
     { edit: { case: "moveObject", value: move } },
   ], true);
   if (response) room.select([id]);
+  return response !== undefined;
 }
 
 // Adds an object where there is room for it, and selects it.
@@ -106,6 +107,7 @@ export async function addPieceSomewhere(room: OpenRoom, object: MessageInitShape
   const id = freeId(takenIds(room), object.name ?? "piece");
   const added = { role: ObjectRole.SECONDARY, ...object, id, requested: true, spare: false };
   if (await edit(room, [{ edit: { case: "addObject", value: { object: added } } }], false)) room.select([id]);
+  return room.pieces.peek().has(id);
 }
 
 // Zones and hosts that the room does not have are left out, as of what was copied in another one.
