@@ -24,16 +24,52 @@ size_t PastHyphen(const std::vector<Token>& tokens, size_t i) {
 }
 
 // The unit at tokens[i], null when there is none of that kind.
-const v1::Unit* UnitAt(const std::vector<Token>& tokens, size_t i, v1::Unit::Kind kind) {
+const v1::Unit* UnitAt(const std::vector<Token>& tokens, size_t i, v1::Unit::Kind kind, bool apart = false) {
   if (i >= tokens.size() || tokens[i].kind == Token::Kind::kNumber) return nullptr;
   const v1::Unit* const unit = Language::Get().FindUnit(tokens[i].text);
-  return unit != nullptr && unit->kind() == kind && (!unit->only_glued() || tokens[i].glued) ? unit : nullptr;
+  return unit != nullptr && unit->kind() == kind && (!unit->only_glued() || tokens[i].glued || apart) ? unit : nullptr;
 }
 
-void AddHalf(const std::vector<Token>& tokens, double& value, size_t& end, double of) {
-  if (!WordAt(tokens, end, "and") || !WordAt(tokens, end + 1, "a") || !WordAt(tokens, end + 2, "half")) return;
-  value += of / 2;
-  end += 3;
+// "And a half", "and a quarter", "and three quarters".
+void AddPart(const std::vector<Token>& tokens, double& value, size_t& end, double of) {
+  const bool a = WordAt(tokens, end + 1, "a"), three = WordAt(tokens, end + 1, "three");
+  const size_t at = PastHyphen(tokens, end + 2);
+  const double part = a && WordAt(tokens, at, "half")                                              ? 0.5
+                      : a && WordAt(tokens, at, "quarter")                                         ? 0.25
+                      : three && (WordAt(tokens, at, "quarters") || WordAt(tokens, at, "quarter")) ? 0.75
+                                                                                                   : 0;
+  if (!WordAt(tokens, end, "and") || part == 0) return;
+  value += of * part;
+  end = at + 1;
+}
+
+// Adds what follows a length in a smaller unit, or in none: "5 ft 6 in", 9'-0", "1 m 20 cm", 12'6 with its last mark
+// left out, "ten foot six", "three metres ten".
+void AddRest(const std::vector<Token>& tokens, const v1::Unit& unit, Measure& measure) {
+  const size_t at = PastHyphen(tokens, measure.end);
+  if (at >= tokens.size()) return;
+  const bool digits = tokens[at].kind == Token::Kind::kNumber;
+  const v1::NumberWord* const word = digits ? nullptr : Language::Get().FindNumber(tokens[at].text);
+  const std::optional<Number> more =
+      digits || (word != nullptr && !word->counts_things()) ? NumberAt(tokens, at) : std::nullopt;
+  if (!more) return;
+  const bool feet = unit.words(0) == "ft", metres = unit.size() == 1;
+  const v1::Unit* const smaller = UnitAt(tokens, more->end, unit.kind(), /*apart=*/feet);
+  if (smaller != nullptr) {
+    if (smaller->size() >= unit.size() || more->value * smaller->size() >= unit.size()) return;
+    measure.value += more->value * smaller->size();
+    measure.end = more->end + 1;
+    return;
+  }
+  const bool glued = MarkAt(tokens, at - 1, '\'') && tokens[at].glued;
+  const bool closes = more->end >= tokens.size() || tokens[more->end].kind != Token::Kind::kWord ||
+                      IsIn("behind_lengths", tokens[more->end]);
+  const bool hundredths =
+      metres && closes && more->value < 100 && (digits ? tokens[at].text.size() == 2 : more->value >= 10);
+  const bool inches = feet && more->value < 12 && (glued || closes);
+  if (!hundredths && !inches) return;
+  measure.value += more->value * (feet ? unit.size() / 12 : 0.01);
+  measure.end = more->end;
 }
 
 // "Square metres", "m2", "sq. ft": the area's size in square metres with the token after it.
@@ -278,7 +314,7 @@ std::optional<Number> NumberAt(const std::vector<Token>& tokens, size_t i) {
       number.value += next->number;
       ++number.end;
     }
-    AddHalf(tokens, number.value, number.end, 1);
+    AddPart(tokens, number.value, number.end, 1);
     return number;
   }
   if (first->kind != Token::Kind::kWord) return std::nullopt;
@@ -313,7 +349,15 @@ std::optional<Number> NumberAt(const std::vector<Token>& tokens, size_t i) {
     number.value *= 100;
     ++number.end;
   }
-  AddHalf(tokens, number.value, number.end, 1);
+  // "Three point two five".
+  double place = 0.1;
+  for (size_t at = number.end + 1; WordAt(tokens, number.end, "point") || place < 0.1; ++at, place /= 10) {
+    const double digit = ones_at(at);
+    if (digit >= 10 || (digit < 1 && !WordAt(tokens, at, "zero"))) break;
+    number.value += digit * place;
+    number.end = at + 1;
+  }
+  AddPart(tokens, number.value, number.end, 1);
   return number;
 }
 
@@ -330,19 +374,8 @@ std::optional<Measure> MeasureAt(const std::vector<Token>& tokens, size_t i, v1:
   const v1::Unit* const unit = UnitAt(tokens, at, kind);
   if (unit == nullptr) return measure;
   measure = {measure.value * unit->size(), unit->size(), at + 1};
-  AddHalf(tokens, measure.value, measure.end, unit->size());  // "a metre and a half"
-  // "5 ft 6 in", "1 m 20 cm", 12'6 with its last mark left out.
-  const Token* const more = Peek(tokens, measure.end);
-  if (more == nullptr || more->kind != Token::Kind::kNumber) return measure;
-  const v1::Unit* const smaller = UnitAt(tokens, measure.end + 1, kind);
-  const bool inches = tokens[at].text == "'" && more->glued;
-  if (smaller != nullptr && smaller->size() < unit->size() && more->number * smaller->size() < unit->size()) {
-    measure.value += more->number * smaller->size();
-    measure.end += 2;
-  } else if (smaller == nullptr && inches && more->number < 12) {
-    measure.value += more->number * unit->size() / 12;
-    ++measure.end;
-  }
+  AddPart(tokens, measure.value, measure.end, unit->size());  // "a metre and a half"
+  AddRest(tokens, *unit, measure);
   return measure;
 }
 

@@ -21,7 +21,7 @@ struct Number {
 };
 
 // A number that begins at tokens[i]: "12", "1 1/2", "twelve", "twenty-five", "a hundred", "a dozen", "half a dozen",
-// "one and a half", "a few".
+// "one and a half", "three point two", "a few".
 std::optional<Number> NumberAt(const std::vector<Token>& tokens, size_t i);
 
 struct Measure {
@@ -31,7 +31,7 @@ struct Measure {
 };
 
 // A number with the unit of that kind behind it, if there is one: "0.6m", "half a metre", "2-foot", "5'6\"",
-// "1 m 20 cm". Of KIND_AREA: "20 m2", "20 square metres", "215 sq ft", "6 tatami".
+// "1 m 20 cm", 9'-0", "3 m 20", "ten foot six". Of KIND_AREA: "20 m2", "20 square metres", "215 sq ft", "6 tatami".
 std::optional<Measure> MeasureAt(const std::vector<Token>& tokens, size_t i,
                                  v1::Unit::Kind kind = v1::Unit::KIND_LENGTH);
 

@@ -58,6 +58,14 @@ TEST(Measures, ComeOutInMetresDegreesAndSquareMetres) {
   EXPECT_NEAR(ValueOf("5'6\"", kLength), 1.6764, 1e-9);
   EXPECT_NEAR(ValueOf("5 ft 6 inches", kLength), 1.6764, 1e-9);
   EXPECT_NEAR(ValueOf("1 m 20 cm", kLength), 1.2, 1e-9);
+  EXPECT_NEAR(ValueOf("7'-3\"", kLength), 2.2098, 1e-9);
+  EXPECT_NEAR(ValueOf("8 ft 2 in the clear", kLength), 2.4892, 1e-9);
+  EXPECT_NEAR(ValueOf("nine foot ten", kLength), 2.9972, 1e-9);
+  EXPECT_NEAR(ValueOf("2 m 35", kLength), 2.35, 1e-9);
+  EXPECT_NEAR(ValueOf("three metres ten", kLength), 3.1, 1e-9);
+  EXPECT_NEAR(ValueOf("three metres ten chairs", kLength), 3, 1e-9);
+  EXPECT_NEAR(ValueOf("two and a quarter metres", kLength), 2.25, 1e-9);
+  EXPECT_NEAR(ValueOf("four point six metres", kLength), 4.6, 1e-9);
   EXPECT_NEAR(ValueOf("two metres wide", kLength), 2, 1e-9);
   EXPECT_NEAR(ValueOf("1\u00BD m", kLength), 1.5, 1e-9);
   EXPECT_NEAR(ValueOf("90\u00B0", v1::Unit::KIND_ANGLE), 90, 1e-9);

@@ -195,8 +195,11 @@ class Tokenizer {
     const bool after_word = at_ > 0 && IsLetter(text_[at_ - 1]);
     const bool ending = after_word && Next(1) == 's' && !IsLetter(Next(2));
     const bool of_plural = after_word && text_[at_ - 1] == 's' && Next(1) == ' ';
-    const size_t length = ending ? 2 : 1;
-    if (ending || of_plural) {
+    const bool inches = at_ > 0 && IsDigit(text_[at_ - 1]) && Next(1) == '\'';  // 9'6''
+    const size_t length = ending || inches ? 2 : 1;
+    if (inches) {
+      Push(Token::Kind::kSign, "\"", at_, at_ + length);
+    } else if (ending || of_plural) {
       Push(Token::Kind::kWord, "'s", at_, at_ + length);
     } else {
       Push(Token::Kind::kSign, "'", at_, at_ + 1);

@@ -145,22 +145,32 @@ std::optional<english::Measure> MeasureAt(const BriefText& text, std::size_t i) 
   return measure;
 }
 
+// A side as people say it: "two forty" is 2.4 m.
+std::optional<english::Measure> SideAt(const BriefText& text, std::size_t i) {
+  constexpr double kMostM = 20, kLeastRest = 10, kMetre = 100;
+  const std::optional<english::Measure> side = MeasureAt(text, i);
+  const bool spoken = side && side->unit == 0 && text.IsWord(i) && side->value >= 1 && side->value < kMostM;
+  const auto rest = spoken && text.IsWord(side->end) ? english::NumberAt(text.tokens(), side->end) : std::nullopt;
+  if (!rest || rest->value < kLeastRest || rest->value >= kMetre || side->value != std::floor(side->value)) return side;
+  return english::Measure{side->value + rest->value / kMetre, 1, rest->end};
+}
+
 // "4m x 5m" and "8m long, 4m wide" from token i on.
 std::optional<SidePair> PairAt(const BriefText& text, std::size_t i) {
-  const std::optional<english::Measure> first = MeasureAt(text, i);
+  const std::optional<english::Measure> first = SideAt(text, i);
   if (!first) return std::nullopt;
   std::size_t next = first->end;
   const bool swapped = text.At(next) == "long";
   if (swapped || text.At(next) == "wide") {
     ++next;
-    while (text.Says(next, {",", "and"})) ++next;
+    while (text.Says(next, {",", "and", "by", "x"})) ++next;
   } else if (text.Says(next, {"x", "by", "*"})) {
     ++next;
   } else {
     return std::nullopt;
   }
   if (text.At(next) == "-") ++next;
-  const std::optional<english::Measure> second = MeasureAt(text, next);
+  const std::optional<english::Measure> second = SideAt(text, next);
   // "Desks 1.4 m wide, two chairs".
   const bool another = text.Says(first->end, {"long", "wide"}) && second && second->unit == 0 && first->unit > 0;
   if (!second || (another && text.IsWord(second->end) && !text.Is(second->end, "dimensions"))) return std::nullopt;
@@ -174,30 +184,39 @@ std::optional<SidePair> PairAt(const BriefText& text, std::size_t i) {
 
 constexpr double kLowestM = 1.7;  // ceiling, of a ship's cabin
 
+// A little less than the metre at which the narrowest is drawn.
+bool IsASide(double metres) { return metres >= 0.7 && metres <= 100; }
+
 class SizeReader {
  public:
   SizeReader(const std::vector<Token>& tokens, const Handbook& handbook, std::vector<bool>& used)
       : text_(tokens), handbook_(handbook), used_(used), owner_(text_, handbook.vocabulary()) {}
 
   SizeRequest Read() {
+    // Sides that no room has are another's, or no sides, where others are written.
+    std::optional<std::pair<std::size_t, SidePair>> odd;
     for (std::size_t i = 0; i < text_.size() && !size_.in_numbers(); ++i) {
       if (const std::optional<SidePair> sides = PairAt(text_, i)) {
         // There is one room: "140 x 70 cm each" is said of pieces, "2 by 2 m of bare floor" of a part of it.
         const double shorter_m = std::min(sides->width_m, sides->depth_m);
         if (owner_.IsOfAThing(i, sides->end) || owner_.IsRightBehindAThing(i, shorter_m) ||
-            text_.Says(sides->end, {"each", "apiece"}) || IsOfFreeFloor(sides->end)) {
+            text_.Says(sides->end, {"each", "apiece"}) || IsSaidOfEach(i) || IsOfFreeFloor(sides->end)) {
           i = sides->end - 1;
           continue;
         }
-        size_.width_m = sides->width_m;
-        size_.depth_m = sides->depth_m;
-        Mark(i, sides->end, used_);
+        if (!odd && !(IsASide(sides->width_m) && IsASide(sides->depth_m))) {
+          odd = {i, *sides};
+          i = sides->end - 1;
+          continue;
+        }
+        TakeSides(i, *sides);
       } else if (const auto area = english::MeasureAt(text_.tokens(), i, english::v1::Unit::KIND_AREA);
                  area && area->unit > 0 && !owner_.IsOfAThing(i, area->end) && !IsOfFreeFloor(area->end)) {
         size_.area_m2 = area->value;
         Mark(i, area->end, used_);
       }
     }
+    if (odd && !size_.in_numbers()) TakeSides(odd->first, odd->second);
     const bool sides_known = size_.in_numbers();
     for (std::size_t i = 0; i < text_.size(); ++i) {
       const SizeRequest single = SingleAt(i);
@@ -213,8 +232,17 @@ class SizeReader {
   }
 
  private:
-  // "2 by 2 m of bare floor"; "6 by 5 m, open to the hall" is the room.
-  bool IsOfFreeFloor(std::size_t end) const { return !text_.IsSign(end) && text_.Is(end + 1, "free_floors"); }
+  void TakeSides(std::size_t begin, const SidePair& sides) {
+    size_.width_m = sides.width_m;
+    size_.depth_m = sides.depth_m;
+    Mark(begin, sides.end, used_);
+  }
+
+  // "Six desks, each 1.6 x 0.8 m".
+  bool IsSaidOfEach(std::size_t i) const {
+    while (i > 0 && text_.Is(i - 1, "size_links")) --i;
+    return i > 0 && text_.Is(i - 1, "each_words");
+  }
 
   // "height 2.4 m", "room height: 2.4 m", "a ceiling of 2.4 m", "the ceiling is at 2.4 m". The height of a shelf is
   // none of the room.
@@ -226,6 +254,12 @@ class SizeReader {
       if (!text_.Is(i - back, "height_links")) return false;
     }
     return false;
+  }
+
+  // "Width 4.2 m", "length: 5 m"; not "door width 0.9 m".
+  bool IsBehindSide(std::size_t i, std::string_view side) const {
+    while (i > 0 && text_.Says(i - 1, {":", "of", "is", "="})) --i;
+    return i > 0 && text_.At(i - 1) == side && (i == 1 || !text_.IsWord(i - 2) || text_.Is(i - 2, "before_sides"));
   }
 
   // A single length with what it belongs to: "5 m square", "12-foot room", "6 m long", "2.7m ceiling".
@@ -245,10 +279,11 @@ class SizeReader {
       return size;
     } else if (ceiling || (text_.Says(end, {"high", "tall"}) && measure->value >= kLowestM)) {
       size.height_m = measure->value;
-    } else if (text_.At(end) == "wide" || (text_.Is(end, "wall_nouns") && text_.At(end + 1) != "of")) {
+    } else if (IsBehindSide(i, "width") || text_.At(end) == "wide" ||
+               (text_.Is(end, "wall_nouns") && text_.At(end + 1) != "of")) {
       // "The 14 ft wall" is one of the room's.
       size.width_m = measure->value;
-    } else if (text_.Says(end, {"long", "deep"})) {
+    } else if (IsBehindSide(i, "length") || IsBehindSide(i, "depth") || text_.Says(end, {"long", "deep"})) {
       size.depth_m = measure->value;
     } else if (text_.Says(end, {"square", "across", "diameter", "room", "bedroom"}) || text_.At(end + 1) == "room" ||
                text_.At(end + 1) == "diameter") {
@@ -300,7 +335,7 @@ class SizeReader {
 
 absl::Status Check(const SizeRequest& size) {
   for (const std::optional<double>& side_m : {size.width_m, size.depth_m}) {
-    if (!side_m || (*side_m >= 1 && *side_m <= 100)) continue;
+    if (!side_m || IsASide(*side_m)) continue;
     return absl::InvalidArgumentError(fmt::format(
         "brief.text: a side of {:g} m cannot be furnished; write sides between 1 m and 100 m, such as \"4m x 5m\"",
         *side_m));
@@ -383,7 +418,7 @@ PieceSize ReadPieceSize(const std::vector<Token>& tokens, std::size_t begin, std
     if (adjectives) return size;
   }
   std::size_t at = end;
-  while (at < end + kMostLinks && (text.Is(at, "size_links") || text.At(at) == ",")) ++at;
+  while (at < end + kMostLinks && (text.Is(at, "size_links") || text.Is(at, "each_words") || text.At(at) == ",")) ++at;
   const PieceSize behind = PieceSizeAt(text, at);
   // "a couch, 2 m table": a comma alone does not join them.
   const bool said = behind.long_m || text.Is(behind.end - 1, "dimensions") || text.At(at - 1) != ",";

@@ -44,6 +44,19 @@ INSTANTIATE_TEST_SUITE_P(
                     PairCase{"feet_once", "12 x 14 feet", 3.6576, 4.2672},
                     PairCase{"feet_inches", "12'6\" x 14'", 3.81, 4.2672},
                     PairCase{"curly_feet", "12\u2019 x 14\u2019", 3.6576, 4.2672},
+                    PairCase{"feet_and_no_inches", "Clear 8'-0\" x 10'-6\"", 2.4384, 3.2004},
+                    PairCase{"inches_apart", "9 ft x 11 ft 3 in", 2.7432, 3.429},
+                    PairCase{"two_marks", "9'6'' by 11'", 2.8956, 3.3528},
+                    PairCase{"said_feet", "ten foot six by twelve foot", 3.2004, 3.6576},
+                    PairCase{"metres_and_rest", "5 m by 2 m 80", 5, 2.8},
+                    PairCase{"said_metres", "four metres twenty by three ten", 4.2, 3.1},
+                    PairCase{"said_point", "two point six by three point seven five metres", 2.6, 3.75},
+                    PairCase{"said_quarters", "three and a quarter metres by four and three quarters", 3.25, 4.75},
+                    PairCase{"unit_once_said", "six metres by four fifty", 6, 4.5},
+                    PairCase{"long_by_wide", "6 m long by 4 m wide", 4, 6},
+                    PairCase{"sides_named", "Study. Width 3 m, length: 4.5 m", 3, 4.5},
+                    PairCase{"a_loo", "A loo, 0.8 x 1.6 m", 0.8, 1.6},
+                    PairCase{"tiles_first", "Tiles of 30 x 30 cm. The bathroom is 2 x 3 m.", 2, 3},
                     PairCase{"centimetres", "240cm x 300cm", 2.4, 3}, PairCase{"millimetres", "3600 x 4200", 3.6, 4.2},
                     PairCase{"bare_centimetres", "350 x 420", 3.5, 4.2}, PairCase{"by_name", "8m long, 4m wide", 4, 8},
                     PairCase{"no_blanks", "A study of 3mx4m", 3, 4}, PairCase{"sign_no_blanks", "4m\u00d75m", 4, 5},
@@ -103,9 +116,12 @@ TEST(ReadSize, LeavesTheSizesOfThingsInTheRoomAlone) {
 }
 
 TEST(ReadSize, WhatIsSaidOfEachIsNotSaidOfTheRoom) {
-  const absl::StatusOr<SizeRequest> size = Read("An office with two desks at the window, 140 x 70 cm each.");
-  ASSERT_TRUE(size.ok()) << size.status();
-  EXPECT_FALSE(size->in_numbers());
+  for (const char* text : {"An office with two desks at the window, 140 x 70 cm each.",
+                           "A classroom with tables, each 2.4 x 1.2 m", "A study, door width 0.9 m"}) {
+    const absl::StatusOr<SizeRequest> size = Read(text);
+    ASSERT_TRUE(size.ok()) << size.status();
+    EXPECT_FALSE(size->in_numbers()) << text;
+  }
 }
 
 TEST(ReadSize, SizeWordsOfThingsAndPeopleAreNotTheRooms) {

@@ -13,6 +13,7 @@ namespace flair::language {
 namespace {
 
 constexpr double kLowestM = 2;  // ceiling
+constexpr double kShortestM = 1;
 
 // Of the floor of a further kind that a room is, what remains where ways are shared.
 constexpr double kShared = 0.8;
@@ -131,6 +132,12 @@ RoomSize ChooseRoomSize(const BriefFacts& facts, const Handbook& handbook, const
     size.assumption += fmt::format("{}A ceiling at {:g} m is drawn at {:g} m, the lowest that a room may have.",
                                    size.assumption.empty() ? "" : " ", size.height_m, kLowestM);
     size.height_m = kLowestM;
+  }
+  for (double* const side_m : {&size.width_m, &size.depth_m}) {
+    if (*side_m >= kShortestM) continue;
+    size.assumption += fmt::format("{}A side of {:g} m is drawn at {:g} m, the shortest that a room may have.",
+                                   size.assumption.empty() ? "" : " ", *side_m, kShortestM);
+    *side_m = kShortestM;
   }
   return size;
 }
