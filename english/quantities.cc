@@ -345,8 +345,8 @@ std::optional<Number> NumberAt(const std::vector<Token>& tokens, size_t i) {
       number.value += ones;
       number.end = next + 1;
     }
-  } else if (WordAt(tokens, number.end, "hundred")) {
-    number.value *= 100;
+  } else if (const bool dozens = WordAt(tokens, number.end, "dozen"); dozens || WordAt(tokens, number.end, "hundred")) {
+    number.value *= dozens ? 12 : 100;
     ++number.end;
   }
   // "Three point two five".

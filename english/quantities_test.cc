@@ -43,6 +43,8 @@ TEST(Numbers, AreReadInDigitsAndWords) {
   EXPECT_EQ(Value("one and a half"), 1.5);
   EXPECT_EQ(Value("1 1/2"), 1.5);
   EXPECT_EQ(Value("2 \u00BD"), 2.5);
+  EXPECT_EQ(Value("two dozen chairs"), 24);
+  EXPECT_EQ(Value("three point two five"), 3.25);
   EXPECT_EQ(Value("several"), 5);
   EXPECT_EQ(Value("a few"), 3);
   EXPECT_EQ(Value("a two-seat sofa"), 1);

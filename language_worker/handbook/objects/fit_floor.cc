@@ -12,8 +12,8 @@
 namespace flair::language {
 namespace {
 
-// What the brief asks for may cover a little more before any of it goes.
-constexpr double kCoverLimitIfAsked = 0.52;
+// What the brief asks for may cover more before any of it goes, and what is small always finds a place.
+constexpr double kCoverLimitIfAsked = 0.62, kSmallAskedM2 = 0.25;
 
 bool IsEssential(const ProgramItem& item) { return item.count <= item.essential; }
 bool IsAskedFor(const ProgramItem& item) { return item.requested && !item.optional; }
@@ -45,7 +45,7 @@ class FloorFitter {
     }
     limit_ = kCoverLimitIfAsked;
     if (Cover() > limit_) TakeSmaller(/*requested=*/true);
-    while (Cover() > kCoverLimit && DropOne(/*requested=*/true)) {
+    while (Cover() > limit_ && DropOne(/*requested=*/true)) {
     }
     TellReplacements();
     return std::move(items_);
@@ -93,6 +93,8 @@ class FloorFitter {
       }
     }
   }
+
+  static bool IsSmall(const SizedItem& sized) { return sized.width_m * sized.depth_m <= kSmallAskedM2; }
 
   double Cover() const {
     double area_m2 = 0;
@@ -156,9 +158,9 @@ class FloorFitter {
   // Smaller classes for all pieces, or for those that nobody asked for by name, from the end of the list, as often as
   // needed.
   void TakeSmaller(bool requested) {
-    for (bool changed = true; changed && Cover() > kCoverLimit;) {
+    for (bool changed = true; changed && Cover() > limit_;) {
       changed = false;
-      for (std::size_t i = items_.size(); i-- > 0 && Cover() > kCoverLimit;) {
+      for (std::size_t i = items_.size(); i-- > 0 && Cover() > limit_;) {
         if (requested || !IsAskedFor(items_[i].item)) changed = Replace(items_[i]) || changed;
       }
     }
@@ -186,7 +188,7 @@ class FloorFitter {
   bool DropOne(bool requested) {
     std::size_t victim = items_.size();
     for (std::size_t i = 0; i < items_.size(); ++i) {
-      if (GoesWithAnother(items_[i])) continue;
+      if (GoesWithAnother(items_[i]) || (IsAskedFor(items_[i].item) && IsSmall(items_[i]))) continue;
       const bool first = victim == items_.size();
       const int rank = Rank(items_[i]), worst = first ? 0 : Rank(items_[victim]);
       const bool later = !first && rank == worst && items_[i].item.drop_order >= items_[victim].item.drop_order;

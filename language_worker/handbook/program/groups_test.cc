@@ -246,6 +246,21 @@ TEST(Groups, WhatIsAskedForInGroupsStandsInZonesOfItsOwn) {
   EXPECT_GE(ids.size(), 4u);
 }
 
+TEST(Groups, ChairsForVisitorsLeaveTheDeskItsOwn) {
+  const Plan plan = PlanFor("A home office, 4 x 4 m, with a desk, a bookshelf and three chairs for guests.");
+  EXPECT_EQ(plan.Count("visitor chair"), 3);
+  EXPECT_EQ(plan.Count("office chair"), 1);
+  EXPECT_EQ(PlanFor("A dining room, 4 x 4 m, round table with half a dozen chairs.").Count("dining chair"), 6);
+}
+
+TEST(Groups, WhatIsAskedForStaysWhereItIsTight) {
+  const Plan bedroom = PlanFor(
+      "A bedroom, 3.2 x 3 m, with a double bed, two nightstands, a floor lamp, a wardrobe and a chest of drawers.");
+  EXPECT_EQ(bedroom.Count("nightstand"), 2);
+  EXPECT_EQ(bedroom.Count("double bed"), 1);
+  EXPECT_EQ(bedroom.Count("floor lamp"), 1);
+}
+
 TEST(Groups, WhatIsWantedOnlyIfThereIsRoomGoesFirstAndIsNoComplaint) {
   const Plan roomy = PlanFor("A dining room of 6 m x 6 m with a bench if there is room.");
   EXPECT_EQ(roomy.Count("dining bench"), 1);

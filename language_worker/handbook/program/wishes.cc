@@ -110,7 +110,10 @@ class WishMaker {
                              });
         const bool alike = furniture.category() == wish.furniture->category() && furniture.category() != "box" &&
                            furniture.kind() == wish.furniture->kind() && !IsFloorPiece(furniture);
-        return !item.requested && (alike || (by_noun && !IsSeatOfAnother(item)));
+        // Chairs for visitors leave whoever sits at the desk their own.
+        const bool at_desk = item.seat_of != nullptr && item.seat_of->category() == "desk" &&
+                             item.furniture != wish.furniture && wish.furniture->has_makes_zone();
+        return !item.requested && (alike || (by_noun && !IsSeatOfAnother(item) && !at_desk));
       };
       std::erase_if(program_.tertiary_items, is_another);
       std::erase_if(program_.floor_items, is_another);

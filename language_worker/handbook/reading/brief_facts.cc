@@ -76,7 +76,7 @@ class BriefReader : Reading {
     kind_ = ReadRoomKind(tokens(), handbook);
     facts.archetype = kind_.room.archetype;
     // "A triclinium for a museum": the room that nobody named is the first, if its word means one.
-    for (std::size_t i = 0; facts.archetype != nullptr && i < kind_.room.begin; ++i) {
+    for (std::size_t i = 0; facts.archetype != nullptr && i < kind_.room.begin && !text.Is(i, "pronouns"); ++i) {
       if (!text.Is(i, "for_whom")) continue;
       if (const hb::Archetype* first = handbook.vocabulary().meanings->RoomOf(text.Quote(text.BehindArticle(0), i))) {
         facts.archetype = first;

@@ -31,13 +31,16 @@ struct RoomCase {
 };
 class NamedKind : public testing::TestWithParam<RoomCase> {};
 TEST_P(NamedKind, IsFoundInTheBrief) { EXPECT_EQ(FactsOf(GetParam().text).archetype->name(), GetParam().archetype); }
-INSTANTIATE_TEST_SUITE_P(Briefs, NamedKind,
-                         testing::Values(RoomCase{"plain", "A bedroom that is 4m x 5m.", "bedroom"},
-                                         RoomCase{"slash", "A living/dining room that is 6m x 3m.",
-                                                  "living dining room"},
-                                         RoomCase{"inside_furniture", "A bedroom with an office chair", "bedroom"},
-                                         RoomCase{"synonym", "An office for a bestselling writer", "home office"}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Briefs, NamedKind,
+    testing::Values(RoomCase{"plain", "A bedroom that is 4m x 5m.", "bedroom"},
+                    RoomCase{"slash", "A living/dining room that is 6m x 3m.", "living dining room"},
+                    RoomCase{"inside_furniture", "A bedroom with an office chair", "bedroom"},
+                    RoomCase{"after_a_clause", "Now that we work from home, the bedroom needs a desk.", "bedroom"},
+                    RoomCase{"translator", "I translate poems and sit here all day. A chair.", "home office"},
+                    RoomCase{"crockery", "A dresser for the tableware, a table with eight chairs.", "dining room"},
+                    RoomCase{"synonym", "An office for a bestselling writer", "home office"}),
+    [](const auto& info) { return info.param.name; });
 
 struct WishCase {
   const char* name;
@@ -47,14 +50,16 @@ struct WishCase {
 };
 class Wishes : public testing::TestWithParam<WishCase> {};
 TEST_P(Wishes, AreCounted) { EXPECT_EQ(WishCount(FactsOf(GetParam().text), GetParam().furniture), GetParam().count); }
-INSTANTIATE_TEST_SUITE_P(Briefs, Wishes,
-                         testing::Values(WishCase{"word", "a living room with two armchairs", "armchair", 2},
-                                         WishCase{"adjectives", "a living room with three deep leather armchairs",
-                                                  "armchair", 3},
-                                         WishCase{"pair", "a living room with a pair of armchairs", "armchair", 2},
-                                         WishCase{"digits", "a bedroom with 2 nightstands", "nightstand", 2},
-                                         WishCase{"refused", "a bedroom without a desk", "desk", 0}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Briefs, Wishes,
+    testing::Values(WishCase{"chairs_for", "a quaker meeting room, chairs for fourteen in a ring", "visitor chair", 14},
+                    WishCase{"one_more", "a yoga studio, nine mats in rows and two more in front", "yoga mat", 11},
+                    WishCase{"word", "a living room with two armchairs", "armchair", 2},
+                    WishCase{"adjectives", "a living room with three deep leather armchairs", "armchair", 3},
+                    WishCase{"pair", "a living room with a pair of armchairs", "armchair", 2},
+                    WishCase{"digits", "a bedroom with 2 nightstands", "nightstand", 2},
+                    WishCase{"refused", "a bedroom without a desk", "desk", 0}),
+    [](const auto& info) { return info.param.name; });
 
 TEST(ReadBrief, CountsPeople) {
   EXPECT_EQ(FactsOf("A dining room for eight people").people, 8);

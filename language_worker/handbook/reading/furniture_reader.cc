@@ -287,12 +287,18 @@ class FurnitureReader : Reading {
       const bool each = text.BehindPhrase(end, text.At(end) == "with" ? "having" : "facing_it") == text.PhraseBegin(i);
       if (each) count.number = std::max(count.number, mentions_.back().count);
     }
+    if (count.said) count.number += MoreBehind(i + length);
+    // "Chairs for twelve": one each.
+    SeatsSaid seats = SeatsAround(text, i, length);
+    if (!count.said && count.number > 1 && IsSeat(furniture) && seats.begin >= i && seats.number > 1) {
+      count = {std::min(seats.number, kMostOfAKind)};
+      Use(seats.begin, seats.end);
+    }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text, used, i, i + length)};
     if (groups.end > 0) wish.in_each = groups.InEach(count.number);
     wish.in_rows = groups.rows;
     wish.noun = nouns_.NounAt(tokens(), i, length);
     if (IsSeat(furniture)) wish.noun = nouns_.NounAt(tokens(), i + length - 1, 1);
-    SeatsSaid seats = SeatsAround(text, i, length);
     const bool desk = furniture.category() == "desk";
     if (const auto at = PhraseBefore("desks_for_two", text, i); desk && at) seats = {2, *at, *at + 1};
     if ((!furniture.companions().empty() || furniture.category().ends_with("table")) && seats.number > 0) {
@@ -315,6 +321,18 @@ class FurnitureReader : Reading {
     if (const std::optional<std::size_t> at = PhraseBefore("wall_mounted", text, i)) {
       if (furniture.kind() == hb::FURNITURE_KIND_WALL) Use(*at, *text.BehindPhrase(*at, "wall_mounted"));
     }
+  }
+
+  // "Twelve mats in three rows and one more up front".
+  int MoreBehind(std::size_t end) {
+    constexpr std::size_t kMostWords = 8;
+    for (std::size_t k = end; k < end + kMostWords && !text.EndsSentence(k) && AnyAt(k) == nullptr; ++k) {
+      const std::optional<int> more = text.Says(k, {"and", "plus"}) ? NumberWord(text.At(k + 1)) : std::nullopt;
+      if (!more || !text.Says(k + 2, {"more", "extra"}) || AnyAt(k + 3) != nullptr) continue;
+      Use(k, k + 3);
+      return *more;
+    }
+    return 0;
   }
 
   // "a meeting table with six chairs", "two tables and eight chairs", "four desks with two chairs each".

@@ -239,6 +239,11 @@ void LandmarkReader::TakeWhichOne(std::size_t start, Landmark& landmark) const {
     add(text_.At(told));
     landmark.end = told + 1;
   }
+  if (const auto faced = text_.BehindPhrase(landmark.end, "faced_entering");
+      faced && sides.empty() && landmark.kind == Landmark::Kind::kWall) {
+    add("far");
+    landmark.end = *faced;
+  }
   if (const auto entering = text_.BehindPhrase(landmark.end, "entering")) landmark.end = *entering;
   // "The wall opposite", of what was spoken of before.
   if (how == "opposite" && how.data() == text_.At(landmark.end).data() &&

@@ -79,6 +79,7 @@ class PeopleReader {
     if (!number) return std::nullopt;
     // "Where twelve can eat."
     if (*number > 1 && text_.Is(i + 1, "modal_verbs") && text_.IsWord(i + 2)) return Take(i, i + 2, *number);
+    if (const auto us = text_.BehindPhrase(i + 1, "of_us"); us && *number > 1) return Take(i, *us, *number);
     for (std::size_t noun = i + 1; noun <= i + 1 + kMostBeforePersons && noun < tokens_.size(); ++noun) {
       if (text_.IsHyphen(noun)) continue;
       if (!text_.IsWord(noun) || used_[noun] || Ends(noun)) break;

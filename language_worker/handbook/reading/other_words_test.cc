@@ -23,6 +23,7 @@ TEST(ReadPeople, CountsByAnyNounOfPersons) {
     int people;
   } kCases[] = {{"A library for forty readers.", 40},
                 {"A room for six people", 6},
+                {"A den where seven of us fit", 7},
                 {"A dining room that seats twelve.", 12},
                 {"A dining room seating fourteen", 14},
                 {"A dining room for a family of five.", 5},

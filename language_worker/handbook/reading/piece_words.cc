@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "english/quantities.h"
 #include "english/words.h"
 #include "language_worker/handbook/reading/meanings.h"
 #include "language_worker/handbook/reading/other_words.h"
@@ -229,6 +230,11 @@ PieceCount CountOf(const Handbook& handbook, const BriefText& text, const hb::Fu
     }
     if (longest.first > 0) return {longest.second};
     // "a pair of": the article belongs to the pair, which stands after it.
+    // "Half a dozen", of which the last word is one by itself.
+    for (std::size_t k = at - std::min<std::size_t>(at, 2); k < at; ++k) {
+      const auto whole = text.At(at) == "dozen" ? english::NumberAt(text.tokens(), k) : std::nullopt;
+      if (whole && whole->end == at + 1) return {static_cast<int>(whole->value)};
+    }
     if (const std::optional<int> number = NumberWord(text.At(at))) return {*number};
   }
   if (const int behind = CountBehind(text, i + length); behind > 0) return {behind};

@@ -154,6 +154,15 @@ std::optional<PlacePatterns::Match> PlaceByItself(const BriefText& text, std::si
   const bool corner = text.Says(i, {"front", "back", "rear", "far", "near"}) && text.Says(i + 1, {"left", "right"});
   const bool wall = text.At(i) == "opposite" && !across.empty() && !text.Says(i - std::min<std::size_t>(i, 1), {"the"});
   PlacePatterns::Match match;
+  // "A bookcase left as you come in".
+  const bool side = text.Says(i, {"left", "right"}) && i > 0 && !text.Is(i - 1, "determiners");
+  if (const auto entering = side ? text.BehindPhrase(i + 1, "entering") : std::nullopt) {
+    match = {patterns.Find("against", "wall", hb::FURNITURE_KIND_FLOOR), {}, 1, *entering};
+    match.landmark.kind = Landmark::Kind::kWall;
+    match.landmark.end = *entering;
+    match.landmark.side = text.At(i);
+    return match;
+  }
   match.length = corner ? 2 : 1;
   const std::size_t end = match.landmark.end = match.end = i + match.length;
   const bool sign = end >= text.size() || (text.IsSign(end) && !text.IsHyphen(end));

@@ -90,6 +90,14 @@ TEST(PlaceReader, WhatHangsHangsOnTheWallThatIsNamed) {
        {"A hallway with coat hooks beside the door.", "The wall hooks is near the door."}});
 }
 
+TEST(PlaceReader, SidesAreThoseOfWhoComesIn) {
+  ExpectEach(
+      {{"A bedroom, wardrobe right as you step in.", "The wardrobe's back is against {wall}. [right]"},
+       {"A study with a bookshelf on the wall you face as you walk in.",
+        "The bookshelf's back is against {wall}. [far]"},
+       {"A hallway with a mirror on the left-hand wall seen from the door.", "The mirror hangs on {wall}. [left]"}});
+}
+
 TEST(PlaceReader, WhatIsFacedHangsWherePeopleLook) {
   EXPECT_THAT(PlacesIn("A barber shop with four barber chairs facing the mirrors."),
               ElementsAre("The barber chair faces the mirror.", "The mirror hangs on {wall}. [blank far]"));

@@ -221,7 +221,8 @@ class RoomKindReader {
     for (std::size_t i = 0; i < found_.size(); ++i) {
       if (best == found_.size() || RankOf(found_[i]) > RankOf(found_[best])) best = i;
     }
-    return best;
+    // "Hall door in the west wall" alone names none.
+    return best < found_.size() && found_[best].outside && IsOutside(found_[best].room) ? found_.size() : best;
   }
 
   void AddOthers(std::size_t best, RoomKind& kind) const {

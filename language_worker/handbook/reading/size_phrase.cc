@@ -150,7 +150,7 @@ std::optional<english::Measure> SideAt(const BriefText& text, std::size_t i) {
   constexpr double kMostM = 20, kLeastRest = 10, kMetre = 100;
   const std::optional<english::Measure> side = MeasureAt(text, i);
   const bool spoken = side && side->unit == 0 && text.IsWord(i) && side->value >= 1 && side->value < kMostM;
-  const auto rest = spoken && text.IsWord(side->end) ? english::NumberAt(text.tokens(), side->end) : std::nullopt;
+  const auto rest = spoken ? english::NumberAt(text.tokens(), side->end) : std::nullopt;
   if (!rest || rest->value < kLeastRest || rest->value >= kMetre || side->value != std::floor(side->value)) return side;
   return english::Measure{side->value + rest->value / kMetre, 1, rest->end};
 }
