@@ -12,8 +12,8 @@
 namespace flair::language {
 namespace {
 
-// What the brief asks for may cover more before any of it goes, and what is small always finds a place.
-constexpr double kCoverLimitIfAsked = 0.62, kSmallAskedM2 = 0.25;
+// What the brief asks for may cover a little more before any of it goes, and what is small always finds a place.
+constexpr double kCoverLimitIfAsked = 0.52, kSmallAskedM2 = 0.25;
 
 bool IsEssential(const ProgramItem& item) { return item.count <= item.essential; }
 bool IsAskedFor(const ProgramItem& item) { return item.requested && !item.optional; }
@@ -45,7 +45,7 @@ class FloorFitter {
     }
     limit_ = kCoverLimitIfAsked;
     if (Cover() > limit_) TakeSmaller(/*requested=*/true);
-    while (Cover() > limit_ && DropOne(/*requested=*/true)) {
+    while (Cover() > kCoverLimit && DropOne(/*requested=*/true)) {
     }
     TellReplacements();
     return std::move(items_);
@@ -158,9 +158,9 @@ class FloorFitter {
   // Smaller classes for all pieces, or for those that nobody asked for by name, from the end of the list, as often as
   // needed.
   void TakeSmaller(bool requested) {
-    for (bool changed = true; changed && Cover() > limit_;) {
+    for (bool changed = true; changed && Cover() > kCoverLimit;) {
       changed = false;
-      for (std::size_t i = items_.size(); i-- > 0 && Cover() > limit_;) {
+      for (std::size_t i = items_.size(); i-- > 0 && Cover() > kCoverLimit;) {
         if (requested || !IsAskedFor(items_[i].item)) changed = Replace(items_[i]) || changed;
       }
     }

@@ -181,7 +181,7 @@ TEST(Groups, WhatDoesNotFitGoesWithItsSeatsAndIsCounted) {
   EXPECT_GE(desks, 4);
   EXPECT_LT(desks, 20);
   EXPECT_EQ(plan.Count("office chair"), desks) << "a desk without a chair is no place to work";
-  EXPECT_EQ(plan.Omission("desk").substr(0, 9), std::to_string(20 - desks) + " of 20:");
+  EXPECT_TRUE(plan.Omission("desk").starts_with(std::to_string(20 - desks) + " of 20:")) << plan.Omission("desk");
   EXPECT_EQ(PlanFor("A 3m x 3m bedroom with ten single beds.").Omission("single bed").substr(0, 8), "8 of 10:");
 }
 

@@ -290,10 +290,8 @@ class FurnitureReader : Reading {
     if (count.said) count.number += MoreBehind(i + length);
     // "Chairs for twelve": one each.
     SeatsSaid seats = SeatsAround(text, i, length);
-    if (!count.said && count.number > 1 && IsSeat(furniture) && seats.begin >= i && seats.number > 1) {
+    if (!count.said && count.number > 1 && IsSeat(furniture) && seats.begin >= i && seats.number > 1)
       count = {std::min(seats.number, kMostOfAKind)};
-      Use(seats.begin, seats.end);
-    }
     Wish wish{&furniture, count.number, 0, count.said, IsOptional(text, used, i, i + length)};
     if (groups.end > 0) wish.in_each = groups.InEach(count.number);
     wish.in_rows = groups.rows;

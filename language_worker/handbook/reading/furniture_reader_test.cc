@@ -203,7 +203,7 @@ TEST(FurnitureReader, CountsStandBeforeBehindAndInGroups) {
                 {"A home cinema with two rows of three recliners.", "recliner", 6, 3},
                 {"A bar with two high tables with three stools each.", "bar stool", 6, 0},
                 {"A waiting room with 18 seats, three of them wide.", "visitor chair", 18, 0},
-                {"A meeting room with chairs for twelve.", "office chair", 2, 0},
+                {"A meeting room with chairs for twelve.", "office chair", 12, 0},
                 {"A study with 200 books on shelves.", "bookshelf", 2, 0}};
   for (const auto& expected : kCases) {
     const BriefFacts facts = FactsOf(expected.text);

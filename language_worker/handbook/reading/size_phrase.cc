@@ -238,6 +238,9 @@ class SizeReader {
     Mark(begin, sides.end, used_);
   }
 
+  // "2 by 2 m of bare floor"; "6 by 5 m, open to the hall" is the room.
+  bool IsOfFreeFloor(std::size_t end) const { return !text_.IsSign(end) && text_.Is(end + 1, "free_floors"); }
+
   // "Six desks, each 1.6 x 0.8 m".
   bool IsSaidOfEach(std::size_t i) const {
     while (i > 0 && text_.Is(i - 1, "size_links")) --i;
