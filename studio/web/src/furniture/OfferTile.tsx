@@ -21,7 +21,7 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
   // What hangs is known by its front, all else by its plan.
   const isHung = object.kind === ObjectKind.WALL, across = isHung ? object.heightM : object.depthM;
   const size = Math.max(object.widthM, across) * 1.12;
-  const sizes = [object.widthM, object.depthM, object.heightM].map((one) => figure(one, units.value)).join(" × ");
+  const sizes = [object.widthM, object.depthM, object.heightM].map((one) => figure(one, units.value)).join(" × ");
   return (
     <li class="offer">
       <button draggable onClick={onAdd} title={[`Add a ${object.name}: click, or drag it into the room`, object.description].filter(Boolean).join("\n")}

@@ -24,3 +24,7 @@ test("what programs read of a note stays", () => {
   assert.deepEqual(spokenThroughout(note, words),
     { id: "wall_1", demands: [{ sentence: "The bed is at wall_1.", about_it: "at the south wall", edge_ids: ["wall_1"] }] });
 });
+
+test("who measures in feet reads feet", () => {
+  assert.equal(spoken("1.2 m from wall_1 (20.2 m2), 0.9 metres", words, "ft"), "3′ 11″ from the south wall (217 sq ft), 0.9 metres");
+});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What walls without a name of their own ("wall_3") are called: by the point of the compass that they lie at.
+import { areaText, lengthText, type Units } from "../app/units";
 import { pointOf } from "./compass";
 import { distance, left, sub, times, type Vec } from "./vec";
 
@@ -32,22 +33,29 @@ export function wallWords(walls: readonly NamedWall[]): Map<string, string> {
   return new Map(walls.filter(({ name }) => isNumbered.test(name)).map((wall) => [wall.name, told(wall, alikeOf(wall))]));
 }
 
-// A text of the server with the walls so called and square metres as they are written.
-export function spoken(text: string, walls: ReadonlyMap<string, string>): string {
-  return text.replace(/\b(?:the )?(wall)[_ ](\d+)(?: wall)?\b/g, (all, _, number: string) => {
+// "1.20 m", but no square metres.
+const kMetres = /(?<![\d.])(\d+(?:\.\d+)?) m(?![\w²])/g;
+const kSquareMetres = /(?<![\d.])(\d+(?:\.\d+)?) ?m(?:2\b|²)/g;
+
+// A text of the server with the walls so called, and lengths and areas as the user writes them.
+export function spoken(text: string, walls: ReadonlyMap<string, string>, units: Units = "m"): string {
+  const named = text.replace(/\b(?:the )?(wall)[_ ](\d+)(?: wall)?\b/g, (all, _, number: string) => {
     const words = walls.get(`wall_${number}`);
     return words ? `the ${words}` : all;
-  }).replace(/(\d) ?m2\b/g, "$1 m²");
+  });
+  if (units === "m") return named.replace(kSquareMetres, "$1 m²");
+  return named.replace(kSquareMetres, (_, metres: string) => areaText(Number(metres), units))
+    .replace(kMetres, (_, metres: string) => lengthText(Number(metres), units));
 }
 
 // What programs read of a note; the rest is for people.
 const kForPrograms = /^(id|.*_ids?|sentence|types|kind|unit|fate|role)$/;
 
 // The same for every text of a note.
-export function spokenThroughout<T>(value: T, walls: ReadonlyMap<string, string>): T {
-  if (typeof value === "string") return spoken(value, walls) as T;
-  if (Array.isArray(value)) return value.map((one) => spokenThroughout(one, walls)) as T;
+export function spokenThroughout<T>(value: T, walls: ReadonlyMap<string, string>, units: Units = "m"): T {
+  if (typeof value === "string") return spoken(value, walls, units) as T;
+  if (Array.isArray(value)) return value.map((one) => spokenThroughout(one, walls, units)) as T;
   if (typeof value !== "object" || value === null) return value;
   return Object.fromEntries(Object.entries(value).map(([key, one]) =>
-    [key, kForPrograms.test(key) ? one : spokenThroughout(one, walls)])) as T;
+    [key, kForPrograms.test(key) ? one : spokenThroughout(one, walls, units)])) as T;
 }

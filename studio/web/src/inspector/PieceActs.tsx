@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
-import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import { duplicatePieces, lockPieces, removePieces, turnPieces } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece } from "../state/pieces";
 
-// Lock, duplicate and remove, of one piece or several.
+// Lock, turn, duplicate and remove, of one piece or several.
 export function PieceActs({ room, pieces }: { room: OpenRoom; pieces: readonly Piece[] }) {
   const isLocked = pieces.every((piece) => piece.pinned);
   const acts = [
     { name: isLocked ? "Unlock" : "Lock", key: "L", icon: isLocked ? "lock" : "unlock", run: lockPieces },
+    { name: "Turn clockwise", key: "R", icon: "turn", run: () => turnPieces(room, pieces, -Math.PI / 2) },
     { name: "Duplicate", key: "Ctrl D", icon: "copy", run: duplicatePieces },
     { name: "Remove", key: "Delete", icon: "trash",
       run: () => removePieces(room, pieces.map((piece) => piece.id)) },

@@ -7,7 +7,7 @@ import { boxOf } from "../geometry/polygon";
 import { sub } from "../geometry/vec";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { footprintOf, placementOf, type Piece } from "../state/pieces";
-import { movePieces, resizePiece } from "../state/commands";
+import { movePieces, resizePiece, turnPieces } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import { kLargest, kSmallest } from "../geometry/resize";
@@ -62,7 +62,7 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
   };
   const turn = (text: string) => {
     const theta = parseHeading(text);
-    if (theta !== undefined) move({ theta });
+    if (theta !== undefined) turnPieces(room, [piece], theta - piece.pose.theta);
     return theta !== undefined;
   };
   const hang = (text: string) => {

@@ -16,7 +16,9 @@ function exampleFor(room: OpenRoom, about: Piece | undefined): string {
   const { kind, walkOver } = piece.object;
   if (walkOver) return `${name} is in the middle of the room`;
   if (kind === ObjectKind.FLOOR) return piece.object.seat ? `${name} faces the window` : `${name} is against the north wall`;
-  return kind === ObjectKind.WALL ? `${name} hangs on the north wall` : `${name} is in a corner`;
+  const host = room.pieces.value.get(piece.object.hostId);
+  if (kind === ObjectKind.SURFACE && host) return `${name} is on ${theName(host.object)}`;
+  return kind === ObjectKind.WALL ? `${name} hangs on the north wall` : `${name} is in the middle of the room`;
 }
 
 // Adds what one sentence asks for; the server says when it does not understand.

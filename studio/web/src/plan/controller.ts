@@ -6,9 +6,8 @@ import type { Guide } from "../geometry/snap";
 import { vec, type Vec } from "../geometry/vec";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece, Poses } from "../state/pieces";
-import { movePieces } from "../state/commands";
-import { guestsOf, placementOf } from "../state/pieces";
-import { toObject, toRoom as fromObject, type Pose } from "../geometry/footprint";
+import { standAt } from "../state/commands";
+import { placementOf, withGuests } from "../state/pieces";
 import type { Studio } from "../state/studio";
 import type { Gesture } from "./gesture";
 import { fitted, toRoom, type View } from "./view";
@@ -59,7 +58,7 @@ export class PlanController {
 
   // Shows the pieces there, with what stands on them, and asks for verdicts.
   preview(poses: Poses): void {
-    const all = this.withGuests(poses);
+    const all = withGuests(this.room.pieces.peek(), poses);
     this.room.draft.value = all;
     const pieces = this.room.pieces.peek();
     this.room.judging.ask([...all].map(([id, pose]) => placementOf(pieces.get(id)!, pose)));
@@ -68,32 +67,12 @@ export class PlanController {
   // Lets them stand there: one act.
   async drop(poses: Poses): Promise<void> {
     this.guides.value = [];
-    const pieces = this.room.pieces.peek();
-    const all = this.withGuests(poses);
-    // The server takes along what it knows to stand on them; what was merely put there is named.
-    const isNamed = (id: string) => poses.has(id) || !all.has(pieces.get(id)!.object.hostId);
-    const placements = [...all].filter(([id]) => isNamed(id)).map(([id, pose]) => placementOf(pieces.get(id)!, pose));
-    await movePieces(this.room, placements);
+    await standAt(this.room, poses);
   }
 
   abandon(): void {
     this.guides.value = [];
     this.room.draft.value = new Map();
     this.room.judging.end();
-  }
-
-  private withGuests(poses: Poses): Poses {
-    const pieces = this.room.pieces.peek();
-    const all = new Map<string, Pose>(poses);
-    for (const [id, pose] of poses) {
-      const host = pieces.get(id)!;
-      for (const guest of guestsOf(pieces, [id])) {
-        if (poses.has(guest)) continue;
-        const was = pieces.get(guest)!.pose;
-        const at = fromObject(pose, toObject(host.pose, vec(was.x, was.y)));
-        all.set(guest, { x: at.x, y: at.y, theta: was.theta + pose.theta - host.pose.theta });
-      }
-    }
-    return all;
   }
 }

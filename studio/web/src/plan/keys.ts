@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keys while the plan has the focus. Those of the whole page are in app/keys.ts.
 import { useEffect, useMemo } from "preact/hooks";
-import { duplicatePieces, lockPieces, removePieces } from "../state/commands";
+import { duplicatePieces, lockPieces, removePieces, turnPieces } from "../state/commands";
 import { isSolid, type Piece } from "../state/pieces";
 import { editedClearance } from "./ClearanceField";
 import { shownClearances } from "./clearance_of";
 import type { PlanController } from "./controller";
-import { turnedInside } from "./gestures/rotate";
 import { Nudge } from "./nudge";
 import { zoom } from "./view";
 
@@ -14,10 +13,7 @@ const kOfButtons = /^(Enter| |Tab|Escape|Arrow.*|Home|End)$/;
 
 let copied: readonly Piece[] = [];
 
-function turn(plan: PlanController, angle: number): void {
-  const pieces = plan.chosen.peek().filter((piece) => !piece.pinned);
-  if (pieces.length > 0) void plan.drop(turnedInside(plan, pieces, angle));
-}
+const turn = (plan: PlanController, angle: number) => turnPieces(plan.room, plan.chosen.peek(), angle);
 
 // The next piece of the room, as tab does for fields; false at the end, where the focus goes on.
 function step(plan: PlanController, by: 1 | -1): boolean {

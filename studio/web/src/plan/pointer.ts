@@ -74,7 +74,9 @@ function handlers(plan: PlanController) {
     },
     onPointerLeave() { plan.room.hovered.value = ""; },
     onDblClick(event: MouseEvent) {
-      const id = attributeOf(event, "piece");
+      // The pointer was captured: what is below it, not who caught it.
+      const below = document.elementFromPoint(event.clientX, event.clientY) ?? (event.target as Element);
+      const id = below.closest<SVGElement>("[data-piece]")?.dataset.piece;
       if (id !== undefined) plan.room.select([id]);
       else if (attributeOf(event, "field") === undefined) plan.fit();
     },

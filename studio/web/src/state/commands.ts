@@ -8,7 +8,8 @@ import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/obj
 import type { OpenRoom } from "./open_room";
 import type { Placements } from "./judging";
 import { homeFor, orphansInWords, orphansOf } from "./orphans";
-import { placementOf, theName, type Piece } from "./pieces";
+import { placementOf, theName, withGuests, type Piece, type Poses } from "./pieces";
+import { turnedInside } from "./turning";
 
 type Edit = MessageInitShape<typeof LayoutEditSchema>;
 
@@ -24,6 +25,20 @@ const change = (room: OpenRoom, edits: Edit[]) => edit(room, edits, !room.settle
 // Puts objects there; alone, or with all that this affects.
 export function movePieces(room: OpenRoom, placements: Placements) {
   return room.settlesAlone() ? moveAndSettle(room, placements) : room.act({ case: "move", value: { placements } });
+}
+
+// Puts pieces there with all that stands on them.
+export function standAt(room: OpenRoom, poses: Poses) {
+  const pieces = room.pieces.peek(), all = withGuests(pieces, poses);
+  // The server takes along what it knows to stand on them; what was merely put there is named.
+  const isNamed = (id: string) => poses.has(id) || !all.has(pieces.get(id)!.object.hostId);
+  return movePieces(room, [...all].filter(([id]) => isNamed(id)).map(([id, pose]) => placementOf(pieces.get(id)!, pose)));
+}
+
+// Turns those that are not locked, counter-clockwise.
+export function turnPieces(room: OpenRoom, pieces: readonly Piece[], angle: number): void {
+  const free = pieces.filter((piece) => !piece.pinned);
+  if (free.length > 0) void standAt(room, turnedInside(free, angle, room.floor.peek()));
 }
 
 // Puts objects there and solves what that affects, as one act.
@@ -164,7 +179,7 @@ export const redo = (room: OpenRoom) => inHistory(room, "redo");
 export const rename = (room: OpenRoom, title: string) => room.act({ case: "title", value: title });
 
 export const say = (room: OpenRoom, text: string, tell?: (text: string) => void) =>
-  room.act({ case: "say", value: { text } }, tell);
+  room.act({ case: "say", value: { text, selectedObjectIds: [...room.selection.peek()] } }, tell);
 
 export const weigh = (room: OpenRoom, sentenceId: string, weight: number) =>
   room.act({ case: "weigh", value: { sentenceId, weight } });

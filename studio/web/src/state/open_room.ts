@@ -2,6 +2,7 @@
 // The document that is open: what it shows, what is selected in it, and the one way to change it.
 import { batch, computed, signal, type ReadonlySignal } from "@preact/signals";
 import type { MessageInitShape } from "@bufbuild/protobuf";
+import type { Units } from "../app/units";
 import type { Clients } from "../api/clients";
 import { isConflict, isNothingToDo, isUnknownCall, sentenceOf } from "../api/problems";
 import type { Pose } from "../geometry/footprint";
@@ -34,7 +35,9 @@ export class OpenRoom {
   readonly document;
   readonly layout = signal<SolvedLayout | undefined>(undefined);
   readonly parts = signal<PlanParts | undefined>(undefined);
-  readonly explanation = signal<Explanation | undefined>(undefined);
+  // As the server gives it, and as it is read here.
+  private readonly told = signal<Explanation | undefined>(undefined);
+  readonly explanation = computed(() => spokenThroughout(this.told.value, this.wallWords.value, this.units()));
   // Ids of pieces.
   readonly selection = signal<ReadonlySet<string>>(new Set());
   readonly hovered = signal("");
@@ -62,7 +65,7 @@ export class OpenRoom {
 
   // `settlesAlone`: whether every change is settled without being asked.
   constructor(document: Document, private readonly clients: Clients, private readonly toasts: Toasts,
-    readonly settlesAlone: () => boolean) {
+    readonly settlesAlone: () => boolean, private readonly units: () => Units = () => "m") {
     this.document = signal(document);
     this.judging = new Judging((placements) => clients.studio.judge(
       { documentId: this.id, revision: this.document.peek().revision, placements }));
@@ -104,7 +107,7 @@ export class OpenRoom {
 
   // A text of the server in the words of this room.
   spoken(text: string): string {
-    return spoken(text, this.wallWords.value);
+    return spoken(text, this.wallWords.value, this.units());
   }
 
   // Shows the first that is known of it.
@@ -216,8 +219,7 @@ export class OpenRoom {
     try {
       const { revision, note, notAsAsked } = await this.clients.studio.explain({ documentId: this.id });
       if (revision !== this.document.peek().revision) return;
-      const walls = this.wallWords.peek();
-      this.explanation.value = spokenThroughout({ note: noteOf(note), notAsAsked: [...notAsAsked] }, walls);
+      this.told.value = { note: noteOf(note), notAsAsked: [...notAsAsked] };
     } catch (error) {
       if (!isUnknownCall(error)) this.toasts.error(sentenceOf(error));
     }

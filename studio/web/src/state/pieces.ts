@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page needs to know of a layout's objects, and questions about them.
-import { corners, contains, type Pose, type Size } from "../geometry/footprint";
+import { corners, contains, toObject, toRoom, type Pose, type Size } from "../geometry/footprint";
 import { vec, wrapped, type Vec } from "../geometry/vec";
 import type { NamedWall } from "../geometry/wall_names";
 import { ObjectKind, type Object$ } from "../gen/flair/v1/object_list_pb";
@@ -82,6 +82,21 @@ function hostOf(pieces: Pieces, guest: Piece): string {
     if (contains(piece.pose, piece.size, vec(guest.pose.x, guest.pose.y)) && guest.z > 0) return piece.id;
   }
   return "";
+}
+
+// The poses with those of all that stands on the pieces.
+export function withGuests(pieces: Pieces, poses: Poses): Poses {
+  const all = new Map<string, Pose>(poses);
+  for (const [id, pose] of poses) {
+    const host = pieces.get(id)!;
+    for (const guest of guestsOf(pieces, [id])) {
+      if (poses.has(guest)) continue;
+      const was = pieces.get(guest)!.pose;
+      const at = toRoom(pose, toObject(host.pose, vec(was.x, was.y)));
+      all.set(guest, { x: at.x, y: at.y, theta: was.theta + pose.theta - host.pose.theta });
+    }
+  }
+  return all;
 }
 
 // What a press on a piece means: the piece that carries it, as one moves an armchair and not its cushion.

@@ -39,16 +39,20 @@ export class Settings {
   readonly hint = remembered<"new" | "seen">("hint", ["new", "seen"], "new");
   readonly sidebar = remembered<"open" | "closed">("sidebar", ["open", "closed"], "open");
 
+  private readonly isSystemDark = signal(false);
+
   constructor() {
-    const dark = matchMedia("(prefers-color-scheme: dark)");
-    const isDark = signal(dark.matches);
+    const dark = matchMedia("(prefers-color-scheme: dark)"), isDark = this.isSystemDark;
+    isDark.value = dark.matches;
     dark.addEventListener("change", () => { isDark.value = dark.matches; });
     effect(() => {
       const theme = this.theme.value, ofSystem = isDark.value ? "dark" : "light";
       document.documentElement.dataset.theme = theme === "system" ? ofSystem : theme;
     });
   }
-  readonly turnTheme = () => turnOver(this.theme, ["system", "light", "dark"]);
+  // From the system's to the other one first, which can be seen.
+  readonly turnTheme = () =>
+    turnOver(this.theme, this.isSystemDark.peek() ? ["system", "light", "dark"] : ["system", "dark", "light"]);
   readonly turnUnits = () => turnOver(this.units, ["m", "ft"]);
   readonly turnSidebar = () => turnOver(this.sidebar, ["open", "closed"]);
   readonly turnAuto = () => turnOver(this.autoSettle, ["on", "off"]);

@@ -82,7 +82,7 @@ export class Studio {
     if (route.peek().page !== "document" || route.peek().id !== id) return;
     if (!answer?.document) return goTo({ page: "start" });
     const room = new OpenRoom(answer.document, this.clients, this.toasts,
-      () => this.settings.autoSettle.peek() === "on");
+      () => this.settings.autoSettle.peek() === "on", () => this.settings.units.value);
     this.open.value = room;
     room.start(answer.layout);
     this.catchUp();

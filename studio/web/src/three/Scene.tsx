@@ -102,10 +102,10 @@ export default function Scene({ room }: { room: OpenRoom }) {
   return (
     <div class="scene" ref={host} role="region" aria-label="The room in three dimensions">
       {state && <p class="scene-state">{state}</p>}
-      {!state && mode === "walk" && !hasWalked && (
-        <p class="scene-state is-hint">Walk with W A S D, turn with the arrow keys, with Shift faster; drag to look around; double click on the floor to go there.</p>
-      )}
       <div class="scene-tools">
+        {!state && mode === "walk" && !hasWalked && (
+        <p class="scene-hint">Walk with W A S D, turn with the arrow keys, with Shift faster; drag to look around; double click on the floor to go there.</p>
+        )}
         <div class="segmented" role="group" aria-label="How to look">
           <button aria-pressed={mode === "orbit"} onClick={() => change("orbit")} title="Look from outside">
             <Icon name="orbit" />

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { figure } from "../../app/units";
-import { add, distance, left, middle, sub, times, unit, type Vec } from "../../geometry/vec";
+import { add, distance, left, middle, sub, times, unit, vec, type Vec } from "../../geometry/vec";
 import { theName } from "../../state/pieces";
 import { usePlan } from "../context";
 import { shownClearances } from "../clearance_of";
@@ -9,6 +9,10 @@ import { resizing } from "../gestures/resize";
 import { toScreen } from "../view";
 
 const kTick = 4;
+// Less is none; a shorter line has its figure beside it, clear of the handles.
+const kTouch = 0.004;
+const kShort = 44;
+const kAside = 26;
 
 // From the end of a dimension to what is met, where that is aside.
 function Witness({ from, to }: { from: Vec; to: Vec }) {
@@ -26,8 +30,10 @@ export function Clearances() {
   const isIdle = !plan.gesture.value;
   return (
     <g class="clearances">
-      {shown.list.filter((one) => one.metres * view.scale > 6).map((one) => {
-        const a = toScreen(view, one.from), b = toScreen(view, one.to), at = middle(a, b);
+      {shown.list.filter((one) => one.metres > kTouch).map((one) => {
+        const a = toScreen(view, one.from), b = toScreen(view, one.to);
+        const aside = distance(a, b) < kShort ? times(left(unit(sub(b, a))), kAside) : vec(0, 0);
+        const at = add(middle(a, b), aside);
         const tick = times(left(unit(sub(b, a))), kTick);
         const text = figure(one.metres, units);
         const width = text.length * 6.6 + 10;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { measuredAlong } from "../../geometry/clearance";
 import { toRoom } from "../../geometry/footprint";
-import { boxOf } from "../../geometry/polygon";
+import { boxOf, type Box } from "../../geometry/polygon";
 import { gripAt, grips } from "../../geometry/resize";
 import { add, length, sub, times, turned, unit, vec, type Vec } from "../../geometry/vec";
 import { footprintOf, type Piece } from "../../state/pieces";
@@ -36,6 +36,12 @@ function rotateHandle(
   return [from, add(from, vec(0, -kArm))];
 }
 
+// Around several pieces, which turn around its middle.
+function Frame({ view, box: { min, max } }: { view: View; box: Box }) {
+  const a = toScreen(view, vec(min.x, max.y)), b = toScreen(view, vec(max.x, min.y));
+  return <rect class="outline is-frame" pointer-events="none" x={a.x} y={a.y} width={b.x - a.x} height={b.y - a.y} />;
+}
+
 export function Handles() {
   const plan = usePlan(), view = plan.view.value;
   const pieces = plan.chosen.value.filter((piece) => !piece.pinned);
@@ -44,6 +50,7 @@ export function Handles() {
   const pulled = pieces.length === 1 && resizing.value?.id === only.id ? resizing.value.to : undefined;
   const poseOf = (piece: Piece) => pulled?.pose ?? plan.room.poseOf(piece.id) ?? piece.pose;
   const [from, to] = rotateHandle(view, pieces, poseOf, plan.room.floor.value);
+  const frame = pieces.length > 1 ? boxOf(pieces.flatMap((piece) => footprintOf(piece, poseOf(piece)))) : undefined;
   const size = pulled?.size ?? only.size;
   const small = Math.min(size.width, size.depth) * view.scale;
   const shown =
@@ -54,6 +61,7 @@ export function Handles() {
           .filter(({ grip }) => small >= kRoomForMiddles || (grip.x !== 0 && grip.y !== 0));
   return (
     <g class="handles">
+      {frame && <Frame view={view} box={frame} />}
       {!pulled && (
         <g data-rotate="" class="rotate-handle">
           <line x1={from.x} y1={from.y} x2={to.x} y2={to.y} />
