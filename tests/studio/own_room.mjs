@@ -57,7 +57,7 @@ await withStudio(async ({ page }) => {
   const done = page.getByRole('button', { name: 'Done' });
   await page.getByLabel('Width', { exact: true }).fill('7');
   await page.keyboard.press('Enter');
-  await page.getByText('Window 1 is wider than south wall').waitFor();
+  await page.getByText('Window 1 is wider than the south wall').waitFor();
   assert.ok(await done.isDisabled());
   assert.deepEqual(await seriousFaults(page), [], 'the drawing');
   await page.getByLabel('Width', { exact: true }).fill('1.8');

@@ -17,6 +17,7 @@ test("walls are called by the side of the room that they are on, alike ones by t
 test("texts of the server name them so", () => {
   assert.equal(spoken("against wall_5, 17 m2", words), "against the longer north wall, 17 m²");
   assert.equal(spoken("the wall_1 wall; wall_12", words), "the south wall; wall_12");
+  assert.equal(spoken("a door in wall_5 in the north and a window", words), "a door in the longer north wall and a window");
 });
 
 test("what programs read of a note stays", () => {

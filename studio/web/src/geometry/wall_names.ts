@@ -33,13 +33,15 @@ export function wallWords(walls: readonly NamedWall[]): Map<string, string> {
   return new Map(walls.filter(({ name }) => isNumbered.test(name)).map((wall) => [wall.name, told(wall, alikeOf(wall))]));
 }
 
+// "wall_3", "the wall 3", "wall_3 in the north".
+const kNumbered = /\b(?:the )?wall[_ ](\d+)(?: wall)?\b(?: in the (?:north|south|east|west)(?:-(?:east|west))?\b)?/g;
 // "1.20 m", but no square metres.
 const kMetres = /(?<![\d.])(\d+(?:\.\d+)?) m(?![\w²])/g;
 const kSquareMetres = /(?<![\d.])(\d+(?:\.\d+)?) ?m(?:2\b|²)/g;
 
 // A text of the server with the walls so called, and lengths and areas as the user writes them.
 export function spoken(text: string, walls: ReadonlyMap<string, string>, units: Units = "m"): string {
-  const named = text.replace(/\b(?:the )?(wall)[_ ](\d+)(?: wall)?\b/g, (all, _, number: string) => {
+  const named = text.replace(kNumbered, (all, number: string) => {
     const words = walls.get(`wall_${number}`);
     return words ? `the ${words}` : all;
   });

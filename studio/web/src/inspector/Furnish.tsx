@@ -37,10 +37,10 @@ export function Furnish({ room }: { room: OpenRoom }) {
           }} />
       </label>
       <div class="furnish-foot">
-        {!text && <button type="button" class="link-button" onClick={() => setText(example)}>Take this</button>}
-        <span class="hint">Or add pieces one by one: press F.</span>
+        {!text && <button type="button" class="link-button" onClick={() => setText(example)}>Take this example</button>}
         <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>Furnish</button>
       </div>
+      <p class="hint">Or add pieces one by one: press F.</p>
     </form>
   );
 }

@@ -7,7 +7,7 @@ import { addCornerOn, addToWall, cornerIndex, fixtureOf, nameOfWall, removeSelec
 import { useDrawing } from "./context";
 import { Choice, MetresField, TextField } from "./fields";
 import { gapsOf } from "./fixtures";
-import { endsOf, spokenFixture } from "./names";
+import { endsOf, spokenFixture, withArticle } from "./names";
 import { widthOf, type Door, type Fixture, type WallLine } from "./sketch";
 import { withCornerAt, withWallLength } from "./walls";
 
@@ -181,7 +181,7 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
   return (
     <>
       <Head title={capital(spokenFixture(fixture.id))} remove={`Remove ${spokenFixture(fixture.id)}`} />
-      <p class="stands">In {nameOfWall(sketch, fixture.wall)}. Drag it along, or to another wall.</p>
+      <p class="stands">In {withArticle(nameOfWall(sketch, fixture.wall))}. Drag it along, or to another wall.</p>
       <div class="fields">
         {fixture.kind !== "socket" && (
           <MetresField label="Width" metres={fixture.width} least={kLeastWidth} take={(width) => set({ width })} />

@@ -9,7 +9,7 @@ import { useDrawing } from "./context";
 import type { RoomDrawing } from "./controller";
 import { gapsOf } from "./fixtures";
 import { wallFigureAt } from "./Lengths";
-import { endsOf } from "./names";
+import { endsOf, withArticle } from "./names";
 import { widthOf } from "./sketch";
 import { withWallLength } from "./walls";
 
@@ -30,7 +30,7 @@ function askedOf(drawing: RoomDrawing): Asked | undefined {
       wall && {
         at: wallFigureAt(wall.a, wall.b, times(wall.inward, -1), scale),
         metres: wall.length,
-        label: `Length of ${nameOfWall(sketch, wall.key)}`,
+        label: `Length of ${withArticle(nameOfWall(sketch, wall.key))}`,
         take: (metres) => drawing.commit(withWallLength(sketch, wall.index, metres), "change a length"),
       }
     );

@@ -31,6 +31,9 @@ export function spokenWallsOf(sketch: Sketch): Map<string, string> {
   return new Map([...names].map(([key, name]) => [key, words.get(name) ?? ownName(name)]));
 }
 
+// "the north wall", but "wall 3".
+export const withArticle = (wall: string): string => (/^wall \d/.test(wall) ? wall : `the ${wall}`);
+
 function ownName(name: string): string {
   const words = name.replace(/_/g, " ");
   return /wall/.test(words) ? words : `${words} wall`;

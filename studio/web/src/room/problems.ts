@@ -2,7 +2,7 @@
 // What the server would refuse, said before it does, in words that name the wall or door.
 import { capital } from "../inspector/words";
 import { lengthText, type Units } from "../app/units";
-import { spokenFixture, spokenWallsOf } from "./names";
+import { spokenFixture, spokenWallsOf, withArticle } from "./names";
 import { segmentsMeet } from "./pen";
 import { extentOf, wallsOf, widthOf, type Fixture, type Sketch, type WallLine } from "./sketch";
 
@@ -133,7 +133,7 @@ function overlap(a: Fixture, b: Fixture): boolean {
 export function problemsOf(sketch: Sketch, units: Units): Problem[] {
   const walls = wallsOf(sketch),
     names = spokenWallsOf(sketch);
-  const name = (key: string) => names.get(key) ?? key;
+  const name = (key: string) => withArticle(names.get(key) ?? key);
   const crossing = wallProblems(sketch, walls, name, units);
   if (!sketch.isClosed) return crossing;
   return [...crossing, ...extentProblems(sketch, units), ...fixtureProblems(sketch, walls, name, units)];
