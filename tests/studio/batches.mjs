@@ -49,7 +49,7 @@ await withStudio(async ({ page, studio, home, restart }) => {
 
   // Three variants: one is taken, then the first again.
   await page.getByRole('button', { name: 'New room' }).click();
-  await page.getByRole('button', { name: '3 variants' }).click();
+  await page.getByRole('button', { name: 'Make 3 variants' }).click();
   await page.getByLabel('Brief').fill(BRIEFS[0]);
   await page.keyboard.press('Enter');
   const tile = (number) => page.getByRole('button', { name: new RegExp(`^Variant ${number}`) });

@@ -47,7 +47,8 @@ export function Start() {
               title="Three layouts of the room, side by side; take one"
               onClick={() => setVariants(!hasVariants)}
             >
-              {kVariants} variants
+              {hasVariants && <Icon name="check" size={13} />}
+              Make {kVariants} variants
             </button>
             <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>
               Design

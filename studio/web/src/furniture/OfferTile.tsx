@@ -21,7 +21,10 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
   // What hangs is known by its front, all else by its plan.
   const isHung = object.kind === ObjectKind.WALL, across = isHung ? object.heightM : object.depthM;
   const size = Math.max(object.widthM, across) * 1.12;
-  const sizes = [object.widthM, object.depthM, object.heightM].map((one) => figure(one, units.value)).join(" × ");
+  const sizes = [object.widthM, object.depthM, object.heightM];
+  const sizesText = units.value === "m"
+    ? `${sizes.map((one) => Math.round(one * 100)).join(" × ")} cm`
+    : sizes.map((one) => figure(one, units.value)).join(" × ");
   return (
     <li class="offer">
       <button draggable onClick={onAdd} title={[`Add a ${object.name}: click, or drag it into the room`, object.description].filter(Boolean).join("\n")}
@@ -37,7 +40,7 @@ export function OfferTile({ offer, onAdd, onReplace }: OfferProps) {
           <Drawn svg={(isHung && frontSymbol(object)) || offer.svg || plainSymbol({ width: object.widthM, depth: object.depthM }, object.round)} />
         </svg>
         <span class="offer-name">{object.name}</span>
-        <small title="Width, depth, height">{sizes}</small>
+        <small title="Width, depth, height">{sizesText}</small>
       </button>
       {onReplace && (
         <button class="icon-button offer-replace" onClick={onReplace} aria-label={`Replace by the ${object.name}`}

@@ -2,7 +2,8 @@
 // The drawing of the room under way: grid, picture, floor, walls, what is in them, and handles.
 import { useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import type { Vec } from "../geometry/vec";
+import { toScreen } from "../plan/view";
+import { footprintOf, type Piece } from "../state/pieces";
 import { pixelPoints } from "../plan/overlay/pixels";
 import { usePlanWheel } from "../plan/wheel";
 import { Grid, Underlay } from "./Backdrop";
@@ -32,8 +33,11 @@ function useSize(drawing: RoomDrawing, host: { current: HTMLDivElement | null })
   }, [drawing]);
 }
 
+// Narrower pieces have no name, pixels.
+const kNamed = 50;
+
 // `below` is drawn on the floor: what stands in a room that is edited.
-export function Canvas({ below }: { below: ReadonlyArray<readonly Vec[]> }) {
+export function Canvas({ below }: { below: readonly Piece[] }) {
   const drawing = useDrawing(),
     host = useRef<HTMLDivElement>(null);
   useSize(drawing, host);
@@ -80,9 +84,15 @@ export function Canvas({ below }: { below: ReadonlyArray<readonly Vec[]> }) {
         <Grid />
         <Underlay />
         <Walls />
-        {below.map((polygon, i) => (
-          <polygon key={i} class="room-piece" points={pixelPoints(view, polygon)} />
-        ))}
+        {below.map((piece) => {
+          const { x, y } = toScreen(view, piece.pose);
+          return (
+            <g key={piece.id}>
+              <polygon class="room-piece" points={pixelPoints(view, footprintOf(piece))} />
+              {piece.size.width * view.scale > kNamed && <text class="room-piece-name" x={x} y={y + 4}>{piece.object.name}</text>}
+            </g>
+          );
+        })}
         <Guides />
         <Pen />
         <Lengths />

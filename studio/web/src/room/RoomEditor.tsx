@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page on which one draws a room of one's own, or changes the room of a document.
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
-import type { Vec } from "../geometry/vec";
 import type { GetDocumentResponse } from "../gen/flair/v1/studio_service_pb";
-import { footprintOf, isOnFloor, piecesOf } from "../state/pieces";
+import { isOnFloor, piecesOf } from "../state/pieces";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
 import { BeginPanel } from "./BeginPanel";
@@ -45,8 +44,8 @@ function Editor({ shown }: { shown: GetDocumentResponse | undefined }) {
     [drawing],
   );
   const keys = useDrawingKeys(drawing);
-  const below: Vec[][] = useMemo(
-    () => [...piecesOf(shown?.layout).values()].filter(isOnFloor).map((piece) => footprintOf(piece)),
+  const below = useMemo(
+    () => [...piecesOf(shown?.layout).values()].filter(isOnFloor),
     [shown],
   );
   const isClosed = drawing.sketch.value.isClosed;

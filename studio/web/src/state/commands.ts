@@ -7,7 +7,7 @@ import type { LayoutEditSchema } from "../gen/flair/v1/layout_edit_pb";
 import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/object_list_pb";
 import type { OpenRoom } from "./open_room";
 import type { Placements } from "./judging";
-import { homeFor, orphansInWords, orphansOf } from "./orphans";
+import { homeFor, orphansInWords, orphansOf, seatsAt, seatsInWords } from "./orphans";
 import { placementOf, theName, withGuests, type Piece, type Poses } from "./pieces";
 import { turnedInside } from "./turning";
 
@@ -59,9 +59,11 @@ export async function removePieces(room: OpenRoom, ids: readonly string[]) {
   const pieces = room.pieces.peek();
   const free = ids.filter((id) => !pieces.get(id)?.pinned);
   if (free.length < ids.length) room.tell("Locked pieces stay. Press L to unlock them.");
-  const orphans = orphansOf(pieces, free);
-  if (free.length > 0 && (await remove(room, free)) && orphans.length > 0) {
-    offerForOrphans(room, orphans, free.map((id) => pieces.get(id)!));
+  const orphans = orphansOf(pieces, free), seats = seatsAt(pieces, free);
+  if (free.length === 0 || !(await remove(room, free))) return;
+  if (orphans.length > 0) offerForOrphans(room, orphans, free.map((id) => pieces.get(id)!));
+  if (seats.length > 0) {
+    room.tell(seatsInWords(seats), [{ label: "Remove too", run: () => void remove(room, seats.map(({ id }) => id)) }]);
   }
 }
 

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { create } from "@bufbuild/protobuf";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { SolvedLayoutSchema } from "../gen/flair/v1/solved_layout_pb";
-import { homeFor, orphansInWords, orphansOf } from "./orphans";
+import { homeFor, orphansInWords, orphansOf, seatsAt, seatsInWords } from "./orphans";
 import { piecesOf } from "./pieces";
 
 const top = (id: string, category: string, heightM: number) =>
@@ -42,4 +42,18 @@ test("it finds a place on the nearest top that is neither a seat nor too high", 
   const lamp = { ...pieces.get("lamp")!, pose: first.pose, z: first.z };
   const second = homeFor(new Map(left).set("lamp", lamp), pieces.get("monitor")!)!;
   assert.ok(Math.abs(Math.abs(second.pose.x - 3) - 0.3) < 1e-9);
+});
+
+test("the chair of a desk that goes is told", () => {
+  const room = piecesOf(create(SolvedLayoutSchema, {
+    graph: { objectList: { objects: [
+      { ...top("desk", "desk", 0.74), satAt: true },
+      { ...top("office_chair", "chair", 1), name: "office chair", seat: true },
+      { ...top("visitor", "chair", 1), seat: true },
+    ] } },
+    placements: [{ objectId: "desk", xM: 1, yM: 1 }, { objectId: "office_chair", xM: 1, yM: 1.5 }, { objectId: "visitor", xM: 3, yM: 1 }],
+  }));
+  const seats = seatsAt(room, ["desk"]);
+  assert.equal(seatsInWords(seats), "The office chair stood at what is gone.");
+  assert.deepEqual(seatsAt(room, ["desk", "office_chair"]), []);
 });

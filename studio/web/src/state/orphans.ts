@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stood on a piece that is gone, and which other piece could carry it.
-import { contains, type Pose } from "../geometry/footprint";
+import { contains, toRoom, type Pose } from "../geometry/footprint";
 import { distance, vec } from "../geometry/vec";
 import { capital } from "../inspector/words";
 import satOn from "./sat_on.json";
@@ -22,6 +22,18 @@ const kFromEdge = 0.05;
 // What the pieces carry; they themselves are none.
 export function orphansOf(pieces: Pieces, removed: readonly string[]): Piece[] {
   return guestsOf(pieces, removed).map((id) => pieces.get(id)!);
+}
+
+const kDrawnUp = 0.7;
+
+// Seats that are drawn up to what one sits at, when that is removed and they are not.
+export function seatsAt(pieces: Pieces, removed: readonly string[]): Piece[] {
+  const places = removed.flatMap((id) => {
+    const { object, pose, size } = pieces.get(id)!;
+    return object.satAt ? [toRoom(pose, vec(0, size.depth / 2))] : [];
+  });
+  return [...pieces.values()].filter((piece) => piece.object.seat && !removed.includes(piece.id) && !piece.pinned &&
+    places.some((place) => distance(place, vec(piece.pose.x, piece.pose.y)) < kDrawnUp));
 }
 
 export interface Home {
@@ -64,3 +76,6 @@ const namesOf = (pieces: readonly Piece[]): string => listed(pieces.map(({ objec
 // "The desk lamp and the monitor stood on the desk."
 export const orphansInWords = (orphans: readonly Piece[], hosts: readonly Piece[]): string =>
   `${capital(namesOf(orphans))} stood on ${hosts.length === 1 ? namesOf(hosts) : "what is gone"}.`;
+
+// "The office chair stood at what is gone."
+export const seatsInWords = (seats: readonly Piece[]): string => `${capital(namesOf(seats))} stood at what is gone.`;

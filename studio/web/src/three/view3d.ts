@@ -64,9 +64,13 @@ function release(root: Object3D): void {
   });
 }
 
-// The piece that a mesh belongs to; furniture is a node of that name, with a node an object.
+// Furniture is a node of that name, with a node an object. Names are no ids: the loader changes those that parts of other
+// pieces have.
+const idOf = (node: Object3D): string => String(node.userData.id ?? node.name);
+
+// The piece that a mesh belongs to.
 function pieceOf(node: Object3D | null): string {
-  for (let one = node; one; one = one.parent) if (one.parent?.name === "furniture") return one.name;
+  for (let one = node; one; one = one.parent) if (one.parent?.name === "furniture") return idOf(one);
   return "";
 }
 
@@ -142,7 +146,7 @@ export class View3d {
     if (this.mode !== "walk") this.setMode("walk");
     this.camera.position.set(eye.x, eye.z, -eye.y);
     this.camera.lookAt(target.x, target.z, -target.y);
-    this.draw();
+    this.mark();
   }
 
   // Where one was before, or else at the door.
@@ -172,10 +176,10 @@ export class View3d {
     const away = isWithin ? new Set<string>() : wallsInTheWay(room, { x: position.x, y: -position.z });
     const isAbove = !isWithin && position.y > room.heightM;
     for (const node of model.getObjectByName("shell")?.children ?? []) {
-      node.visible = node.name === "ceiling" ? isWithin : !away.has(node.userData.wall);
+      node.visible = idOf(node) === "ceiling" ? isWithin : !away.has(node.userData.wall);
     }
     for (const node of model.getObjectByName("furniture")?.children ?? []) {
-      const piece = pieces.get(node.name);
+      const piece = pieces.get(idOf(node));
       if (piece?.object.kind === ObjectKind.WALL) node.visible = away.size === 0 || !away.has(wallBehind(piece, room));
       if (piece?.object.kind === ObjectKind.CEILING) node.visible = !isAbove;
     }
@@ -243,8 +247,11 @@ export class View3d {
   private mark(): void {
     this.marks.clear();
     for (const id of this.selected) {
-      const node = this.model?.getObjectByName("furniture")?.getObjectByName(id);
-      if (node) this.marks.add(new BoxHelper(node, new Color(0x19a0a4)));
+      const node = this.model?.getObjectByName("furniture")?.children.find((one) => idOf(one) === id);
+      // Nor of what one looks out of.
+      const isAround = this.mode === "walk" && node &&
+        new Box3().setFromObject(node).expandByScalar(0.4).containsPoint(this.camera.position);
+      if (node && !isAround) this.marks.add(new BoxHelper(node, new Color(0x19a0a4)));
     }
     this.draw();
   }

@@ -52,9 +52,14 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
   const list: readonly Variant[] =
     variants?.list ??
     Array.from({ length: variantCount }, (_, index) => ({ index, placements: [], held: 0, asked: 0 }));
-  const take = (variant: Variant) => {
-    if (variant.index < 0) void takeFirst(room, variants!);
-    else void room.act({ case: "takeVariant", value: { index: variant.index } });
+  // It takes the place of what was changed by hand, which is offered back.
+  const take = async (variant: Variant) => {
+    if (variant.index < 0) return takeFirst(room, variants!);
+    const { undoLabel } = room.document.peek();
+    const isTaken = await room.act({ case: "takeVariant", value: { index: variant.index } });
+    if (isTaken && undoLabel && !kTaken.test(undoLabel)) {
+      room.tell("Your changes are not in this variant.", [{ label: "Back to them", run: () => void undo(room) }]);
+    }
   };
   return (
     <section class={isOpen ? "variant-strip" : "variant-strip is-closed"} aria-label="Variants">
@@ -72,7 +77,7 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
                   aria-pressed={isShown}
                   disabled={room.isBusy.value}
                   onClick={() => {
-                    if (!isShown) take(variant);
+                    if (!isShown) void take(variant);
                   }}
                 >
                   {variants && (
