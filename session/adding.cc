@@ -142,7 +142,8 @@ absl::StatusOr<Acted> LayoutActs::Add(const Standing& standing, const v1::EditLa
   v1::SolvedLayout shown = standing.shown;
   // Without a designer at hand a piece comes as it is.
   const absl::StatusOr<v1::LayoutGraph> said = SaidOf(added, With(standing.shown, edits), call);
-  Aim aim{{}, added};
+  // Who adds a piece has not asked to move the others.
+  Aim aim{{}, added, false};
   if (said.ok()) {
     LendSentences(*said, *shown.mutable_graph());
     for (const v1::Sentence& sentence : said->constraint_list().sentences()) aim.sentence_ids.insert(sentence.id());

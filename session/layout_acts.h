@@ -108,6 +108,8 @@ class LayoutActs {
                               runtime::CallContext& call) const;
   // Everything but `free` stays where it stands.
   absl::StatusOr<Acted> SolvedAround(const v1::SolvedLayout& from, const IdSet& free, runtime::CallContext& call) const;
+  // Puts pieces that the aim is not about back where they stood, one by one, where that makes nothing worse.
+  absl::Status PutBack(const v1::SolvedLayout& before, const Aim& aim, Acted& acted, runtime::CallContext& call) const;
   // What stands against it that the aim is reached: what would give way if nothing counted more.
   absl::StatusOr<std::string> WhyNot(const v1::SolvedLayout& layout, const Aim& aim, runtime::CallContext& call) const;
   // Applies the edits without solving.

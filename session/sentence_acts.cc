@@ -98,9 +98,11 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   ASSIGN_OR_RETURN(const v1::TranslateResponse translated, stages_.Translate(request, call));
   const v1::LayoutGraph& understood = translated.layout_graph();
   if (understood.edges().empty()) {
-    return InvalidArgument(
-        "say.text: \"{}\" is not understood{}", text,
-        understood.diagnostics().empty() ? "" : ": " + WithNames(understood.diagnostics(0).message(), standing.shown));
+    std::string why = understood.diagnostics().empty() ? "" : understood.diagnostics(0).message();
+    // The sentence is quoted once already.
+    if (const std::string quoted = fmt::format("\"{}\": ", text); why.starts_with(quoted)) why.erase(0, quoted.size());
+    return InvalidArgument("say.text: \"{}\" is not understood{}{}", text, why.empty() ? "" : ": ",
+                           WithNames(why, standing.shown));
   }
   v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
   EditList edits;

@@ -116,10 +116,14 @@ bool IsBetter(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const v1::So
   return a.total_cost() < b.total_cost() - kWorthMoving;
 }
 
+bool HasMoreFaults(const v1::SolvedLayout& layout, const v1::SolvedLayout& before) {
+  return FaultsOf(layout) > FaultsOf(before);
+}
+
 bool IsWorseOff(const v1::SolvedLayout& layout, const v1::SolvedLayout& before) {
   constexpr double kClearly = 0.03;
   const double lost = before.metrics().reachable_floor_share() - layout.metrics().reachable_floor_share();
-  return FaultsOf(layout) > FaultsOf(before) || lost > kClearly;
+  return HasMoreFaults(layout, before) || lost > kClearly;
 }
 
 void LendSentences(const v1::LayoutGraph& from, v1::LayoutGraph& to) {
@@ -154,6 +158,21 @@ void ReturnSubjects(const v1::LayoutGraph& from, v1::LayoutGraph& to) {
       return are_there(fact.movers()) && are_there(fact.targets()) && are_there(fact.others());
     });
     if (full->second->has_meaning() && whole) *sentence.mutable_meaning() = full->second->meaning();
+  }
+}
+
+void ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph) {
+  IdSet objects, known, lost, spoken;
+  for (const v1::Object& object : graph.object_list().objects()) objects.insert(object.id());
+  for (const v1::Sentence& sentence : before.constraint_list().sentences()) known.insert(sentence.id());
+  for (const v1::ConstraintEdge& edge : graph.edges()) spoken.insert(edge.sentence_id());
+  for (const v1::ConstraintEdge& edge : before.edges()) {
+    if (!std::ranges::includes(objects, ObjectsOf(edge, before))) lost.insert(edge.sentence_id());
+  }
+  auto& sentences = *graph.mutable_constraint_list()->mutable_sentences();
+  for (int i = sentences.size() - 1; i >= 0; --i) {
+    const std::string& id = sentences[i].id();
+    if (!spoken.contains(id) && (lost.contains(id) || !known.contains(id))) sentences.DeleteSubrange(i, 1);
   }
 }
 

@@ -17,6 +17,8 @@ struct Aim {
   IdSet sentence_ids;
   // What it is about: these move first.
   IdSet object_ids;
+  // Whether others may be solved anew for it as well; else only for what would stand in each other's way.
+  bool others_may_move = true;
 };
 
 // The objects that an edge names.
@@ -35,6 +37,7 @@ IdSet InReach(const v1::SolvedLayout& layout, const IdSet& ids);
 // less cost by more than moving is worth.
 bool IsBetter(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const v1::SolvedLayout& before);
 
+bool HasMoreFaults(const v1::SolvedLayout& layout, const v1::SolvedLayout& before);
 // Whether there are more faults than before, or clearly less of the floor can be reached.
 bool IsWorseOff(const v1::SolvedLayout& layout, const v1::SolvedLayout& before);
 
@@ -42,6 +45,9 @@ bool IsWorseOff(const v1::SolvedLayout& layout, const v1::SolvedLayout& before);
 void LendSentences(const v1::LayoutGraph& from, v1::LayoutGraph& to);
 // Says of the sentences of `to` what they are about, as `from` knows it, as far as that is there.
 void ReturnSubjects(const v1::LayoutGraph& from, v1::LayoutGraph& to);
+
+// Forgets the sentences that say nothing any more, because what they spoke of is gone.
+void ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph);
 
 // "x", "x" and "y": texts of sentences, three at most.
 std::string QuotedTexts(const v1::LayoutGraph& graph, const IdSet& sentence_ids);

@@ -6,6 +6,7 @@
 #include "fmt/format.h"
 #include "session/act_words.h"
 #include "session/layout_acts.h"
+#include "session/placing.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
@@ -62,6 +63,23 @@ absl::StatusOr<Acted> LayoutActs::SolvedAround(const v1::SolvedLayout& from, con
   return acted;
 }
 
+absl::Status LayoutActs::PutBack(const v1::SolvedLayout& before, const Aim& aim, Acted& acted,
+                                 CallContext& call) const {
+  constexpr int kMost = 12;
+  int tries = 0;
+  for (const std::string& id : MovedIds(before, acted.layout)) {
+    const auto from = std::ranges::find(before.placements(), id, &v1::Placement::object_id);
+    if (from == before.placements().end() || aim.object_ids.contains(id) || ++tries > kMost) continue;
+    v1::SolvedLayout back = acted.layout;
+    google::protobuf::RepeatedPtrField<v1::Placement> place;
+    *place.Add() = *from;
+    RETURN_IF_ERROR(Place(back, place, "placements"));
+    ASSIGN_OR_RETURN(back, Evaluated(std::move(back), call));
+    if (!IsBetter(acted.layout, back, before)) acted.layout = std::move(back);
+  }
+  return absl::OkStatus();
+}
+
 absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList& edits, const Aim& aim,
                                         CallContext& call) const {
   // Who asks something of a piece that was moved by hand wants it to move.
@@ -88,7 +106,9 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
         for (const v1::LayoutEdit& edit : *moves) ids->erase(edit.move_object().object_id());
       }
     }
-    if (now.settled != nullptr) {
+    keep(SolvedAround(first, about, call));
+    const bool enough = !aim.others_may_move && !HasMoreFaults(best.layout, standing.shown);
+    if (!holds() && !enough && now.settled != nullptr) {
       const EditList freeing = Freeing(edits, first.graph(), free);
       keep(Solved(now, freeing, call));
       if (!holds()) {
@@ -96,7 +116,8 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
         keep(Solved({now.shown, &without, pending}, edits, call));
       }
     }
-    if (!holds()) keep(SolvedAround(first, free, call));
+    if (!holds() && !enough) keep(SolvedAround(first, free, call));
+    RETURN_IF_ERROR(PutBack(standing.shown, aim, best, call));
     best.moved_ids = MovedIds(standing.shown, best.layout);
   }
   return best;

@@ -141,6 +141,16 @@ constexpr char kTwoBeds[] = R"pb(
   placements { object_id: "bed_2" x_m: 2.15 y_m: 3 theta_rad: 3.14159265358979 }
 )pb";
 
+v1::Object Named(const std::string& name, double width_m, double depth_m, double height_m) {
+  v1::Object object;
+  object.set_name(name);
+  object.set_kind(v1::OBJECT_KIND_FLOOR);
+  object.set_width_m(width_m);
+  object.set_depth_m(depth_m);
+  object.set_height_m(height_m);
+  return object;
+}
+
 class WishesTest : public DocumentsTest {
  protected:
   // Bed 1 has 0.55 m at the west and 0.25 m before bed 2, which has 0.60 m at the east.
@@ -247,16 +257,37 @@ TEST_F(WishesTest, ANameThatSeveralHaveMeansTheSelectedOne) {
   EXPECT_LT(PlacementOf(said->layout(), "bed_2").y_m(), 2);
   EXPECT_GT(PlacementOf(said->layout(), "bed_1").y_m(), 2);
   EXPECT_EQ(said->layout().graph().object_list().objects_size(), 2);
+  const auto asked =
+      Act(said->document(), [](v1::ActRequest& act) { act.mutable_say()->set_text("The bed faces the door."); });
+  if (!asked.ok()) EXPECT_THAT(std::string(asked.status().message()), Not(HasSubstr("bed_1")));
 }
 
-v1::Object Named(const std::string& name, double width_m, double depth_m, double height_m) {
-  v1::Object object;
-  object.set_name(name);
-  object.set_kind(v1::OBJECT_KIND_FLOOR);
-  object.set_width_m(width_m);
-  object.set_depth_m(depth_m);
-  object.set_height_m(height_m);
-  return object;
+TEST_F(WishesTest, WhatHasNoPlaceIsNotMeantWhereItsLikeHasOneAndGoesWhenItIsAdded) {
+  v1::GetDocumentResponse made = TwoBeds();
+  v1::SolvedLayout layout = made.layout();
+  layout.mutable_graph()->mutable_object_list()->mutable_objects(1)->set_name("wardrobe");
+  auto& placements = *layout.mutable_placements();
+  placements.erase(placements.begin() + 1);
+  v1::Artifact artifact;
+  *artifact.mutable_solved_layout() = layout;
+  artifact.mutable_producer()->set_program("test");
+  artifact.mutable_producer()->set_version("1");
+  v1::CreateDocumentRequest request;
+  request.set_request_id("left out");
+  request.set_file(cli::ArtifactBytes(artifact));
+  const auto opened = documents_->Create(request, call_);
+  ASSERT_TRUE(opened.ok()) << opened.status();
+  const auto added = Act(opened->document(), [](v1::ActRequest& act) {
+    *act.mutable_edit()->add_edits()->mutable_add_object()->mutable_object() = Named("wardrobe", 1, 0.6, 2);
+  });
+  ASSERT_TRUE(added.ok()) << added.status();
+  ASSERT_EQ(added->layout().graph().object_list().objects_size(), 2) << "one wardrobe, and no number for it";
+  const std::string wardrobe = IdOf(added->layout(), "wardrobe");
+  const auto said = Act(added->document(), [](v1::ActRequest& act) {
+    act.mutable_say()->set_text("The wardrobe is against the south wall.");
+  });
+  ASSERT_TRUE(said.ok()) << said.status();
+  EXPECT_LT(PlacementOf(said->layout(), wardrobe).y_m(), 1);
 }
 
 TEST_F(WishesTest, AnAddedPieceStandsWhereItsKindDoes) {
@@ -270,6 +301,7 @@ TEST_F(WishesTest, AnAddedPieceStandsWhereItsKindDoes) {
   const double off_m = std::min({at.x_m(), 4 - at.x_m(), at.y_m(), 5 - at.y_m()}) - 0.15;
   EXPECT_LT(off_m, 0.03);
   EXPECT_EQ(now.layout().metrics().findings_size(), made.layout().metrics().findings_size());
+  EXPECT_THAT(added->moved_object_ids(), ::testing::ElementsAre("bookshelf"));
   int said = 0;
   for (const v1::Sentence& one : now.layout().graph().constraint_list().sentences()) {
     said += std::ranges::find(one.subject_ids(), "bookshelf") != one.subject_ids().end();
@@ -317,6 +349,11 @@ TEST_F(WishesTest, APieceThatIsLeftWithoutItsUseIsNamed) {
   ASSERT_TRUE(removed.ok()) << removed.status();
   ASSERT_NE(Told(*removed, "left_behind"), nullptr);
   EXPECT_EQ(Told(*removed, "left_behind")->subject_id(), chair);
+  std::set<std::string> spoken;
+  for (const v1::ConstraintEdge& edge : removed->layout().graph().edges()) spoken.insert(edge.sentence_id());
+  for (const v1::Sentence& one : removed->layout().graph().constraint_list().sentences()) {
+    EXPECT_TRUE(spoken.contains(one.id())) << one.text();
+  }
 }
 
 }  // namespace

@@ -16,11 +16,11 @@
 #include "cli/input/artifact_file.h"
 #include "cli/output/output_folder.h"
 #include "cli/output/report_text.h"
-#include "cli/session/designer_sentences.h"
 #include "cli/session/furniture_offers.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
 #include "llm/config/check_llm_config.h"
+#include "session/designer_sentences.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -38,7 +38,7 @@ absl::StatusOr<v1::Artifact> ReadUpload(const std::string& bytes) {
 absl::StatusOr<session::DocumentParts> Parts(const StageChoice& stages) {
   session::DocumentParts parts;
   ASSIGN_OR_RETURN(parts.furniture, FurnitureOffers(stages));
-  parts.sentences_of = SentencesOfHandbook(stages);
+  parts.sentences_of = session::SentencesOfHandbook(stages.handbooks);
   parts.read_file = ReadUpload;
   parts.not_as_asked = NotAsAsked;
   parts.note_json = [](const v1::SolvedLayout& layout,

@@ -11,8 +11,8 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/artifact_file.h"
 #include "cli/output/report_text.h"
-#include "cli/session/designer_sentences.h"
 #include "orchestrator/testing/temporary_folder.h"
+#include "session/designer_sentences.h"
 #include "session/documents.h"
 
 namespace flair::session {
@@ -43,7 +43,7 @@ class DocumentsTest : public ::testing::Test {
     parts.note_json = [](const auto&, const auto&) { return std::string("{}"); };
     parts.note_text = parts.note_json;
     parts.not_as_asked = cli::NotAsAsked;
-    parts.sentences_of = cli::SentencesOfHandbook({});
+    parts.sentences_of = SentencesOfHandbook({});
     v1::FurnitureOffer& lamp = parts.furniture.emplace_back();
     lamp.mutable_object()->set_name("floor lamp");
     lamp.mutable_object()->set_kind(v1::OBJECT_KIND_FLOOR);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/session/designer_sentences.h"
+#include "session/designer_sentences.h"
 
 #include <filesystem>
 #include <memory>
@@ -15,14 +15,14 @@
 #include "language_worker/handbook/sentences/list_constraints.h"
 #include "worker_runtime/status/status_macros.h"
 
-namespace flair::cli {
+namespace flair::session {
 
 namespace {
 
 // Read once, by whoever needs it first.
 class Reader {
  public:
-  explicit Reader(const StageChoice& stages) : overlays_(stages.handbooks.begin(), stages.handbooks.end()) {}
+  explicit Reader(const std::vector<std::string>& overlays) : overlays_(overlays.begin(), overlays.end()) {}
 
   absl::StatusOr<const language::Handbook*> Get() {
     const std::lock_guard lock(mutex_);
@@ -40,8 +40,8 @@ class Reader {
 
 }  // namespace
 
-DesignerSentences SentencesOfHandbook(const StageChoice& stages) {
-  return [reader = std::make_shared<Reader>(stages)](
+SentencesOf SentencesOfHandbook(const std::vector<std::string>& overlays) {
+  return [reader = std::make_shared<Reader>(overlays)](
              const v1::Room& room, const v1::ZonePlan& zones,
              const v1::ObjectList& objects) -> absl::StatusOr<v1::ConstraintList> {
     ASSIGN_OR_RETURN(const language::Handbook* const handbook, reader->Get());
@@ -58,4 +58,4 @@ DesignerSentences SentencesOfHandbook(const StageChoice& stages) {
   };
 }
 
-}  // namespace flair::cli
+}  // namespace flair::session
