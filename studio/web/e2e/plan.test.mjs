@@ -81,12 +81,12 @@ test("a typed distance moves the piece so that it has it", async () => {
 test("arrows go one centimetre, with shift ten, and held keys are one act", async () => {
   const { page } = studio;
   await studio.select("double_bed");
-  const before = Number(await studio.field("From south"));
+  const before = Number(await studio.field("To south wall"));
   await page.keyboard.down("ArrowUp");
   await page.keyboard.down("ArrowUp");
   await page.keyboard.up("ArrowUp");
   await page.waitForSelector("[aria-label^='Undo: move']");
-  assert.ok(Math.abs(Number(await studio.field("From south")) - before - 0.02) < 0.006);
+  assert.ok(Math.abs(Number(await studio.field("To south wall")) - before - 0.02) < 0.006);
   await page.keyboard.press("Control+z");
   await page.waitForSelector("[aria-label='Undo: nothing']");
 });

@@ -2,6 +2,7 @@
 // The drawing of the room under way: grid, picture, floor, walls, what is in them, and handles.
 import { useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
+import { boxOf } from "../geometry/polygon";
 import { toScreen } from "../plan/view";
 import { footprintOf, type Piece } from "../state/pieces";
 import { pixelPoints } from "../plan/overlay/pixels";
@@ -33,8 +34,8 @@ function useSize(drawing: RoomDrawing, host: { current: HTMLDivElement | null })
   }, [drawing]);
 }
 
-// Narrower pieces have no name, pixels.
-const kNamed = 50;
+// Of a name, pixels; what is narrower than its name has none.
+const kLetter = 6;
 
 // `below` is drawn on the floor: what stands in a room that is edited.
 export function Canvas({ below }: { below: readonly Piece[] }) {
@@ -85,11 +86,12 @@ export function Canvas({ below }: { below: readonly Piece[] }) {
         <Underlay />
         <Walls />
         {below.map((piece) => {
-          const { x, y } = toScreen(view, piece.pose);
+          const { x, y } = toScreen(view, piece.pose), polygon = footprintOf(piece), { min, max } = boxOf(polygon);
+          const isNamed = (max.x - min.x) * view.scale > piece.object.name.length * kLetter;
           return (
             <g key={piece.id}>
-              <polygon class="room-piece" points={pixelPoints(view, footprintOf(piece))} />
-              {piece.size.width * view.scale > kNamed && <text class="room-piece-name" x={x} y={y + 4}>{piece.object.name}</text>}
+              <polygon class="room-piece" points={pixelPoints(view, polygon)} />
+              {isNamed && <text class="room-piece-name" x={x} y={y + 4}>{piece.object.name}</text>}
             </g>
           );
         })}
