@@ -73,8 +73,8 @@ v1::SolvedLayout With(v1::SolvedLayout layout, const EditList& edits) {
 
 }  // namespace
 
-absl::StatusOr<v1::LayoutGraph> LayoutActs::SaidOf(const IdSet& added, const v1::SolvedLayout& with,
-                                                   CallContext& call) const {
+absl::StatusOr<v1::LayoutGraph> LayoutActs::SaidOf(const IdSet& added, const v1::SolvedLayout& before,
+                                                   const v1::SolvedLayout& with, CallContext& call) const {
   v1::LayoutGraph said;
   if (sentences_of_ == nullptr) return said;
   const v1::LayoutGraph& graph = with.graph();
@@ -88,13 +88,14 @@ absl::StatusOr<v1::LayoutGraph> LayoutActs::SaidOf(const IdSet& added, const v1:
   request.set_request_id("flair-session");
   *request.mutable_room() = graph.room();
   *request.mutable_zone_plan() = graph.zone_plan();
-  *request.mutable_style_sheet() = graph.style_sheet();
   for (const v1::Object& object : graph.object_list().objects()) {
     if (!known.contains(object.id())) continue;
     v1::Object& one = *request.mutable_object_list()->add_objects();
     one = object;
     if (!known.contains(one.host_id())) one.clear_host_id();
   }
+  // What has gone from `with` may still be in the looks of the room.
+  *request.mutable_style_sheet() = LooksOf(request.object_list(), before);
   // Objects are listed by role.
   std::ranges::stable_sort(*request.mutable_object_list()->mutable_objects(), {}, &v1::Object::role);
   ASSIGN_OR_RETURN(const v1::ConstraintList list,
@@ -141,7 +142,7 @@ absl::StatusOr<Acted> LayoutActs::Add(const Standing& standing, const v1::EditLa
   }
   v1::SolvedLayout shown = standing.shown;
   // Without a designer at hand a piece comes as it is.
-  const absl::StatusOr<v1::LayoutGraph> said = SaidOf(added, With(standing.shown, edits), call);
+  const absl::StatusOr<v1::LayoutGraph> said = SaidOf(added, standing.shown, With(standing.shown, edits), call);
   // Who adds a piece has not asked to move the others.
   Aim aim{{}, added, false};
   if (said.ok()) {

@@ -220,7 +220,7 @@ absl::StatusOr<Acted> LayoutActs::Edit(const Standing& standing, const v1::EditL
                                 : edit.without_solving()          ? Unsolved(standing, edits, call)
                                                                   : Solved(standing, edits, call));
   acted.label = EditLabel(standing.shown, edits);
-  ForgetWhatIsGone(standing.shown.graph(), *acted.layout.mutable_graph());
+  RETURN_IF_ERROR(ForgetGone(standing.shown, acted.layout, call));
   for (v1::Diagnostic& left : LeftBehind(standing.shown, edits)) acted.diagnostics.push_back(std::move(left));
   return acted;
 }
@@ -235,7 +235,7 @@ absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& 
     if (edits.empty()) return absl::FailedPreconditionError("settle: everything holds, there is nothing to settle");
   }
   ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
-  ForgetWhatIsGone(standing.shown.graph(), *acted.layout.mutable_graph());
+  RETURN_IF_ERROR(ForgetGone(standing.shown, acted.layout, call));
   acted.label = "settle";
   return acted;
 }

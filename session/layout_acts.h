@@ -87,9 +87,9 @@ class LayoutActs {
   absl::StatusOr<Acted> Edit(const Standing& standing, const v1::EditLayout& edit, runtime::CallContext& call) const;
   // With pieces that are new: what a designer says of them comes along.
   absl::StatusOr<Acted> Add(const Standing& standing, const v1::EditLayout& edit, runtime::CallContext& call) const;
-  // Of what is new in `with`, as constraints: those that name it.
-  absl::StatusOr<v1::LayoutGraph> SaidOf(const IdSet& added, const v1::SolvedLayout& with,
-                                         runtime::CallContext& call) const;
+  // Of what is new in `with`, which `before` has become, as constraints: those that name it.
+  absl::StatusOr<v1::LayoutGraph> SaidOf(const IdSet& added, const v1::SolvedLayout& before,
+                                         const v1::SolvedLayout& with, runtime::CallContext& call) const;
   // Nothing but the room.
   absl::StatusOr<Acted> Clear(const Standing& standing, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Settle(const Standing& standing, runtime::CallContext& call) const;
@@ -108,6 +108,8 @@ class LayoutActs {
                               runtime::CallContext& call) const;
   // Everything but `free` stays where it stands.
   absl::StatusOr<Acted> SolvedAround(const v1::SolvedLayout& from, const IdSet& free, runtime::CallContext& call) const;
+  // As ForgetWhatIsGone, with measures that count it no more.
+  absl::Status ForgetGone(const v1::SolvedLayout& before, v1::SolvedLayout& layout, runtime::CallContext& call) const;
   // Puts pieces that the aim is not about back where they stood, one by one, where that makes nothing worse.
   absl::Status PutBack(const v1::SolvedLayout& before, const Aim& aim, Acted& acted, runtime::CallContext& call) const;
   // What stands against it that the aim is reached: what would give way if nothing counted more.

@@ -60,6 +60,18 @@ v1::ObjectList MeantBy(const std::string& text, const v1::SolvedLayout& layout, 
   return meant;
 }
 
+v1::StyleSheet LooksOf(const v1::ObjectList& objects, const v1::SolvedLayout& layout) {
+  IdSet others;
+  for (const v1::Object& object : layout.graph().object_list().objects()) others.insert(object.id());
+  for (const v1::Object& object : objects.objects()) others.erase(object.id());
+  v1::StyleSheet looks = layout.graph().style_sheet();
+  auto& styles = *looks.mutable_objects();
+  for (int i = styles.size() - 1; i >= 0; --i) {
+    if (others.contains(styles[i].subject_id())) styles.DeleteSubrange(i, 1);
+  }
+  return looks;
+}
+
 std::string WithNames(const std::string& message, const v1::SolvedLayout& layout) {
   const absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
   std::string named = message;

@@ -85,7 +85,7 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   *request.mutable_zone_plan() = graph.zone_plan();
   const IdSet selected(say.selected_object_ids().begin(), say.selected_object_ids().end());
   *request.mutable_object_list() = MeantBy(text, standing.shown, selected);
-  *request.mutable_style_sheet() = graph.style_sheet();
+  *request.mutable_style_sheet() = LooksOf(request.object_list(), standing.shown);
   ASSIGN_OR_RETURN(*request.mutable_catalog(), stages_.Catalog(call));
   v1::Sentence& sentence = *request.mutable_constraint_list()->add_sentences();
   sentence.set_id(FreeId(graph.constraint_list().sentences(), "said_"));

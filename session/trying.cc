@@ -116,6 +116,16 @@ bool IsBetter(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const v1::So
   return a.total_cost() < b.total_cost() - kWorthMoving;
 }
 
+IdSet OfRoom(const IdSet& sentence_ids, const v1::LayoutGraph& graph) {
+  IdSet of_room;
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    if (sentence.scope() == v1::SENTENCE_SCOPE_INTRA && sentence_ids.contains(sentence.id())) {
+      of_room.insert(sentence.id());
+    }
+  }
+  return of_room;
+}
+
 bool HasMoreFaults(const v1::SolvedLayout& layout, const v1::SolvedLayout& before) {
   return FaultsOf(layout) > FaultsOf(before);
 }
@@ -161,7 +171,7 @@ void ReturnSubjects(const v1::LayoutGraph& from, v1::LayoutGraph& to) {
   }
 }
 
-void ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph) {
+bool ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph) {
   IdSet objects, known, lost, spoken;
   for (const v1::Object& object : graph.object_list().objects()) objects.insert(object.id());
   for (const v1::Sentence& sentence : before.constraint_list().sentences()) known.insert(sentence.id());
@@ -170,10 +180,12 @@ void ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph) {
     if (!std::ranges::includes(objects, ObjectsOf(edge, before))) lost.insert(edge.sentence_id());
   }
   auto& sentences = *graph.mutable_constraint_list()->mutable_sentences();
-  for (int i = sentences.size() - 1; i >= 0; --i) {
+  const int had = sentences.size();
+  for (int i = had - 1; i >= 0; --i) {
     const std::string& id = sentences[i].id();
     if (!spoken.contains(id) && (lost.contains(id) || !known.contains(id))) sentences.DeleteSubrange(i, 1);
   }
+  return sentences.size() < had;
 }
 
 std::string QuotedTexts(const v1::LayoutGraph& graph, const IdSet& sentence_ids) {

@@ -17,7 +17,8 @@ struct Aim {
   IdSet sentence_ids;
   // What it is about: these move first.
   IdSet object_ids;
-  // Whether others may be solved anew for it as well; else only for what would stand in each other's way.
+  // Whether others may be solved anew for it as well; else only against faults, and for its place in the room: that it
+  // stands at a wall, with its front clear.
   bool others_may_move = true;
 };
 
@@ -37,6 +38,9 @@ IdSet InReach(const v1::SolvedLayout& layout, const IdSet& ids);
 // less cost by more than moving is worth.
 bool IsBetter(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const v1::SolvedLayout& before);
 
+// Of these sentences, those about a piece and the room.
+IdSet OfRoom(const IdSet& sentence_ids, const v1::LayoutGraph& graph);
+
 bool HasMoreFaults(const v1::SolvedLayout& layout, const v1::SolvedLayout& before);
 // Whether there are more faults than before, or clearly less of the floor can be reached.
 bool IsWorseOff(const v1::SolvedLayout& layout, const v1::SolvedLayout& before);
@@ -47,7 +51,8 @@ void LendSentences(const v1::LayoutGraph& from, v1::LayoutGraph& to);
 void ReturnSubjects(const v1::LayoutGraph& from, v1::LayoutGraph& to);
 
 // Forgets the sentences that say nothing any more, because what they spoke of is gone.
-void ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph);
+// False when there are none.
+bool ForgetWhatIsGone(const v1::LayoutGraph& before, v1::LayoutGraph& graph);
 
 // "x", "x" and "y": texts of sentences, three at most.
 std::string QuotedTexts(const v1::LayoutGraph& graph, const IdSet& sentence_ids);

@@ -63,6 +63,14 @@ absl::StatusOr<Acted> LayoutActs::SolvedAround(const v1::SolvedLayout& from, con
   return acted;
 }
 
+absl::Status LayoutActs::ForgetGone(const v1::SolvedLayout& before, v1::SolvedLayout& layout, CallContext& call) const {
+  if (!ForgetWhatIsGone(before.graph(), *layout.mutable_graph())) return absl::OkStatus();
+  const google::protobuf::RepeatedPtrField<v1::Diagnostic> diagnostics = layout.diagnostics();
+  ASSIGN_OR_RETURN(layout, Evaluated(std::move(layout), call));
+  *layout.mutable_diagnostics() = diagnostics;
+  return absl::OkStatus();
+}
+
 absl::Status LayoutActs::PutBack(const v1::SolvedLayout& before, const Aim& aim, Acted& acted,
                                  CallContext& call) const {
   constexpr int kMost = 12;
@@ -107,7 +115,8 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
       }
     }
     keep(SolvedAround(first, about, call));
-    const bool enough = !aim.others_may_move && !HasMoreFaults(best.layout, standing.shown);
+    const bool enough = !aim.others_may_move && !HasMoreFaults(best.layout, standing.shown) &&
+                        WhyUnmet(best.layout, OfRoom(aim.sentence_ids, best.layout.graph())).empty();
     if (!holds() && !enough && now.settled != nullptr) {
       const EditList freeing = Freeing(edits, first.graph(), free);
       keep(Solved(now, freeing, call));

@@ -266,6 +266,7 @@ TEST_F(WishesTest, WhatHasNoPlaceIsNotMeantWhereItsLikeHasOneAndGoesWhenItIsAdde
   v1::GetDocumentResponse made = TwoBeds();
   v1::SolvedLayout layout = made.layout();
   layout.mutable_graph()->mutable_object_list()->mutable_objects(1)->set_name("wardrobe");
+  layout.mutable_graph()->mutable_style_sheet()->add_objects()->set_subject_id("bed_2");
   auto& placements = *layout.mutable_placements();
   placements.erase(placements.begin() + 1);
   v1::Artifact artifact;
