@@ -339,6 +339,11 @@ TEST(Translate, WhatADeskFacesIsWhatItsUserLooksAt) {
       {"The desk does not face the bed.", "user_not_facing(object=desk, target=bed)"},
       {"The desk and the sofa face each other.",
        "user_faces(object=desk, target=sofa)\nfacing(object=sofa, target=desk)"},
+      {"Whoever sits at the desk looks out of the window.", "user_faces_feature(object=desk, feature=window)"},
+      {"Who works at the desk should look out of the window.", "user_faces_feature(object=desk, feature=window)"},
+      {"Someone sitting on the sofa looks at the window.", "faces_feature(object=sofa, feature=window)"},
+      {"From the sofa I want to look out of the window.", "faces_feature(object=sofa, feature=window)"},
+      {"I want to see the door from the bed.", "faces_feature(object=bed, feature=door)"},
       {"The front of the desk faces the sofa.", "facing(object=desk, target=sofa)"},
       {"The desk is opposite the bed.", "facing(object=desk, target=bed)"},
       {"The sofa faces the desk.", "facing(object=sofa, target=desk)"}};
