@@ -56,6 +56,16 @@ bool StripIsOutside(const Plan& plan, const PlanWall& wall, double reach_m) {
   return true;
 }
 
+// From a wall of a notch outwards to where the room ends on that side: lines in the notch would cross each other and
+// the walls of its corner. 0 for walls there, and where something of the room is between.
+double BeyondNotchM(const Plan& plan, const PlanWall& wall) {
+  const Box b = plan.bounds_m;
+  const Point corner{wall.outward.x > 0 ? b.x1 : b.x0, wall.outward.y > 0 ? b.y1 : b.y0};
+  const bool upright = std::abs(wall.outward.x * wall.outward.y) < 1e-6;
+  const double reach_m = upright ? Dot(corner - wall.start, wall.outward) : 0;
+  return reach_m > 1e-3 && StripIsOutside(plan, wall, reach_m) ? reach_m : 0;
+}
+
 DimensionString MakeString(const Sheet& sheet, const PlanWall& wall, const std::vector<double>& ends_m,
                            double reach_mm) {
   const Point outward{wall.outward.x, -wall.outward.y};
@@ -214,7 +224,8 @@ std::vector<DimensionString> LayOutDimensions(const Plan& plan, const Sheet& she
   for (const bool openings : {true, false}) {
     for (size_t i = 0; i < plan.walls.size(); ++i) {
       const PlanWall& wall = plan.walls[i];
-      const double first = WallThicknessMm(sheet) + OutwardReachMm(plan, sheet, static_cast<int>(i)) + 7;
+      const double beyond = BeyondNotchM(plan, wall) * sheet.mm_per_m();
+      const double first = WallThicknessMm(sheet) + OutwardReachMm(plan, sheet, static_cast<int>(i)) + 7 + beyond;
       const double reach = std::max(reaches[i], first);
       if (!StripIsOutside(plan, wall, (first + kRowMm) / sheet.mm_per_m())) continue;
       const std::vector<double> ends = OpeningEnds(plan, static_cast<int>(i));

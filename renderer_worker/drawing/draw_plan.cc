@@ -195,7 +195,12 @@ std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet
   DrawDimensions(canvas, plan, sheet);
   std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
   canvas.Unclip();
-  DrawSidePanel(canvas, plan, sheet);
+  Plan numbered = plan;
+  for (const PlacedLabel& label : labels) {
+    const bool number = label.form == kBadgeForm && label.item < static_cast<int>(plan.objects.size());
+    if (number) numbered.keys[plan.objects[label.item].key].numbered = true;
+  }
+  DrawSidePanel(canvas, numbered, sheet);
   return labels;
 }
 

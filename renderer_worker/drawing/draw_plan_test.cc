@@ -189,6 +189,20 @@ TEST(DrawPlan, DotsPerInchGiveThePapersPixelsWithinBounds) {
   EXPECT_THAT(std::string(DrawPlan(EmptyRoom(), options).status().message()), HasSubstr("not together"));
 }
 
+TEST(DrawPlan, WallsOfANotchAreMeasuredBesideTheRoom) {
+  const PlanSheet made = *MakePlanSheet(ReadSample("l_shaped_studio"), {});
+  Box room;
+  for (Point vertex : made.plan.floor) room.Include(made.sheet.ToSheet(vertex));
+  std::set<std::string> lengths;
+  for (const DimensionString& string : LayOutDimensions(made.plan, made.sheet)) {
+    for (Point tick : string.ticks_mm) {
+      EXPECT_TRUE(tick.x < room.x0 || tick.x > room.x1 || tick.y < room.y0 || tick.y > room.y1) << string.texts[0];
+    }
+    if (string.texts.size() == 1) lengths.insert(string.texts[0]);
+  }
+  EXPECT_THAT(lengths, testing::IsSupersetOf({"6.40", "3.20", "2.80", "2.40", "3.60", "5.60"}));
+}
+
 TEST(DrawPlan, LayersThatAreLeftOutAreNotDrawnNorInTheKey) {
   v1::SolvedLayout layout = EmptyRoom();
   Add(layout, "bed", 1, 1);

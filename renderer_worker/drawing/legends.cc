@@ -187,8 +187,14 @@ void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number
   const auto object = std::ranges::find_if(plan.objects, [number](const PlanObject& o) { return o.key == number - 1; });
   const Ink ink = object != plan.objects.end() ? object->ink : Ink{Hex(0xE5E0D8), kPanelSoft};
   const double middle = (row.y0 + row.y1) / 2;
-  DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, kWhite, 0.25), ink.line,
-            std::min(1.0, 0.9 * row.height() / BadgeSize(1).height));
+  if (key.numbered) {
+    DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, kWhite, 0.25), ink.line,
+              std::min(1.0, 0.9 * row.height() / BadgeSize(1).height));
+  } else {
+    canvas.Rectangle({row.x0 + 1.2, middle - 1.7, row.x0 + 4.6, middle + 1.7}, 0.5);
+    canvas.Fill(Mix(ink.fill, kWhite, 0.25), 1, true);
+    canvas.Draw({ink.line, 0.2});
+  }
   // Where columns are narrow, names are worth more than sizes.
   const TextBlock dims{row.width() < 55 ? "" : fmt::format("{:.2f} × {:.2f}", key.width_m, key.depth_m),
                        {.size_mm = 0.86 * size, .colour = kPanelSoft}};
