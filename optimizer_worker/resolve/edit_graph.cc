@@ -185,11 +185,23 @@ class Editor {
       if (object.host_id() == id) problem_.touched.insert(object.id());
     }
     for (const v1::ConstraintEdge& edge : graph().edges()) TouchRidersOf(id, edge);
+    const IdSet said = SentencesWithEdges();
     for (v1::Diagnostic& diagnostic : RemoveObjects({id}, graph()))
       problem_.diagnostics.push_back(std::move(diagnostic));
+    // What was said of it is gone with it.
+    const IdSet left = SentencesWithEdges();
+    auto& sentences = *graph().mutable_constraint_list()->mutable_sentences();
+    for (int i = sentences.size() - 1; i >= 0; --i) {
+      if (said.contains(sentences[i].id()) && !left.contains(sentences[i].id())) sentences.DeleteSubrange(i, 1);
+    }
     std::erase_if(problem_.placements, [&](const v1::Placement& p) { return p.object_id() == id; });
     problem_.touched.erase(id);
     return Check("remove_object_id");
+  }
+  IdSet SentencesWithEdges() {
+    IdSet ids;
+    for (const v1::ConstraintEdge& edge : graph().edges()) ids.insert(edge.sentence_id());
+    return ids;
   }
   absl::Status AddEdge(const v1::ConstraintEdge& added, const char* field) {
     v1::ConstraintEdge edge = added;

@@ -273,8 +273,7 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   v1::LayoutGraph with_walls = problem.graph;
   HoldWalls(input, before, start.touched, with_walls);
   start.baseline.held.resize(with_walls.edges_size(), 1);
-  ASSIGN_OR_RETURN(const SolveInput search_input, MakeSolveInput(with_walls, one, solver, cancelled));
-  ASSIGN_OR_RETURN(WarmResult found, Search(search_input, start));
+  ASSIGN_OR_RETURN(WarmResult found, Search(WithEdgesOf(with_walls, input), start));
 
   ResolveResult result;
   result.moved_ids = MovedIds(input, before, found.state);

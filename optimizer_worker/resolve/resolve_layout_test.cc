@@ -170,6 +170,27 @@ TEST(ResolveLayout, AnAddedObjectIsPlacedAndARemovedOneTakesItsEdges) {
   EXPECT_TRUE(removed.moved_ids.empty());
 }
 
+TEST(ResolveLayout, WhatWasSaidOfARemovedObjectIsGoneWithIt) {
+  v1::SolvedLayout layout = Start();
+  const auto say = [&](const std::string& id, const char* text) {
+    v1::Sentence& sentence = *layout.mutable_graph()->mutable_constraint_list()->add_sentences();
+    sentence.set_id(id);
+    sentence.set_text(text);
+    sentence.set_scope(v1::SENTENCE_SCOPE_INTER);
+    sentence.set_weight(1);
+  };
+  for (v1::ConstraintEdge& edge : *layout.mutable_graph()->mutable_edges()) {
+    edge.set_sentence_id("of_" + edge.id());
+    say(edge.sentence_id(), edge.id() == "e5" ? "The picture hangs above the bed." : "The room is furnished.");
+  }
+  say("not_understood", "The room is as I like it.");
+  const ResolveResult removed = Edit(layout, {"remove picture"});
+  EXPECT_EQ(removed.layout.graph().constraint_list().sentences_size(), 6);
+  ASSERT_EQ(removed.layout.diagnostics_size(), 1);
+  EXPECT_EQ(removed.layout.diagnostics(0).message(),
+            "\"The picture hangs above the bed.\" is gone with \"picture\", which it names");
+}
+
 TEST(ResolveLayout, AnAddedPictureIsHungAndNothingElseMoves) {
   google::protobuf::RepeatedPtrField<v1::LayoutEdit> edits;
   v1::AddObject& add = *edits.Add()->mutable_add_object();

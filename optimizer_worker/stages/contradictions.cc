@@ -24,6 +24,16 @@ struct Trial {
   v1::EdgeOutcome missed;
 };
 
+// The sentence that an edge comes from; of an edge without one its id and type.
+std::string TextOf(const v1::ConstraintEdge& edge, const v1::ConstraintList& list) {
+  for (const v1::Sentence& sentence : list.sentences()) {
+    if (!edge.sentence_id().empty() && sentence.id() == edge.sentence_id()) {
+      return fmt::format("\"{}\"", sentence.text());
+    }
+  }
+  return fmt::format("\"{}\" ({})", edge.id(), edge.type());
+}
+
 class Finder {
  public:
   Finder(const SolveInput& input, const v1::SolvedLayout& layout) : input_(input), layout_(layout) {
@@ -148,16 +158,18 @@ class Finder {
 
   // The sentence that an edge comes from, or its call.
   std::string Words(const v1::ConstraintEdge& edge) const {
-    for (const v1::Sentence& sentence : input_.graph.constraint_list().sentences()) {
-      if (!edge.sentence_id().empty() && sentence.id() == edge.sentence_id()) {
-        return fmt::format("{} \"{}\"", edge.id(), sentence.text());
-      }
-    }
+    const std::string text = TextOf(edge, input_.graph.constraint_list());
+    if (!edge.sentence_id().empty() && !text.ends_with(')')) return text;
     std::string call;
     for (const v1::Argument& argument : edge.arguments()) {
       call += fmt::format(" {}={}", argument.name(), Words(argument.value()));
     }
     return fmt::format("{} ({}{})", edge.id(), edge.type(), call);
+  }
+
+  std::string WordsOf(const std::string& edge_id) const {
+    const auto edge = std::ranges::find(input_.graph.edges(), edge_id, &v1::ConstraintEdge::id);
+    return edge == input_.graph.edges().end() ? edge_id : Words(*edge);
   }
 
   v1::Contradiction Describe(std::vector<int> group, int violated, const v1::EdgeOutcome& missed) const {
@@ -171,9 +183,9 @@ class Finder {
     // Without a missed edge it is the furniture that does not fit.
     std::string best = "the objects do not fit";
     if (missed.has_missed_by()) {
-      best = fmt::format("{} is missed by {:.2f} {}", missed.edge_id(), missed.missed_by(), missed.unit());
+      best = fmt::format("{} is missed by {:.2f} {}", WordsOf(missed.edge_id()), missed.missed_by(), missed.unit());
     } else if (!missed.edge_id().empty()) {
-      best = fmt::format("{} is missed, {}", missed.edge_id(), missed.reason());
+      best = fmt::format("{} is missed, {}", WordsOf(missed.edge_id()), missed.reason());
     }
     const std::string what = Words(input_.graph.edges(violated));
     contradiction.set_explanation(
@@ -251,11 +263,11 @@ std::vector<v1::Diagnostic> RemoveObjects(const IdSet& ids, v1::LayoutGraph& gra
     if (!gone.empty()) {
       diagnostics.push_back(
           About("edge_removed", edge,
-                fmt::format("\"{}\" ({}) is gone with \"{}\", which it names", edge.id(), edge.type(), gone)));
+                fmt::format("{} is gone with \"{}\", which it names", TextOf(edge, graph.constraint_list()), gone)));
     } else if (shrunk) {
       diagnostics.push_back(
           About("edge_shortened", edge,
-                fmt::format("\"{}\" ({}) is about the objects that are left", edge.id(), edge.type())));
+                fmt::format("{} is about the objects that are left", TextOf(edge, graph.constraint_list()))));
     }
     return !gone.empty();
   });

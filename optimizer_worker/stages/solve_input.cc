@@ -73,6 +73,12 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
                     std::move(out_of_time)};
 }
 
+SolveInput WithEdgesOf(const v1::LayoutGraph& graph, const SolveInput& input) {
+  return {graph,           input.scene,      input.settings, input.pins,      input.pinned,         input.partners,
+          input.linked,    input.groups,     input.keep_out, input.walk_grid, input.fine_walk_grid, input.solver,
+          input.cancelled, input.out_of_time};
+}
+
 std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> placed, const Layout& layout) {
   std::vector<Vec2<double>> centers(scene.zones.size(), Vec2<double>{0, 0});
   std::vector<int> counts(scene.zones.size(), 0);

@@ -110,6 +110,10 @@ struct SolveInput {
 absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1::SolveOptions& options,
                                           const Solver& solver, CancelCheck cancelled);
 
+// The same with the edges of `graph`, which must outlive the result: other calls of single objects, all else being
+// alike. Nothing is measured anew, and the time limit runs on.
+SolveInput WithEdgesOf(const v1::LayoutGraph& graph, const SolveInput& input);
+
 // Mean centre of the placed floor objects of each zone; far outside the room for a zone that has none. Rugs and
 // tertiaries do not count.
 std::vector<Vec2<double>> ZoneCenters(const Scene& scene, std::span<const char> placed, const Layout& layout);
