@@ -17,8 +17,8 @@ namespace flair::evaluation {
 // height, is no overlap.
 //   overlap   two pieces in the same place, whatever carries them. Not counted: rugs and mats; a piece and what carries
 //             it, on its top or within it (books in a bookshelf), directly or through others; on one top, things of up
-//             to 5 cm, on which others stand; and knee space: of a seat (or a piece of no known class) that looks at
-//             another whose top is 0.6 to 1.2 m high, the front 0.3 m, as a chair's seat under a table
+//             to 5 cm, on which others stand; and knee space: of a seat that looks at a table or whatever else is sat
+//             at, of a top 0.6 to 1.2 m high, the front 0.3 m; pieces of no known class may be seats and tables
 //   leaf      a piece, rugs apart, within what a door's leaf sweeps, up to the door's head
 //   opening   a wall piece before a door or window, at its height; its depth along the wall counts
 //   outside   a piece beyond the floor, or above the ceiling

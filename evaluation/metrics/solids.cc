@@ -102,10 +102,11 @@ class Measurer {
   }
 
   // Whether `seat` reaches into `table` with its front alone, no further than knees do. A piece that nobody has classed
-  // may be a seat.
+  // may be a seat, or a table.
   bool IsPushedUnder(const Prism& seat, const Prism& table) const {
     if (!IsSolid(At(seat.object)) || !IsSolid(At(table.object)) || At(table.object).seat) return false;
     if (!At(seat.object).seat && !At(seat.object).category.empty()) return false;
+    if (!At(table.object).sat_at && !At(table.object).category.empty()) return false;
     if (table.high_m < kLeastTop_m || table.high_m > kMostTop_m) return false;
     const Footprint& whole = At(seat.object).footprint;
     Frame<double> rear = FrameOf(view_.layout[static_cast<size_t>(seat.object)]);

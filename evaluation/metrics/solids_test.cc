@@ -89,6 +89,10 @@ TEST(Solids, OnlySeatsArePushedUnder) {
   EXPECT_EQ(MeasureSolids({text.scene, text.layout}).findings.size(), 1u);
   text.scene.objects[1].seat = true;
   EXPECT_TRUE(MeasureSolids({text.scene, text.layout}).findings.empty());
+  text.scene.objects[0].category = "dresser";
+  EXPECT_EQ(MeasureSolids({text.scene, text.layout}).findings.size(), 1u) << "no knees are within a closed dresser";
+  text.scene.objects[0].sat_at = true;
+  EXPECT_TRUE(MeasureSolids({text.scene, text.layout}).findings.empty());
 }
 
 // Points of one rectangle, a centimetre apart, that satisfy `within`, as an area.

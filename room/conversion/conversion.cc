@@ -86,6 +86,8 @@ Object ObjectFromProto(const v1::Object& message, const Scene& scene) {
           .walk_over = message.walk_over(),
           .round = message.round(),
           .seat = message.seat(),
+          // What is made to be looked over has a flag; a catalogue has no other word for tables.
+          .sat_at = message.sat_at() || message.category().ends_with("table"),
           .category = message.category(),
           .host = -1};
 }
@@ -123,6 +125,23 @@ void MarkAtWindows(const v1::LayoutGraph& graph, Scene& scene) {
       Object& what = scene.objects[static_cast<size_t>(object)];
       what.at_window = what.kind == ObjectKind::kWall;
     }
+  }
+}
+
+// What seats are called round, or drawn up to, is sat at.
+void MarkSatAt(const v1::LayoutGraph& graph, Scene& scene) {
+  const auto text_of = [](const v1::ConstraintEdge& edge, std::string_view name) {
+    const auto argument = std::ranges::find(edge.arguments(), name, &v1::Argument::name);
+    return argument == edge.arguments().end() ? std::string() : argument->value().text();
+  };
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    int table = edge.type() == "surround" ? scene.IndexOf(text_of(edge, "center")) : -1;
+    if (edge.type() == "next_to" && text_of(edge, "object_side") == "front" &&
+        text_of(edge, "target_side") == "front") {
+      const int seat = scene.IndexOf(text_of(edge, "object"));
+      if (seat >= 0 && scene.objects[static_cast<size_t>(seat)].seat) table = scene.IndexOf(text_of(edge, "target"));
+    }
+    if (table >= 0) scene.objects[static_cast<size_t>(table)].sat_at = true;
   }
 }
 
@@ -207,6 +226,7 @@ absl::StatusOr<Scene> SceneFromProto(const v1::LayoutGraph& graph) {
     if (!host.empty()) scene.objects[static_cast<size_t>(i)].host = scene.IndexOf(host);
   }
   MarkAtWindows(graph, scene);
+  MarkSatAt(graph, scene);
   MarkAtRound(graph, scene);
   return scene;
 }

@@ -44,6 +44,8 @@ struct Object {
   bool round = false;
   // One sits on it.
   bool seat = false;
+  // One sits at it: knees reach under its top.
+  bool sat_at = false;
   // Has a place at something round, so that it stands square to no wall.
   bool at_round = false;
   std::string category;

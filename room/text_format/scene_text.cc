@@ -150,6 +150,7 @@ class Reader {
     if (word == "rug") return object.walk_over = true;
     if (word == "round") return object.round = true;
     if (word == "seat") return object.seat = true;
+    if (word == "sat_at") return object.sat_at = true;
     if (word == "primary") return object.role = ObjectRole::kPrimary, true;
     if (word == "tertiary") return object.role = ObjectRole::kTertiary, true;
     if (word == "height") return ReadNumber(words, ++i, object.height_m);
