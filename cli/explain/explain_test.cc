@@ -4,9 +4,11 @@
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
 
+#include "cli/explain/hindrance.h"
 #include "cli/explain/layout_note.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/facts.h"
+#include "room/conversion/conversion.h"
 #include "room/text_format/scene_text.h"
 
 namespace flair::cli {
@@ -107,7 +109,7 @@ TEST(Standing, NamesWallsCornersAndNeighbours) {
             "stands in the south-west corner, its back to the south wall");
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 3,1,0", "bed"), "stands with its back to the south wall, in its middle");
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 2,1,0; stool 0.4x0.4 at 3,0.2,0", "bed"),
-            "stands with its back to the south wall, 1.20 m from its west end, with the stool on its right");
+            "stands with its back to the south wall, 1.20 m from its west end, with the stool to its east");
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 2,1,0; stool 0.4x0.4 at 3.5,0.2,0", "bed"),
             "stands with its back to the south wall, 1.20 m from its west end; 0.50 m to the stool");
 }
@@ -119,13 +121,46 @@ TEST(Standing, NamesWhatAChairIsDrawnUpTo) {
             "stands right in front of the desk");
 }
 
-TEST(Standing, OfARoomThatIsNoRectangleNamesTheWallAndWhereItIs) {
-  const absl::StatusOr<SceneText> scene = ParseScene("6x4 room; bed 1x2 at 2,1,0");
-  ASSERT_TRUE(scene.ok());
-  Wall wall = scene->scene.room.walls[2];
-  EXPECT_EQ(WallInWords(wall), "the north wall");
-  wall.name = "wall_3";
-  EXPECT_EQ(WallInWords(wall), "wall_3 in the north");
+TEST(Standing, IsUnderAWindowAsSentencesMeasureIt) {
+  const std::string room = "6x4 room; window south 2 1.4 sill 0.9; ";
+  const auto desk = [&](const char* x) { return Placed(room + "desk 1.2x0.6 at " + x + ",0.3,0 height 0.75", "desk"); };
+  EXPECT_THAT(desk("2.75"), HasSubstr(", under a window"));
+  EXPECT_THAT(desk("2.3"), HasSubstr(", partly under a window"));
+}
+
+TEST(Hindrances, NameWhatIsInTheWayOrWouldNotHold) {
+  const absl::StatusOr<SceneText> text = ParseScene(
+      "5x4 room; window south 2 1.4 sill 0.9; desk 1.2x0.6 at 1,0.3,0 height 0.75; chest 1.4x0.5 at 2.7,0.25,0 height "
+      "0.5");
+  ASSERT_TRUE(text.ok()) << text.status();
+  v1::SolvedLayout layout;
+  *layout.mutable_graph() = GraphFromScene(text->scene);
+  *layout.mutable_graph()->add_edges() = optimizer::EdgeFromText("under_window", "object=desk");
+  layout.add_edge_outcomes()->set_status(v1::OUTCOME_STATUS_VIOLATED);
+  PartialLayout where = {text->layout, std::vector<bool>(2, true)};
+  EXPECT_EQ(Hindrances(layout, text->scene, where).Of(0, 0), "the chest is in the way where it would hold");
+  where.layout[1] = {4.5, 3.5, 0};
+  EXPECT_EQ(Hindrances(layout, text->scene, where).Of(0, 0), "");
+  *layout.mutable_graph()->add_edges() = optimizer::EdgeFromText("near", "object=desk target=chest max_distance_m=0.5");
+  where.layout[1] = {0.7, 1.5, 0};
+  layout.add_edge_outcomes()->set_status(v1::OUTCOME_STATUS_SATISFIED);
+  EXPECT_EQ(Hindrances(layout, text->scene, where).Of(0, 0), "where it would hold, something that holds now would not");
+}
+
+TEST(CallWords, SayWhatMayStandOnTheFreeFloor) {
+  const absl::StatusOr<SceneText> text =
+      ParseScene("6x4 room; sofa 2x0.9 at 3,0.45,0; coffee_table 1x0.6 at 3,1.6,0; chest 1x0.5 at 3,3,0");
+  ASSERT_TRUE(text.ok()) << text.status();
+  optimizer::LinkedPairs linked;
+  linked.Link(0, 1);
+  const PartialLayout where = {text->layout, std::vector<bool>(3, true)};
+  const CallWords calls(optimizer::MakeCatalog(), text->scene);
+  const auto excused = [&](const char* depth) {
+    const std::string call = std::string("object=sofa sides=front min_clearance_m=") + depth;
+    return calls.Excused(optimizer::EdgeFromText("accessible", call), where, linked);
+  };
+  EXPECT_EQ(excused("0.9"), "but for the coffee_table");
+  EXPECT_EQ(excused("0.3"), "");
 }
 
 TEST(Compass, HasEightNames) {

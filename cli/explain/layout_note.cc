@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "absl/strings/ascii.h"
+#include "cli/explain/hindrance.h"
+#include "english/words.h"
 #include "evaluation/metrics/measures.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
@@ -28,18 +30,24 @@ std::string OpeningsInWords(const Room& room) {
       if (count == 0) continue;
       parts.push_back(fmt::format("{} in {}",
                                   count == 1 ? fmt::format("a {}", word) : fmt::format("{} {}s", count, word),
-                                  WallInWords(room.walls[static_cast<size_t>(wall)])));
+                                  WallName(room, room.walls[static_cast<size_t>(wall)])));
     }
   }
   return Joined(parts);
 }
 
+std::string_view LastWord(std::string_view name) { return name.substr(name.rfind(' ') + 1); }
+
+std::string WithArticle(const std::string& noun) {
+  const bool vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
 std::string RoomInWords(const v1::Room& message, const Room& room) {
   const std::string type = message.room_type().empty() ? "room" : message.room_type();
-  const bool vowel = std::string("aeiou").find(type.front()) != std::string::npos;
   const Vec2<double> extent = BoundsOf(room.floor).max;
   std::string text = fmt::format(
-      "{} {} of {:.4g} m x {:.4g} m{} ({:.3g} m2), {:.3g} m high", vowel ? "An" : "A", type, extent.x, extent.y,
+      "{} of {:.4g} m x {:.4g} m{} ({:.3g} m²), {:.3g} m high", Capital(WithArticle(type)), extent.x, extent.y,
       room.walls.size() == 4 ? "" : fmt::format(" with {} walls", room.walls.size()), Area(room.floor), room.height_m);
   const std::string openings = OpeningsInWords(room);
   return text + (openings.empty() ? "." : fmt::format(", with {}.", openings));
@@ -70,7 +78,7 @@ class NoteMaker {
  public:
   NoteMaker(const v1::SolvedLayout& layout, const v1::ConstraintCatalog& catalog, const Scene& scene,
             const PartialLayout& where)
-      : layout_(layout), scene_(scene), where_(where), calls_(catalog, scene) {}
+      : layout_(layout), scene_(scene), where_(where), calls_(catalog, scene), hindrances_(layout, scene, where) {}
 
   Note Make() {
     note_ = {{"room", RoomInWords(layout_.graph().room(), scene_.room)},
@@ -102,7 +110,8 @@ class NoteMaker {
                                               {"placed", placed},
                                               {"zone_id", object.zone_id()},
                                               {"requested", object.requested()}});
-      told["pinned"] = std::ranges::find(pins, object.id(), &v1::Placement::object_id) != pins.end();
+      const bool pinned = std::ranges::find(pins, object.id(), &v1::Placement::object_id) != pins.end();
+      told.update({{"pinned", pinned}, {"origin", OriginOf(i, pinned)}});
       if (placed) {
         told["stands"] = Standing(scene_, where_, i);
         const auto place = std::ranges::find(layout_.placements(), object.id(), &v1::Placement::object_id);
@@ -111,6 +120,21 @@ class NoteMaker {
       }
       for (const char* list : {"demands", "followers", "remarks"}) told[list] = Note::array();
     }
+  }
+
+  // What the user has done for it: "You put it there. You asked for a desk."
+  std::string OriginOf(int object, bool pinned) const {
+    std::string text = pinned ? "You put it there." : "";
+    if (!layout_.graph().object_list().objects(object).requested()) return text;
+    std::string name = NameForPeople(scene_, object);
+    if (name.starts_with("the ")) {
+      name = name.substr(4);
+      if (!english::IsPlural(LastWord(name))) name = WithArticle(name);
+    } else {
+      name = name.substr(0, name.find_last_of(' '));
+      name.replace(name.size() - LastWord(name).size(), name.npos, english::Plural(LastWord(name)));
+    }
+    return fmt::format("{}{}You asked for {}.", text, text.empty() ? "" : " ", name);
   }
 
   // Every sentence and every call of no sentence, in their order, once for each object that it places.
@@ -144,20 +168,25 @@ class NoteMaker {
     std::vector<int> subjects;
     for (const int e : edges) {
       AddOutcome(e, demand);
-      const std::string meant = calls_.Clarified(layout_.graph().edges(e));
-      if (!meant.empty()) demand["about_it"] = fmt::format("{} ({})", std::string(demand["about_it"]), meant);
+      AddWords(calls_.Clarified(layout_.graph().edges(e)), demand);
       Append(calls_.Subjects(layout_.graph().edges(e)), subjects);
     }
     // Who the sentence says it is about knows better than a call that may be written either way round.
     const int first = sentence.subject_ids_size() > 0 ? scene_.IndexOf(sentence.subject_ids(0)) : -1;
     if (first >= 0 && subjects.size() <= 1) subjects = {first};
     if (edges.empty()) {
-      demand["fate"] = "not understood";
       const auto& remarks = layout_.graph().diagnostics();
       const auto why = std::ranges::find(remarks, sentence.id(), &v1::Diagnostic::subject_id);
+      // Whatever nobody understood has a remark that says so; the calls of others were dropped.
+      demand["fate"] = why == remarks.end() ? "dropped" : "not understood";
       if (why != remarks.end()) demand["shortfall"] = why->message();
     }
     Assign(subjects, edges, demand);
+  }
+
+  // What has to be said beside a sentence for it to be true.
+  static void AddWords(const std::string& words, Note& demand) {
+    if (!words.empty()) demand["about_it"] = fmt::format("{} ({})", std::string(demand["about_it"]), words);
   }
 
   void AddCall(int e) {
@@ -175,6 +204,9 @@ class NoteMaker {
     const v1::EdgeOutcome& outcome = layout_.edge_outcomes(e);
     const bool is_missed = outcome.status() == v1::OUTCOME_STATUS_VIOLATED;
     const bool is_dropped = outcome.status() == v1::OUTCOME_STATUS_DROPPED;
+    if (outcome.status() == v1::OUTCOME_STATUS_SATISFIED) {
+      AddWords(calls_.Excused(layout_.graph().edges(e), where_, hindrances_.linked()), demand);
+    }
     const bool is_worse = is_missed ? demand["fate"] != "missed" : is_dropped && demand["fate"] == "holds";
     if (!is_worse) return;
     demand["fate"] = is_missed ? "missed" : "dropped";
@@ -183,13 +215,16 @@ class NoteMaker {
     demand.erase("missed_by");
     demand.erase("unit");
     if (outcome.has_missed_by()) demand.update({{"missed_by", outcome.missed_by()}, {"unit", outcome.unit()}});
+    const std::vector<int> movers = calls_.Subjects(layout_.graph().edges(e));
+    if (is_missed && movers.size() == 1) demand["because"] = hindrances_.Of(e, movers.front());
   }
 
   void Assign(const std::vector<int>& subjects, const std::vector<int>& edges, const Note& demand) {
     std::vector<int> named;
     for (const int e : edges) Append(calls_.Named(layout_.graph().edges(e)), named);
     Note& count = note_["demand_count"][demand["fate"] == "not understood" ? "not_understood" : demand["fate"]];
-    count = count.get<int>() + 1;
+    // What has been dropped by hand is asked no more.
+    if (!edges.empty() || demand["fate"] != "dropped") count = count.get<int>() + 1;
     for (const int object : subjects.empty() ? std::vector<int>{-1} : subjects) {
       Note own = demand;
       for (const int other : named) {
@@ -210,7 +245,7 @@ class NoteMaker {
       if (std::ranges::count(leaders, object) > 0) Append(calls_.Subjects(layout_.graph().edges(e)), leaders);
       for (const int leader : leaders) {
         Note& told = objects_[static_cast<size_t>(leader)];
-        if (leader == object || told["role"] == "tertiary") continue;
+        if (leader == object || told["role"] == "tertiary" || objects_[static_cast<size_t>(object)]["pinned"]) continue;
         if (std::ranges::find(told["followers"], name) == told["followers"].end()) told["followers"].push_back(name);
       }
     }
@@ -282,6 +317,7 @@ class NoteMaker {
   const Scene& scene_;
   const PartialLayout& where_;
   const CallWords calls_;
+  const Hindrances hindrances_;
   std::vector<Note> objects_;
   Note note_;
 };

@@ -9,6 +9,7 @@
 #include "flair/v1/constraint_catalog.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 #include "nlohmann/json.hpp"
+#include "optimizer_worker/constraints/linked_pairs.h"
 #include "room/conversion/conversion.h"
 #include "room/scene/scene.h"
 
@@ -30,6 +31,8 @@ struct NoteStyle {
   // Every demand, also those that say nothing new; else those with a reason and those that are not met.
   bool all = false;
   size_t width = 100;
+  // The ids of constraints, which only those who edit by hand want to read.
+  bool ids = true;
 };
 
 // The note as an architect would write it, by zone, ending in a newline.
@@ -64,6 +67,10 @@ class CallWords {
   // What is meant by a sentence of it that can be taken otherwise: "it lets whoever uses it look at a window"; else
   // empty.
   std::string Clarified(const v1::ConstraintEdge& edge) const;
+  // Of a satisfied call for free floor, what stands in it and may, since it is used there: "but for the coffee table".
+  // Else empty.
+  std::string Excused(const v1::ConstraintEdge& edge, const PartialLayout& where,
+                      const optimizer::LinkedPairs& linked) const;
   // By how much it is missed: "the desk is 0.42 m too far from the bed". Empty when there are no words or no measure.
   std::string Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const;
 
@@ -95,9 +102,6 @@ std::string Joined(const std::vector<std::string>& items);
 // stop. For an object that is placed; neighbours that are not placed do not count. Walls, things and distances are
 // read off the layout, whatever was asked.
 std::string Standing(const Scene& scene, const PartialLayout& where, int object);
-
-// "the north wall"; of a room that is no rectangle "wall_3 in the north".
-std::string WallInWords(const Wall& wall);
 
 // "north", "south-east": the compass direction nearest to a direction in the room.
 std::string Compass(const Vec2<double>& direction);

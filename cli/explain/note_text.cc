@@ -15,6 +15,7 @@
 #include "fmt/ranges.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/constraints/shortfall.h"
+#include "room/geometry/gap.h"
 #include "room/geometry/pose.h"
 #include "worker_runtime/text/counted.h"
 
@@ -67,15 +68,17 @@ bool Holds(const Note& demand) { return demand["fate"] == "holds"; }
 // One demand of an object or of none.
 std::string DemandLine(const Note& demand, const NoteStyle& style) {
   const std::string reason = WithoutStop(Text(demand, "reason")), about_it = demand["about_it"];
+  const std::string ids = style.ids ? IdsText(demand) : "";
   if (Holds(demand)) {
-    return Bullet('-', fmt::format("{}{}.{}", about_it, reason.empty() ? "" : ": " + reason, IdsText(demand)), style);
+    return Bullet('-', fmt::format("{}{}.{}", about_it, reason.empty() ? "" : ": " + reason, ids), style);
   }
   const std::string word = Capital(kFateWords.at(Text(demand, "fate")));
   std::string text = demand.contains("sentence") ? fmt::format("{}: \"{}.\"", word, about_it)
                                                  : fmt::format("{}: that it {}.", word, about_it.substr(3));
   if (demand.contains("shortfall")) text += " " + ShortfallText(demand);
+  if (demand.contains("because")) text += fmt::format(" {}.", Capital(Text(demand, "because")));
   if (!reason.empty()) text += fmt::format(" Reason: {}.", reason);
-  return Bullet('!', text + IdsText(demand), style);
+  return Bullet('!', text + ids, style);
 }
 
 // "the curtains", "candles 6", not "the glass".
@@ -97,9 +100,7 @@ std::string Introduction(const Note& object) {
   if (!object["placed"]) return Sentence(fmt::format("{} {} not placed", name, plural ? "are" : "is"));
   const std::string stands = object["stands"];
   std::string text = fmt::format("{} {}.", Capital(name), plural ? InPlural(stands) : stands);
-  if (object.contains("pinned")) text += " The user placed it there.";
-  if (object.contains("requested")) text += " The brief asks for it.";
-  return text;
+  return object.contains("origin") ? fmt::format("{} {}", text, Text(object, "origin")) : text;
 }
 
 std::string ObjectLines(const Note& object, const NoteStyle& style) {
@@ -165,14 +166,16 @@ std::string NoteText(const Note& note, const NoteStyle& style) {
     for (const Note& object : zone["objects"]) text += ObjectLines(object, style);
   }
   if (note.contains("demands_of_no_object")) {
-    text += "\nABOUT OBJECTS THAT ARE NOT PLACED\n";
+    text += "\nOTHER DEMANDS\n";
     for (const Note& demand : note["demands_of_no_object"]) text += DemandLine(demand, style);
   }
   return text + ListText("LEFT OUT", note["left_out"], style) +
          ListText("CANNOT HOLD TOGETHER", note["clashes"], style) + ListText("REMARKS", note["remarks"], style);
 }
 
-std::string ObjectText(const Note& object, const NoteStyle& style) { return ObjectLines(object, {true, style.width}); }
+std::string ObjectText(const Note& object, const NoteStyle& style) {
+  return ObjectLines(object, {true, style.width, style.ids});
+}
 
 namespace {
 
@@ -193,10 +196,12 @@ std::string ValueInWords(const v1::ParameterSpec& spec, const Arguments& argumen
       return ObjectNames(arguments.Objects(name), scene);
     case v1::PARAMETER_KIND_ZONE:
       return scene.zones[static_cast<size_t>(arguments.Zone(name))].name;
-    case v1::PARAMETER_KIND_FEATURE:
-      return optimizer::FeatureName(scene.room, arguments.Feature(name));
+    case v1::PARAMETER_KIND_FEATURE: {
+      const std::string feature = optimizer::FeatureName(scene.room, arguments.Feature(name));
+      return feature.starts_with("the ") ? feature.substr(4) : feature;
+    }
     case v1::PARAMETER_KIND_WALL:
-      return WallInWords(scene.room.walls[static_cast<size_t>(arguments.MaybeWall(name))]);
+      return WallName(scene.room, scene.room.walls[static_cast<size_t>(arguments.MaybeWall(name))]);
     case v1::PARAMETER_KIND_SIDE:
       return std::string(SideName(arguments.OneSide(name)));
     case v1::PARAMETER_KIND_SIDES: {
@@ -276,6 +281,31 @@ std::string CallWords::Asked(const v1::ConstraintEdge& edge) const {
 std::string CallWords::Clarified(const v1::ConstraintEdge& edge) const {
   const Call call = Read(edge);
   return call.type == nullptr || !call.type->show_phrase() ? "" : "it " + Filled(call.type->phrase(), call, "");
+}
+
+std::string CallWords::Excused(const v1::ConstraintEdge& edge, const PartialLayout& where,
+                               const optimizer::LinkedPairs& linked) const {
+  constexpr double kReachesIn_m = 0.02;
+  const Call call = Read(edge);
+  if (call.type == nullptr || call.type->name() != "accessible" || !call.arguments.Has("min_clearance_m")) return "";
+  const int object = call.arguments.Object("object");
+  const auto box_of = [&](int i) {
+    const size_t at = static_cast<size_t>(i);
+    return Box<double>(scene_.objects[at].footprint, FrameOf(where.layout[at]));
+  };
+  std::vector<int> excused;
+  for (int i = 0; i < static_cast<int>(scene_.objects.size()); ++i) {
+    if (i == object || !where.placed[static_cast<size_t>(i)] || !IsSolid(scene_.objects[static_cast<size_t>(i)]))
+      continue;
+    const auto is_in = [&](Side side) {
+      const Box<double> strip = Box<double>::Before(scene_.objects[static_cast<size_t>(object)].footprint,
+                                                    FrameOf(where.layout[static_cast<size_t>(object)]), side,
+                                                    call.arguments.Number("min_clearance_m"));
+      return linked.BelongsAt(object, i, side) && Gap<double>(strip, box_of(i)) < -kReachesIn_m;
+    };
+    if (std::ranges::any_of(call.arguments.Sides("sides"), is_in)) excused.push_back(i);
+  }
+  return excused.empty() ? "" : "but for " + ObjectNames(excused, scene_);
 }
 
 std::string CallWords::Missed(const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) const {

@@ -105,9 +105,16 @@ class Place {
     return nullptr;
   }
 
+  // As sentences about places under windows measure it: within the window's width, or the window within its own.
+  bool IsWhollyAt(const Wall& wall, const Opening& window) const {
+    const double off_m = wall.Offset(frame_.center) - window.offset_m - window.width_m / 2;
+    return std::abs(off_m) <= std::abs(HalfAlong(wall) - window.width_m / 2) + kTouch_m;
+  }
+
   // "the north-east corner"; of a room that is no rectangle the corner at those walls.
   std::string CornerOf(const Wall& a, const Wall& b) const {
-    if (scene_.room.walls.size() != 4) return fmt::format("the corner of {} and {}", a.name, b.name);
+    if (scene_.room.walls.size() != 4)
+      return fmt::format("the corner of {} and {}", WallName(scene_.room, a), WallName(scene_.room, b));
     return fmt::format("the {} corner", Compass(-(a.inward_normal + b.inward_normal)));
   }
 
@@ -121,13 +128,14 @@ class Place {
     std::string words;
     if (second != contacts.end()) {
       words = fmt::format("stands in {}, its {} to {}", CornerOf(*first.wall, *second->wall), side,
-                          WallInWords(*first.wall));
+                          WallName(scene_.room, *first.wall));
     } else {
-      words = fmt::format("stands with its {} to {}, {}", side, WallInWords(*first.wall), Along(*first.wall));
+      words = fmt::format("stands with its {} to {}, {}", side, WallName(scene_.room, *first.wall), Along(*first.wall));
     }
     if (const Opening* const window = WindowBehind(*first.wall)) {
-      words += scene_.BottomOf(index_) + object_.height_m <= window->sill_height_m + 0.05 ? ", under a window"
-                                                                                          : ", in front of a window";
+      const bool under = scene_.BottomOf(index_) + object_.height_m <= window->sill_height_m + 0.05;
+      words += fmt::format(", {}{}", IsWhollyAt(*first.wall, *window) ? "" : "partly ",
+                           under ? "under a window" : "in front of a window");
     }
     return words;
   }
@@ -151,7 +159,8 @@ class Place {
       if (gap_m < least_m) least_m = gap_m, nearest = &wall;
     }
     return fmt::format("stands free in the room, {:.2f} m from {}, looking {}", std::max(0.0, least_m),
-                       WallInWords(*nearest), seen >= 0 ? fmt::format("at {}", Name(seen)) : Compass(frame_.front));
+                       WallName(scene_.room, *nearest),
+                       seen >= 0 ? fmt::format("at {}", Name(seen)) : Compass(frame_.front));
   }
 
   // What is straight before it within reach of a word; -1 for nothing.
@@ -169,12 +178,12 @@ class Place {
     return seen;
   }
 
-  // The side of this object that another is on.
+  // Where another is, as the plan shows it: whose left a side is can be taken either way.
   std::string SideTo(int other) const {
     const Vec2<double> p = frame_.ToObject(FrameAt(other).center);
     const double x = p.x / (object_.footprint.width_m + At(other).footprint.width_m);
     const double y = p.y / (object_.footprint.depth_m + At(other).footprint.depth_m);
-    if (std::abs(x) > std::abs(y)) return x < 0 ? "on its left" : "on its right";
+    if (std::abs(x) > std::abs(y)) return fmt::format("to its {}", Compass(x < 0 ? -frame_.right : frame_.right));
     return y < 0 ? "behind it" : "in front of it";
   }
 
@@ -207,7 +216,8 @@ class Place {
       if (StandsSolid(other) && GapTo(other) < -0.02) above.push_back(Name(other));
     }
     if (!above.empty()) return fmt::format("lies on the floor under {}", Joined(above));
-    for (const WallContact& contact : Contacts()) return fmt::format("lies at {}", WallInWords(*contact.wall));
+    for (const WallContact& contact : Contacts())
+      return fmt::format("lies at {}", WallName(scene_.room, *contact.wall));
     return "lies on the open floor";
   }
 
@@ -228,8 +238,8 @@ class Place {
   // The wall object's height, and what stands below it.
   std::string OnWall() const {
     const std::vector<WallContact> contacts = Contacts();
-    std::string words =
-        contacts.empty() ? "hangs free of the walls" : fmt::format("hangs on {}", WallInWords(*contacts.front().wall));
+    std::string words = contacts.empty() ? "hangs free of the walls"
+                                         : fmt::format("hangs on {}", WallName(scene_.room, *contacts.front().wall));
     std::vector<std::string> below;
     for (int other = 0; !contacts.empty() && other < static_cast<int>(scene_.objects.size()); ++other) {
       if (!StandsSolid(other) || GapTo(other) > 0.25) continue;
@@ -262,13 +272,6 @@ class Place {
 
 std::string Standing(const Scene& scene, const PartialLayout& where, int object) {
   return Place(scene, where, object).InWords();
-}
-
-std::string WallInWords(const Wall& wall) {
-  for (const char* name : {"north", "east", "south", "west"}) {
-    if (wall.name == name) return fmt::format("the {} wall", name);
-  }
-  return fmt::format("{} in the {}", wall.name, Compass(-wall.inward_normal));
 }
 
 std::string Compass(const Vec2<double>& direction) {

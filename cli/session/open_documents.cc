@@ -49,7 +49,7 @@ absl::StatusOr<session::DocumentParts> Parts(const StageChoice& stages) {
   parts.note_text = [](const v1::SolvedLayout& layout,
                        const v1::ConstraintCatalog& catalog) -> absl::StatusOr<std::string> {
     ASSIGN_OR_RETURN(const Note note, MakeLayoutNote(layout, catalog));
-    return NoteText(note, {.all = true});
+    return NoteText(note, {.all = true, .ids = false});
   };
   return parts;
 }

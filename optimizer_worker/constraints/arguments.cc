@@ -170,7 +170,7 @@ RoomFeature Arguments::Feature(std::string_view name) const {
 }
 
 std::string FeatureName(const Room& room, const RoomFeature& feature) {
-  return feature.opening >= 0 ? room.openings[static_cast<size_t>(feature.opening)].id
+  return feature.opening >= 0 ? NameForPeople(room, room.openings[static_cast<size_t>(feature.opening)])
                               : std::string(kFeatureNames[static_cast<int>(feature.kind)]);
 }
 

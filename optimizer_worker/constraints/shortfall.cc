@@ -108,7 +108,7 @@ std::vector<Shortfall> OffWall(const PlacedCall& call, int object, Side side, co
   const Footprint& footprint = call.FootprintOf(object);
   const Frame<double> frame = call.FrameOf(object);
   const Vec2<double> middle = MiddleOf(footprint, frame, side);
-  const std::string what = SideOf(call.Name(object), side), place = WallName(wall);
+  const std::string what = SideOf(call.Name(object), side), place = WallName(call.scene().room, wall);
   const double overhang = std::sqrt(SquaredOverhang(footprint, middle, side, wall));
   return {OffBy(what, place, wall.Height(middle)),
           Turned(what, place, AngleOf(NormalOf(frame, side), -wall.inward_normal)),

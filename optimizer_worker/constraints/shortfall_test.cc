@@ -62,6 +62,9 @@ TEST(Explain, NamesWhatStandsInTheWay) {
             "the bed reaches 0.20 m into the 0.60 m before the front of the wardrobe");
   EXPECT_THAT(SentenceOf("6x4 room; wardrobe 1x0.6 at 1,3.5,0", "accessible", "object=wardrobe"),
               HasSubstr("cut off by the north wall by 0.40 m"));
+  // However little of it stands there, to the side.
+  EXPECT_EQ(SentenceOf("6x4 room; wardrobe 1x0.6 at 1,0.3,0; bed 1.6x1 at 2.25,1.3,0", "accessible", "object=wardrobe"),
+            "the bed reaches 0.40 m into the 0.60 m before the front of the wardrobe");
   // In an L the line of a wall goes on where the wall does not.
   EXPECT_EQ(SentenceOf("room 0,0 3,0 3,1.5 5,1.5 5,4 0,4; wardrobe 1x0.6 at 4,1.8,0; desk 1x0.6 at 4,2.6,180",
                        "accessible", "object=wardrobe"),

@@ -103,8 +103,9 @@ Vec2<double> HingePoint(const Room& room, const Opening& door);
 // quarter turn. Empty for doors that do not open inwards.
 std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int arc_pieces = 8);
 
-// "the south wall"; a wall that is just numbered keeps its name.
-std::string WallName(const Wall& wall);
+// "the south wall", "the garden wall". One that is just numbered is named by the side it is on, and by its length where
+// others are on that side: "the 1.50 m north wall". `wall` is one of the room's.
+std::string WallName(const Room& room, const Wall& wall);
 
 // "the window in the east wall", "window 2 in the east wall" when there are several.
 std::string NameForPeople(const Room& room, const Opening& opening);

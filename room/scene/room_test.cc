@@ -37,6 +37,17 @@ TEST(Room, OtherShapesHaveNumberedWalls) {
   EXPECT_EQ(WallsOf({{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}})[3].name, "wall_4");
 }
 
+TEST(Room, NumberedWallsAreCalledByTheirSide) {
+  Room room;
+  room.walls = WallsOf({{{0, 0}, {4, 0}, {4, 2}, {2.5, 2}, {2.5, 4}, {0, 4}}});
+  EXPECT_EQ(WallName(room, room.walls[0]), "the south wall");
+  EXPECT_EQ(WallName(room, room.walls[2]), "the 1.50 m north wall");
+  EXPECT_EQ(WallName(room, room.walls[4]), "the 2.50 m north wall");
+  room.walls[4].name = "garden";
+  EXPECT_EQ(WallName(room, room.walls[4]), "the garden wall");
+  EXPECT_EQ(WallName(room, room.walls[2]), "the north wall");
+}
+
 TEST(Scene, AThingOnATableIsAsHighAsTheTable) {
   Scene scene;
   scene.objects.resize(2);

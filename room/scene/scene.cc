@@ -24,6 +24,11 @@ std::string CompassName(const Vec2<double>& inward_normal) {
   return inward_normal.x > 0.5 ? "west" : "east";
 }
 
+// As walls are called that nobody has named: "wall_3".
+bool IsNumbered(std::string_view name) {
+  return name.starts_with("wall_") && name.size() > 5 && name.find_first_not_of("0123456789", 5) == name.npos;
+}
+
 Vec2<double> Turned(const Vec2<double>& v, double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
@@ -117,11 +122,18 @@ std::vector<Polygon> ConvexSwingAreas(const Room& room, const Opening& door, int
   return {Sector(room, door, 0, angle / 2, arc_pieces), Sector(room, door, angle / 2, angle, arc_pieces)};
 }
 
-std::string WallName(const Wall& wall) {
-  for (const char* name : {"north", "east", "south", "west"}) {
-    if (wall.name == name) return fmt::format("the {} wall", name);
+std::string WallName(const Room& room, const Wall& wall) {
+  if (!IsNumbered(wall.name)) {
+    std::string name = wall.name;
+    std::ranges::replace(name, '_', ' ');
+    return fmt::format("the {}{}", name, name.ends_with("wall") ? "" : " wall");
   }
-  return wall.name;
+  const std::string side = CompassName(wall.inward_normal);
+  const bool alone =
+      std::ranges::count_if(room.walls, [&](const Wall& other) {
+        return other.name == side || (IsNumbered(other.name) && CompassName(other.inward_normal) == side);
+      }) < 2;
+  return alone ? fmt::format("the {} wall", side) : fmt::format("the {:.2f} m {} wall", wall.length_m, side);
 }
 
 std::string NameForPeople(const Room& room, const Opening& opening) {
@@ -132,7 +144,7 @@ std::string NameForPeople(const Room& room, const Opening& opening) {
     ++count;
     if (other.id == opening.id) number = count;
   }
-  const std::string wall = WallName(room.walls[static_cast<size_t>(opening.wall)]);
+  const std::string wall = WallName(room, room.walls[static_cast<size_t>(opening.wall)]);
   return count > 1 ? fmt::format("{} {} in {}", kind, number, wall) : fmt::format("the {} in {}", kind, wall);
 }
 

@@ -47,12 +47,12 @@ class ExplainCommand : public ::testing::Test {
 
 TEST_F(ExplainCommand, TellsByZoneWhereThingsStandAndWhyInLinesThatFitAScreen) {
   const Finished run = Good({"explain", Bedroom()});
-  EXPECT_THAT(run.out, StartsWith("A bedroom of 4 m x 5 m (20 m2), 3 m high, with a door in the "));
+  EXPECT_THAT(run.out, StartsWith("A bedroom of 4 m x 5 m (20 m²), 3 m high, with a door in the "));
   EXPECT_THAT(run.out, HasSubstr("\nSLEEPING - "));
   EXPECT_THAT(run.out, HasSubstr("\nThe double bed stands "));
   EXPECT_THAT(run.out, HasSubstr("The headboard of the double bed is against a wall: a headboard needs support and the "
                                  "sleeper\n    calm. [e3]"));
-  EXPECT_THAT(run.out, HasSubstr("The brief asks for it."));
+  EXPECT_THAT(run.out, HasSubstr("You asked for a grand piano."));
   std::istringstream lines(run.out);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
 }

@@ -54,8 +54,8 @@ std::vector<Shortfall> OffBeside(const PlacedCall& call, double most_along_m, do
   return {
       {fmt::format("{} hangs {:.2f} m along the wall from {} {}", call.Name(object), along, place, call.Name(target)),
        along - most_along_m, "m"},
-      TooFar(call.Name(target), fmt::format("{}, where {} hangs", WallName(wall), call.Name(object)), view.distance,
-             most_away_m),
+      TooFar(call.Name(target), fmt::format("{}, where {} hangs", WallName(call.scene().room, wall), call.Name(object)),
+             view.distance, most_away_m),
       NotHanging(call, object)};
 }
 

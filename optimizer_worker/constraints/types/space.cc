@@ -34,6 +34,8 @@ namespace {
 
 // Deep enough to stand in.
 inline constexpr double kStandingRoom_m = 0.6;
+// Less is no reason to name who stands there.
+constexpr double kReachesIn_m = 1e-3;
 
 class AccessibleCost final : public Cost {
  public:
@@ -187,6 +189,18 @@ AccessibleCost::SeenFrom::SeenFrom(const Frame<double>& own, const Footprint& fo
   half_ahead = std::abs(Dot(own.front, frame.right)) * w + std::abs(Dot(own.front, frame.front)) * d;
 }
 
+// How deep the floor before a side is free of another object that stands before it.
+double FreeBefore(const PlacedCall& call, Side side, int other, double depth_m) {
+  double free_m = 0;
+  for (double blocked_m = depth_m; blocked_m - free_m > 1e-3;) {
+    const double middle_m = (free_m + blocked_m) / 2;
+    const Box<double> strip =
+        Box<double>::Before(call.FootprintOf(call.object()), call.FrameOf(call.object()), side, middle_m);
+    (Gap<double>(strip, call.BoxOf(other)) < -1e-6 ? blocked_m : free_m) = middle_m;
+  }
+  return free_m;
+}
+
 std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
   const int object = call.object();
   const double depth =
@@ -199,7 +213,8 @@ std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
       const Object& other = call.scene().objects[static_cast<size_t>(i)];
       const bool belongs = call.linked() != nullptr && call.linked()->BelongsAt(object, i, side);
       if (i == object || other.kind != ObjectKind::kFloor || other.walk_over || belongs) continue;
-      const double into = -Gap<double>(strip, call.BoxOf(i));
+      if (Gap<double>(strip, call.BoxOf(i)) > -kReachesIn_m) continue;
+      const double into = depth - FreeBefore(call, side, i, depth);
       misses.push_back({fmt::format("{} reaches {:.2f} m into {}", call.Name(i), into, floor), into, "m"});
     }
     // Which wall each corner of it is behind: the nearest one, for a room that is not convex has walls to all sides.
@@ -209,7 +224,9 @@ std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
       const auto distance = [&](const Wall& wall) { return DistanceTo(Segment{wall.start, wall.end}, corner); };
       const Wall& wall = *std::ranges::min_element(call.scene().room.walls, {}, distance);
       const double beyond = distance(wall);
-      misses.push_back({fmt::format("{} are cut off by {} by {:.2f} m", floor, WallName(wall), beyond), beyond, "m"});
+      misses.push_back(
+          {fmt::format("{} are cut off by {} by {:.2f} m", floor, WallName(call.scene().room, wall), beyond), beyond,
+           "m"});
     }
   }
   if (const std::optional<Shortfall> worst = Worst(misses)) return worst;
@@ -296,7 +313,7 @@ BoundCost BindZoneAffinity(const Arguments& a, const BindContext& context) {
 
 constexpr ConstraintCode kSpaceCode[] = {
     {"accessible", BindAccessible, AccessibleShortfall},
-    {"central", BindCentral, nullptr, "the middle of the room"},
+    {"central", BindCentral, nullptr, "the middle part of the room"},
     {"facing_into_room", BindFacingIntoRoom<Look::kOwn>, FacingIntoRoomShortfall<Look::kOwn>},
     {"in_zone", BindInZone, OffZone},
     {"user_faces_room", BindFacingIntoRoom<Look::kOfUser>, FacingIntoRoomShortfall<Look::kOfUser>},

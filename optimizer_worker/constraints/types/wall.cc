@@ -59,7 +59,7 @@ std::optional<Shortfall> CenteredOnWallShortfall(const PlacedCall& call) {
   const Wall& wall = call.BestWall(
       [&](const Wall& w) { return SideOnWall(call.FootprintOf(object), frame, Side::kBack, w) + aside(w) * aside(w); });
   std::vector<Shortfall> misses = OffWall(call, object, Side::kBack, wall);
-  misses.push_back(OffBy(call.Name(object), "the middle of " + WallName(wall), aside(wall)));
+  misses.push_back(OffBy(call.Name(object), "the middle of " + WallName(call.scene().room, wall), aside(wall)));
   return Worst(misses);
 }
 
@@ -143,7 +143,7 @@ std::optional<Shortfall> NearWallShortfall(const PlacedCall& call) {
     const double off = std::max({0.0, height - most, -height});
     return off * off + std::max(0.0, turn - 1 + std::sqrt(0.5)) + beyond_end(w) * beyond_end(w);
   });
-  const std::string what = SideOf(call.Name(object), side), place = WallName(wall);
+  const std::string what = SideOf(call.Name(object), side), place = WallName(call.scene().room, wall);
   return Worst(
       {TooFar(what, place, wall.Height(middle), most),
        Turned(what, place, AngleOf(NormalOf(frame, side), -wall.inward_normal), kPi / 4),
@@ -182,7 +182,8 @@ std::optional<Shortfall> NotAgainstWallShortfall(const PlacedCall& call) {
   std::vector<Shortfall> misses;
   for (const Wall& wall : call.scene().room.walls) {
     const ConvexPiece piece(Segment{wall.start, wall.end});
-    misses.push_back(TooNear(what, WallName(wall), Gap<double>(box, piece), call.arguments().Number("min_distance_m")));
+    misses.push_back(TooNear(what, WallName(call.scene().room, wall), Gap<double>(box, piece),
+                             call.arguments().Number("min_distance_m")));
   }
   return Worst(misses);
 }
