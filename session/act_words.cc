@@ -103,6 +103,28 @@ std::string EditLabel(const v1::SolvedLayout& layout, const google::protobuf::Re
   return fmt::format("{} {}", *verbs.begin(), Pieces(layout, ids));
 }
 
+std::string SayLabel(const std::string& text) { return fmt::format("say \"{}\"", Shortened(text)); }
+
+std::string AlsoMoved(const v1::SolvedLayout& before, const v1::SolvedLayout& after,
+                      const std::vector<std::string>& moved_ids) {
+  constexpr size_t kMost = 4;
+  std::set<std::string> known;
+  for (const v1::Object& object : before.graph().object_list().objects()) known.insert(object.id());
+  std::string text;
+  for (const bool is_new : {true, false}) {
+    std::vector<std::string> names;
+    for (const std::string& id : moved_ids) {
+      if (known.contains(id) != is_new) names.push_back(NameOf(after, id));
+    }
+    if (names.empty()) continue;
+    const size_t more = names.size() > kMost ? names.size() - kMost : 0;
+    names.resize(names.size() - more);
+    text += fmt::format("; {}: {}", is_new ? "added" : "moved", fmt::join(names, ", "));
+    if (more > 0) text += fmt::format(" and {} more", more);
+  }
+  return text;
+}
+
 std::string WeighLabel(const v1::SolvedLayout& layout, const v1::WeighSentence& weigh) {
   return Shortened(
       fmt::format("{} \"{}\"", weigh.weight() == 0 ? "drop" : "weigh", SentenceText(layout, weigh.sentence_id())));

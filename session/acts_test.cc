@@ -83,6 +83,8 @@ TEST_F(ActsTest, OnlyWhatStandsOnAPieceGoesWithIt) {
     for (const v1::Placement& at : made.layout().placements()) {
       const v1::Object& object = objects[at.object_id()];
       if (object.host_id() != host) continue;
+      // What hangs above it is of another test.
+      if (object.kind() == v1::OBJECT_KIND_WALL) continue;
       const bool stands = object.kind() == v1::OBJECT_KIND_SURFACE;
       EXPECT_EQ(PlacementOf(moved->layout(), object.id()).x_m() != at.x_m(), stands) << object.id();
       ++(stands ? carried : left);
@@ -90,6 +92,68 @@ TEST_F(ActsTest, OnlyWhatStandsOnAPieceGoesWithIt) {
   }
   EXPECT_GT(carried, 0);
   EXPECT_GT(left, 0);
+}
+
+TEST_F(ActsTest, WhatHangsAboveAPieceGoesAlongItsWallWithIt) {
+  const v1::GetDocumentResponse made = Designed();
+  int hung = 0;
+  v1::Document document = made.document();
+  for (const v1::ConstraintEdge& edge : made.layout().graph().edges()) {
+    if (edge.type() != "on_wall_above") continue;
+    std::map<std::string, std::string> named;
+    for (const v1::Argument& argument : edge.arguments()) named[argument.name()] = argument.value().text();
+    const v1::Placement picture = PlacementOf(made.layout(), named["object"]);
+    const v1::Placement from = PlacementOf(made.layout(), named["target"]);
+    v1::Placement to = from;
+    to.set_x_m(from.x_m() + 0.2 * std::cos(picture.theta_rad()));
+    to.set_y_m(from.y_m() + 0.2 * std::sin(picture.theta_rad()));
+    const auto moved = Act(document, [&](v1::ActRequest& act) { *act.mutable_move()->add_placements() = to; });
+    ASSERT_TRUE(moved.ok()) << moved.status();
+    const v1::Placement along = PlacementOf(moved->layout(), named["object"]);
+    EXPECT_NEAR(along.x_m() - picture.x_m(), to.x_m() - from.x_m(), 1e-9);
+    EXPECT_NEAR(along.y_m() - picture.y_m(), to.y_m() - from.y_m(), 1e-9);
+    // Away from the wall it stays.
+    to.set_x_m(to.x_m() - 0.3 * std::sin(picture.theta_rad()));
+    to.set_y_m(to.y_m() + 0.3 * std::cos(picture.theta_rad()));
+    const auto off = Act(moved->document(), [&](v1::ActRequest& act) { *act.mutable_move()->add_placements() = to; });
+    ASSERT_TRUE(off.ok()) << off.status();
+    EXPECT_EQ(PlacementOf(off->layout(), named["object"]).SerializeAsString(), along.SerializeAsString());
+    document = off->document();
+    ++hung;
+  }
+  EXPECT_GT(hung, 0);
+}
+
+TEST_F(ActsTest, APictureThatIsDroppedOnAWallFacesIntoTheRoom) {
+  const v1::GetDocumentResponse made = Designed();
+  constexpr double kPi = 3.14159265358979323846;
+  struct Drop {
+    double x_m, y_m, faces_rad;
+  };
+  // The walls of 4 m x 5 m: north, south, west, east.
+  v1::Document document = made.document();
+  for (const Drop& drop : {Drop{1.0, 4.9, kPi}, {1.0, 0.1, 0}, {0.1, 1.3, -kPi / 2}, {3.9, 1.3, kPi / 2}}) {
+    const auto added = Act(document, [&](v1::ActRequest& act) {
+      act.mutable_edit()->set_without_solving(true);
+      v1::Object& picture = *act.mutable_edit()->add_edits()->mutable_add_object()->mutable_object();
+      picture.set_name("picture");
+      picture.set_kind(v1::OBJECT_KIND_WALL);
+      picture.set_width_m(0.6);
+      picture.set_depth_m(0.04);
+      picture.set_height_m(0.5);
+      picture.set_elevation_m(1.3);
+      v1::Placement& at = *act.mutable_edit()->add_edits()->mutable_move_object();
+      at.set_x_m(drop.x_m);
+      at.set_y_m(drop.y_m);
+    });
+    ASSERT_TRUE(added.ok()) << added.status();
+    document = added->document();
+    ASSERT_EQ(added->moved_object_ids_size(), 1);
+    const v1::Placement hangs = PlacementOf(added->layout(), added->moved_object_ids(0));
+    EXPECT_NEAR(std::remainder(hangs.theta_rad() - drop.faces_rad, 2 * kPi), 0, 1e-9) << drop.x_m << " " << drop.y_m;
+    const double depth = std::min({hangs.x_m(), 4 - hangs.x_m(), hangs.y_m(), 5 - hangs.y_m()});
+    EXPECT_NEAR(depth, 0.02, 1e-9);
+  }
 }
 
 TEST_F(ActsTest, JudgingSaysWhatMovingWouldAndChangesNothing) {

@@ -132,6 +132,24 @@ absl::StatusOr<v1::LayoutGraph> LayoutActs::SaidOf(const IdSet& added, const v1:
   return said;
 }
 
+absl::StatusOr<v1::LayoutGraph> LayoutActs::LetDesignerSpeak(const IdSet& added, const v1::SolvedLayout& with,
+                                                             v1::SolvedLayout& shown, EditList& edits, Aim& aim,
+                                                             CallContext& call) const {
+  ASSIGN_OR_RETURN(v1::LayoutGraph said, SaidOf(added, shown, with, call));
+  LendSentences(said, *shown.mutable_graph());
+  for (const v1::Sentence& sentence : said.constraint_list().sentences()) aim.sentence_ids.insert(sentence.id());
+  IdSet taken;
+  for (const v1::ConstraintEdge& edge : shown.graph().edges()) taken.insert(edge.id());
+  int number = shown.graph().edges_size();
+  for (const v1::ConstraintEdge& edge : said.edges()) {
+    v1::ConstraintEdge& one = *edits.Add()->mutable_add_edge();
+    one = edge;
+    do one.set_id(fmt::format("n{}", ++number));
+    while (taken.contains(one.id()));
+  }
+  return said;
+}
+
 absl::StatusOr<Acted> LayoutActs::Add(const Standing& standing, const v1::EditLayout& edit, CallContext& call) const {
   const EditList asked = Completed(standing.shown, edit.edits());
   EditList edits = InPlaceOfLeftOut(standing.shown, asked);
@@ -142,23 +160,11 @@ absl::StatusOr<Acted> LayoutActs::Add(const Standing& standing, const v1::EditLa
   }
   v1::SolvedLayout shown = standing.shown;
   // Without a designer at hand a piece comes as it is.
-  const absl::StatusOr<v1::LayoutGraph> said = SaidOf(added, standing.shown, With(standing.shown, edits), call);
   // Who adds a piece has not asked to move the others.
   Aim aim{{}, added, false};
-  if (said.ok()) {
-    LendSentences(*said, *shown.mutable_graph());
-    for (const v1::Sentence& sentence : said->constraint_list().sentences()) aim.sentence_ids.insert(sentence.id());
-    IdSet taken;
-    for (const v1::ConstraintEdge& edge : shown.graph().edges()) taken.insert(edge.id());
-    int number = shown.graph().edges_size();
-    for (const v1::ConstraintEdge& edge : said->edges()) {
-      v1::ConstraintEdge& one = *edits.Add()->mutable_add_edge();
-      one = edge;
-      do one.set_id(fmt::format("n{}", ++number));
-      while (taken.contains(one.id()));
-    }
-  }
-  const Standing now{shown, standing.settled, standing.pending};
+  const absl::StatusOr<v1::LayoutGraph> said =
+      LetDesignerSpeak(added, With(standing.shown, edits), shown, edits, aim, call);
+  const Standing now{shown, standing.settled, standing.pending, standing.by_hand};
   ASSIGN_OR_RETURN(Acted acted, edit.without_solving() ? Unsolved(now, edits, call) : Tried(now, edits, aim, call));
   if (said.ok()) ReturnSubjects(*said, *acted.layout.mutable_graph());
   acted.label = EditLabel(standing.shown, asked);

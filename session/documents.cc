@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
 #include "cli/output/report_text.h"
 #include "fmt/format.h"
+#include "session/act_words.h"
 #include "session/document_parts.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
@@ -20,10 +22,38 @@ using store::v1::LayoutState;
 constexpr int kMostStates = 500;
 constexpr size_t kLayoutsInMemory = 16;
 
+// `parts` outlive it.
+Catalogue CatalogueOf(const DocumentParts& parts) {
+  constexpr size_t kShown = 3;
+  Catalogue catalogue;
+  catalogue.find = [&parts](const std::string& name) -> std::optional<v1::Object> {
+    const auto& offers = parts.furniture;
+    const auto called = [](const v1::FurnitureOffer& offer) { return absl::AsciiStrToLower(offer.object().name()); };
+    auto found = std::ranges::find(offers, name, called);
+    if (const auto word = parts.furniture_words.find(name);
+        found == offers.end() && word != parts.furniture_words.end())
+      found = offers.begin() + word->second;
+    if (found == offers.end()) {
+      found =
+          std::ranges::find_if(offers, [&](const auto& offer) { return absl::EndsWith(called(offer), " " + name); });
+    }
+    return found == offers.end() ? std::nullopt : std::optional(found->object());
+  };
+  for (size_t i = 0; i < std::min(kShown, parts.furniture.size()); ++i) {
+    catalogue.some += WithArticle(parts.furniture[i].object().name()) + ", ";
+  }
+  catalogue.some += fmt::format("{} pieces in all", parts.furniture.size());
+  return catalogue;
+}
+
 }  // namespace
 
 Documents::Documents(std::unique_ptr<DocumentStore> store, const Channels& channels, DocumentParts parts)
-    : store_(std::move(store)), stages_(channels), parts_(std::move(parts)), model_(parts_.model) {}
+    : store_(std::move(store)),
+      stages_(channels),
+      parts_(std::move(parts)),
+      acts_(stages_, parts_.sentences_of, CatalogueOf(parts_)),
+      model_(parts_.model) {}
 
 v1::GetModelResponse Documents::GetModel() {
   const std::lock_guard lock(mutex_);
@@ -205,6 +235,25 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnHistory(Record record, int step)
   return Answer(record, before);
 }
 
+absl::StatusOr<v1::ActResponse> Documents::Unchanged(Record record, const Layout& before, Acted acted) {
+  LayoutState& now = *record.mutable_states(record.position());
+  if (acted.settled && !now.pending_edits().empty()) {
+    // That it is settled now is all that is new.
+    now.set_settled_layout_id(now.layout_id());
+    now.clear_pending_edits();
+    RETURN_IF_ERROR(Commit(record, {}));
+  }
+  if (acted.diagnostics.empty()) {
+    v1::Diagnostic& same = acted.diagnostics.emplace_back();
+    same.set_severity(v1::SEVERITY_NOTE);
+    same.set_code("nothing_changed");
+    same.set_message("Nothing was changed: all of it is so already.");
+  }
+  ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
+  for (v1::Diagnostic& diagnostic : acted.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
+  return response;
+}
+
 absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::ActRequest& request,
                                                        CallContext& call) {
   ASSIGN_OR_RETURN(const Layout before, Shown(record));
@@ -213,9 +262,11 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::
   if (!now.settled_layout_id().empty()) {
     ASSIGN_OR_RETURN(settled, LayoutOf(record, now.settled_layout_id()));
   }
+  const ObjectIds by_hand(now.placed_by_hand_ids().begin(), now.placed_by_hand_ids().end());
   const Standing standing{before->solved_layout(), settled == nullptr ? nullptr : &settled->solved_layout(),
-                          now.pending_edits()};
+                          now.pending_edits(), by_hand};
   ASSIGN_OR_RETURN(Acted acted, acts_.Act(standing, request, call));
+  if (ChangesNothing(before->solved_layout(), acted)) return Unchanged(std::move(record), before, std::move(acted));
   LayoutState state;
   state.set_label(acted.label);
   if (acted.settled) {
@@ -224,6 +275,7 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::
     state.set_settled_layout_id(now.settled_layout_id());
   }
   *state.mutable_pending_edits() = acted.pending;
+  for (const std::string& id : acted.by_hand) state.add_placed_by_hand_ids(id);
   RETURN_IF_ERROR(
       PushState(record, ArtifactOf(std::move(acted.layout), acted.producer, now.layout_id()), std::move(state)));
   ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));

@@ -34,6 +34,8 @@ struct DocumentParts {
   SentencesOf sentences_of;
   // Furniture that can be added.
   std::vector<v1::FurnitureOffer> furniture;
+  // Other words for it, lower case and singular, with the index of the offer that each means.
+  std::map<std::string, int> furniture_words;
   // The model that designs at first, without its key; and how another one comes to: the channels of an orchestrator and
   // a translator that ask it. Null where the services of another program design.
   v1::ModelChoice model;
@@ -109,6 +111,8 @@ class Documents {
   absl::Status PushState(Record& record, v1::Artifact artifact, store::v1::LayoutState state);
   absl::StatusOr<v1::ActResponse> ActOnHistory(Record record, int step);
   absl::StatusOr<v1::ActResponse> ActOnLayout(Record record, const v1::ActRequest& request, runtime::CallContext& call);
+  // After an act that has changed nothing: no state is added, and the answer says so.
+  absl::StatusOr<v1::ActResponse> Unchanged(Record record, const Layout& before, Acted acted);
   absl::StatusOr<v1::ActResponse> TakeVariant(Record record, int index, runtime::CallContext& call);
   absl::StatusOr<v1::ActResponse> Furnish(Record record, const v1::ActRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::ActResponse> Answer(const Record& record, const Layout& before);
@@ -130,7 +134,7 @@ class Documents {
   const std::unique_ptr<DocumentStore> store_;
   Stages stages_;
   const DocumentParts parts_;
-  const LayoutActs acts_{stages_, parts_.sentences_of};
+  const LayoutActs acts_;
   DocumentEvents events_;
 
   std::mutex mutex_;  // of all below

@@ -2,11 +2,14 @@
 #include "session/edit_lists.h"
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "absl/strings/ascii.h"
 #include "fmt/format.h"
+#include "session/placing.h"
 
 namespace flair::session {
 namespace {
@@ -72,8 +75,26 @@ EditList Completed(const v1::SolvedLayout& layout, const EditList& edits) {
     }
     if (object.zone_id().empty()) object.set_zone_id(NearestZone(layout, at));
     object.set_requested(true);
+    if (at != nullptr) FaceIntoRoom(layout.graph().room(), object, true, *at);
   }
   return completed;
+}
+
+std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after) {
+  std::map<std::string, std::string> places;
+  for (const v1::Placement& placement : before.placements()) {
+    places[placement.object_id()] = placement.SerializeAsString();
+  }
+  std::set<std::string> moved;
+  for (const v1::Placement& placement : after.placements()) {
+    const auto known = places.find(placement.object_id());
+    if (known == places.end() || known->second != placement.SerializeAsString()) moved.insert(placement.object_id());
+  }
+  std::vector<std::string> ids;
+  for (const v1::Object& object : after.graph().object_list().objects()) {
+    if (moved.contains(object.id())) ids.push_back(object.id());
+  }
+  return ids;
 }
 
 EditList WhatStandsBadly(const v1::SolvedLayout& layout) {

@@ -2,6 +2,9 @@
 // Lists of edits, before an optimizer is asked.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "flair/v1/layout_edit.pb.h"
 #include "flair/v1/solved_layout.pb.h"
 
@@ -16,6 +19,9 @@ EditList Completed(const v1::SolvedLayout& layout, const EditList& edits);
 // Edits that change nothing, but let a solve try again for what does not hold: the wishes, and pieces that are in the
 // way.
 EditList WhatStandsBadly(const v1::SolvedLayout& layout);
+
+// In the graph's order: objects that are new in `after` or stand elsewhere than in `before`.
+std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after);
 
 // Whether nothing is left.
 bool RemovesAll(const v1::SolvedLayout& layout, const EditList& edits);

@@ -11,36 +11,15 @@
 #include "room/validation/validate.h"
 #include "session/act_words.h"
 #include "session/edit_lists.h"
+#include "session/holding.h"
 #include "session/placing.h"
+#include "session/remarks.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
 namespace {
 
 using runtime::CallContext;
-
-v1::Producer ByHand() {
-  v1::Producer producer;
-  producer.set_program("flair");
-  producer.set_method("placed by hand");
-  producer.set_version("1");
-  return producer;
-}
-
-// A solve holds what was moved; afterwards only what somebody has locked stays locked.
-void KeepOnlyWantedPins(const v1::LayoutGraph& before, const EditList& edits, v1::LayoutGraph& graph) {
-  std::set<std::string> wanted;
-  for (const v1::Placement& pin : before.pinned_placements()) wanted.insert(pin.object_id());
-  for (const v1::LayoutEdit& edit : edits) {
-    if (!edit.pin_object_id().empty()) wanted.insert(edit.pin_object_id());
-    if (!edit.unpin_object_id().empty()) wanted.erase(edit.unpin_object_id());
-  }
-  const google::protobuf::RepeatedPtrField<v1::Placement> pins = graph.pinned_placements();
-  graph.clear_pinned_placements();
-  for (const v1::Placement& pin : pins) {
-    if (wanted.contains(pin.object_id())) *graph.add_pinned_placements() = pin;
-  }
-}
 
 // Whether an edge speaks of an object.
 bool Names(const v1::ConstraintEdge& edge, const std::set<std::string>& ids) {
@@ -53,127 +32,7 @@ bool Names(const v1::ConstraintEdge& edge, const std::set<std::string>& ids) {
   return false;
 }
 
-v1::Point2 MiddleOf(const v1::Polygon& floor) {
-  v1::Point2 middle;
-  if (floor.vertices().empty()) return middle;
-  double x0 = INFINITY, x1 = -INFINITY, y0 = INFINITY, y1 = -INFINITY;
-  for (const v1::Point2& vertex : floor.vertices()) {
-    x0 = std::min(x0, vertex.x_m()), x1 = std::max(x1, vertex.x_m());
-    y0 = std::min(y0, vertex.y_m()), y1 = std::max(y1, vertex.y_m());
-  }
-  middle.set_x_m((x0 + x1) / 2);
-  middle.set_y_m((y0 + y1) / 2);
-  return middle;
-}
-
 }  // namespace
-
-std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after) {
-  std::map<std::string, std::string> places;
-  for (const v1::Placement& placement : before.placements()) {
-    places[placement.object_id()] = placement.SerializeAsString();
-  }
-  std::set<std::string> moved;
-  for (const v1::Placement& placement : after.placements()) {
-    const auto known = places.find(placement.object_id());
-    if (known == places.end() || known->second != placement.SerializeAsString()) moved.insert(placement.object_id());
-  }
-  std::vector<std::string> ids;
-  for (const v1::Object& object : after.graph().object_list().objects()) {
-    if (moved.contains(object.id())) ids.push_back(object.id());
-  }
-  return ids;
-}
-
-absl::StatusOr<v1::SolvedLayout> LayoutActs::Evaluated(v1::SolvedLayout layout, CallContext& call) const {
-  v1::EvaluateResponse response;
-  // An empty room is no problem for an optimizer.
-  if (!layout.graph().object_list().objects().empty()) {
-    v1::EvaluateRequest request;
-    request.set_request_id("flair-session");
-    *request.mutable_layout_graph() = layout.graph();
-    *request.mutable_placements() = layout.placements();
-    ASSIGN_OR_RETURN(response, stages_.Evaluate(request, call));
-  }
-  layout.mutable_edge_outcomes()->Swap(response.mutable_edge_outcomes());
-  layout.mutable_term_outcomes()->Swap(response.mutable_term_outcomes());
-  layout.mutable_metrics()->Swap(response.mutable_metrics());
-  layout.clear_stage_outcomes();
-  layout.clear_runner_ups();
-  // What has no place still has none, for the same reason.
-  std::set<std::string> placed;
-  for (const v1::Placement& placement : layout.placements()) placed.insert(placement.object_id());
-  google::protobuf::RepeatedPtrField<v1::Diagnostic> kept;
-  for (const v1::Diagnostic& diagnostic : layout.diagnostics()) {
-    if (!diagnostic.subject_id().empty() && !placed.contains(diagnostic.subject_id())) *kept.Add() = diagnostic;
-  }
-  layout.mutable_diagnostics()->Swap(&kept);
-  double total = 0;
-  for (const v1::EdgeOutcome& edge : layout.edge_outcomes()) total += edge.weighted_cost();
-  for (const v1::TermOutcome& term : layout.term_outcomes()) total += term.cost() * term.factor();
-  layout.set_total_cost(total);
-  return layout;
-}
-
-absl::StatusOr<Acted> LayoutActs::Solved(const Standing& standing, const EditList& edits, CallContext& call) const {
-  Acted acted;
-  if (standing.settled == nullptr) {
-    v1::SolveRequest request;
-    request.set_request_id("flair-session");
-    *request.mutable_layout_graph() = standing.shown.graph();
-    if (!edits.empty()) {
-      ASSIGN_OR_RETURN(optimizer::EditedProblem problem, optimizer::ApplyEdits(standing.shown, edits));
-      request.mutable_layout_graph()->Swap(&problem.graph);
-    }
-    ASSIGN_OR_RETURN(v1::SolveResponse response, stages_.Solve(request, call));
-    acted.layout.Swap(response.mutable_solved_layout());
-    acted.producer = response.producer();
-  } else {
-    v1::ResolveRequest request;
-    request.set_request_id("flair-session");
-    *request.mutable_solved_layout() = *standing.settled;
-    request.mutable_solved_layout()->clear_runner_ups();
-    LendSentences(standing.shown.graph(), *request.mutable_solved_layout()->mutable_graph());
-    *request.mutable_edits() = standing.pending;
-    request.mutable_edits()->MergeFrom(edits);
-    ASSIGN_OR_RETURN(v1::ResolveResponse response, stages_.Resolve(request, call));
-    acted.layout.Swap(response.mutable_solved_layout());
-    acted.producer = response.producer();
-    KeepOnlyWantedPins(standing.settled->graph(), request.edits(), *acted.layout.mutable_graph());
-    ReturnSubjects(standing.shown.graph(), *acted.layout.mutable_graph());
-  }
-  acted.layout.clear_runner_ups();
-  acted.moved_ids = MovedIds(standing.shown, acted.layout);
-  acted.diagnostics.assign(acted.layout.diagnostics().begin(), acted.layout.diagnostics().end());
-  return acted;
-}
-
-absl::StatusOr<Acted> LayoutActs::Unsolved(const Standing& standing, const EditList& edits, CallContext& call) const {
-  ASSIGN_OR_RETURN(optimizer::EditedProblem problem, optimizer::ApplyEdits(standing.shown, edits));
-  Acted acted;
-  acted.layout = standing.shown;
-  KeepOnlyWantedPins(standing.shown.graph(), edits, problem.graph);
-  acted.layout.mutable_graph()->Swap(&problem.graph);
-  acted.layout.mutable_placements()->Assign(problem.placements.begin(), problem.placements.end());
-  const Placements placed = PlacementsOf(acted.layout);
-  const v1::Point2 middle = MiddleOf(acted.layout.graph().room().floor());
-  acted.pending = standing.pending;
-  acted.pending.MergeFrom(edits);
-  for (const v1::Object& object : acted.layout.graph().object_list().objects()) {
-    if (placed.contains(object.id()) || !problem.touched.contains(object.id())) continue;
-    v1::Placement& at = *acted.layout.add_placements();
-    at.set_object_id(object.id());
-    at.set_x_m(middle.x_m());
-    at.set_y_m(middle.y_m());
-    at.set_z_m(object.elevation_m());
-  }
-  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
-  acted.producer = ByHand();
-  acted.moved_ids = MovedIds(standing.shown, acted.layout);
-  acted.diagnostics = std::move(problem.diagnostics);
-  acted.settled = false;
-  return acted;
-}
 
 absl::StatusOr<Acted> LayoutActs::Move(const Standing& standing, const v1::MoveObjects& move, CallContext& call) const {
   Acted acted;
@@ -196,6 +55,7 @@ absl::StatusOr<Acted> LayoutActs::Move(const Standing& standing, const v1::MoveO
   acted.producer = ByHand();
   acted.moved_ids = MovedIds(standing.shown, acted.layout);
   acted.settled = false;
+  acted.by_hand = ByHandAfter(standing.by_hand, acted.pending);
   acted.label = MoveLabel(standing.shown, move);
   return acted;
 }
@@ -232,11 +92,12 @@ absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& 
   EditList edits;
   if (standing.settled != nullptr && standing.pending.empty()) {
     edits = WhatStandsBadly(standing.shown);
-    if (edits.empty()) return absl::FailedPreconditionError("settle: everything holds, there is nothing to settle");
+    if (edits.empty()) return absl::FailedPreconditionError("everything holds: there is nothing to settle");
   }
   ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
   RETURN_IF_ERROR(ForgetGone(standing.shown, acted.layout, call));
   acted.label = "settle";
+  if (ChangesNothing(standing.shown, acted)) acted.diagnostics.push_back(WhyNothingMoves(acted));
   return acted;
 }
 
@@ -256,6 +117,8 @@ absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::Re
       object.set_sat_at(replace.by().sat_at());
       object.set_seat(replace.by().seat());
       object.set_requested(true);
+      const auto at = std::ranges::find(*layout->mutable_placements(), object.id(), &v1::Placement::object_id);
+      if (at != layout->mutable_placements()->end()) FaceIntoRoom(layout->graph().room(), object, true, *at);
     }
   }
   if (before.empty()) {
@@ -268,7 +131,8 @@ absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::Re
   resize.set_depth_m(replace.by().depth_m());
   resize.set_height_m(replace.by().height_m());
   ASSIGN_OR_RETURN(Acted acted,
-                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending}, edits, call));
+                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending, standing.by_hand},
+                          edits, call));
   acted.label = fmt::format("replace the {} by {}", before, WithArticle(replace.by().name()));
   return acted;
 }
@@ -304,6 +168,7 @@ absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1:
   ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
   acted.producer = ByHand();
   // Settling goes on from here: what stands well stays.
+  acted.by_hand = standing.by_hand;
   acted.settled = !acted.layout.placements().empty();
   acted.anew = !acted.settled;
   if (acted.settled) acted.pending = WhatStandsBadly(acted.layout);
@@ -311,8 +176,8 @@ absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1:
   return acted;
 }
 
-absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActRequest& request,
-                                      CallContext& call) const {
+absl::StatusOr<Acted> LayoutActs::Dispatch(const Standing& standing, const v1::ActRequest& request,
+                                           CallContext& call) const {
   switch (request.act_case()) {
     case v1::ActRequest::kMove:
       return Move(standing, request.move(), call);
@@ -331,6 +196,13 @@ absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActReq
     default:
       return absl::InvalidArgumentError("act: is not set; say what to do");
   }
+}
+
+absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActRequest& request,
+                                      CallContext& call) const {
+  ASSIGN_OR_RETURN(Acted acted, Dispatch(standing, request, call));
+  ForgetWhatIsAnswered(standing.shown.graph(), acted.layout);
+  return acted;
 }
 
 absl::StatusOr<v1::JudgeResponse> LayoutActs::Judge(const v1::SolvedLayout& layout, const v1::JudgeRequest& request,

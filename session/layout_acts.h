@@ -12,11 +12,14 @@
 #include "flair/v1/solved_layout.pb.h"
 #include "flair/v1/studio_service.pb.h"
 #include "session/edit_lists.h"
+#include "session/piece_wishes.h"
 #include "session/stages.h"
 #include "session/trying.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
 namespace flair::session {
+
+using ObjectIds = std::vector<std::string>;
 
 // Where a document stands before an act.
 struct Standing {
@@ -27,6 +30,8 @@ struct Standing {
   const v1::SolvedLayout* settled;
   // What has changed since then.
   const EditList& pending;
+  // Objects that somebody has placed by hand, the latest last: a solve leaves them there.
+  const ObjectIds& by_hand;
 };
 
 // What an act has made of it.
@@ -45,10 +50,9 @@ struct Acted {
   bool anew = false;
   // What that solve is to look at: what has changed since, and what the act made stand badly.
   EditList pending;
+  // As Standing.by_hand.
+  ObjectIds by_hand;
 };
-
-// Objects that are new in `after` or stand elsewhere than in `before`, in the graph's order.
-std::vector<std::string> MovedIds(const v1::SolvedLayout& before, const v1::SolvedLayout& after);
 
 // What a designer says of objects in a room.
 using SentencesOf =
@@ -56,12 +60,15 @@ using SentencesOf =
 
 // Pieces that were used with what the edits take away and have no other use: one remark each, its subject the piece.
 std::vector<v1::Diagnostic> LeftBehind(const v1::SolvedLayout& before, const EditList& edits);
+// Whether nothing stands elsewhere and the problem is the same.
+bool ChangesNothing(const v1::SolvedLayout& before, const Acted& acted);
 
 // Acts on a layout by the stages. Every error leaves things as they are: INVALID_ARGUMENT names the field of the act.
 // `stages` must outlive it. Thread-safe.
 class LayoutActs {
  public:
-  LayoutActs(Stages& stages, SentencesOf sentences_of) : stages_(stages), sentences_of_(std::move(sentences_of)) {}
+  LayoutActs(Stages& stages, SentencesOf sentences_of, Catalogue catalogue = {})
+      : stages_(stages), sentences_of_(std::move(sentences_of)), catalogue_(std::move(catalogue)) {}
 
   // Every act but those about the document itself: undo, redo, title, variants, furnishing.
   absl::StatusOr<Acted> Act(const Standing& standing, const v1::ActRequest& request, runtime::CallContext& call) const;
@@ -84,12 +91,18 @@ class LayoutActs {
 
  private:
   absl::StatusOr<Acted> Move(const Standing& standing, const v1::MoveObjects& move, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> Dispatch(const Standing& standing, const v1::ActRequest& request,
+                                 runtime::CallContext& call) const;
   absl::StatusOr<Acted> Edit(const Standing& standing, const v1::EditLayout& edit, runtime::CallContext& call) const;
   // With pieces that are new: what a designer says of them comes along.
   absl::StatusOr<Acted> Add(const Standing& standing, const v1::EditLayout& edit, runtime::CallContext& call) const;
   // Of what is new in `with`, which `before` has become, as constraints: those that name it.
   absl::StatusOr<v1::LayoutGraph> SaidOf(const IdSet& added, const v1::SolvedLayout& before,
                                          const v1::SolvedLayout& with, runtime::CallContext& call) const;
+  // Adds to the edits what is said of new pieces by a designer, and its sentences to `shown` and the aim; returns them.
+  absl::StatusOr<v1::LayoutGraph> LetDesignerSpeak(const IdSet& added, const v1::SolvedLayout& with,
+                                                   v1::SolvedLayout& shown, EditList& edits, Aim& aim,
+                                                   runtime::CallContext& call) const;
   // Nothing but the room.
   absl::StatusOr<Acted> Clear(const Standing& standing, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Settle(const Standing& standing, runtime::CallContext& call) const;
@@ -101,6 +114,7 @@ class LayoutActs {
   absl::StatusOr<Acted> ChangeRoom(const Standing& standing, const v1::Room& room, runtime::CallContext& call) const;
 
   // Solves what is pending and `edits`, from `settled` where there is one, else anew.
+  // What was placed by hand stays, unless that leaves faults: then it is freed, the earliest first, and told.
   absl::StatusOr<Acted> Solved(const Standing& standing, const EditList& edits, runtime::CallContext& call) const;
   // As Solved; where the aim is not reached that way, what is in reach of it may move too, and be placed anew. The best
   // of all that.
@@ -114,11 +128,14 @@ class LayoutActs {
   absl::Status PutBack(const v1::SolvedLayout& before, const Aim& aim, Acted& acted, runtime::CallContext& call) const;
   // What stands against it that the aim is reached: what would give way if nothing counted more.
   absl::StatusOr<std::string> WhyNot(const v1::SolvedLayout& layout, const Aim& aim, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> SolvedHolding(const Standing& standing, const EditList& edits, const ObjectIds& held,
+                                      runtime::CallContext& call) const;
   // Applies the edits without solving.
   absl::StatusOr<Acted> Unsolved(const Standing& standing, const EditList& edits, runtime::CallContext& call) const;
 
   Stages& stages_;
   const SentencesOf sentences_of_;
+  const Catalogue catalogue_;
 };
 
 }  // namespace flair::session

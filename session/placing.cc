@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -69,6 +70,35 @@ std::map<std::string, std::string> DrawnUp(const v1::SolvedLayout& layout, const
   return leaders;
 }
 
+// Wall pieces by the piece above which a sentence hangs them; locked ones follow nobody.
+std::map<std::string, std::string> HungAbove(const v1::SolvedLayout& layout) {
+  std::set<std::string> walls, locked;
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    if (object.kind() == v1::OBJECT_KIND_WALL) walls.insert(object.id());
+  }
+  for (const v1::Placement& pin : layout.graph().pinned_placements()) locked.insert(pin.object_id());
+  std::map<std::string, std::string> leaders;
+  for (const v1::ConstraintEdge& edge : layout.graph().edges()) {
+    if (edge.type() != "on_wall_above") continue;
+    std::string piece, target;
+    for (const v1::Argument& argument : edge.arguments()) {
+      if (argument.name() == "object") piece = argument.value().text();
+      if (argument.name() == "target") target = argument.value().text();
+    }
+    if (walls.contains(piece) && !locked.contains(piece) && !target.empty()) leaders.emplace(piece, target);
+  }
+  return leaders;
+}
+
+// Whether what hangs there stays on its wall when it makes the same move as its leader.
+bool AlongItsWall(const v1::Placement& hung, const v1::Placement& before, const v1::Placement& after) {
+  constexpr double kOff_m = 0.02, kTurn_rad = 0.02;
+  const double turn = std::remainder(after.theta_rad() - before.theta_rad(), 2 * std::numbers::pi);
+  const double off = (after.y_m() - before.y_m()) * std::cos(hung.theta_rad()) -
+                     (after.x_m() - before.x_m()) * std::sin(hung.theta_rad());
+  return std::abs(turn) < kTurn_rad && std::abs(off) < kOff_m;
+}
+
 // The place of what keeps its own relative to a leader.
 v1::Placement Carried(const v1::Placement& before, const v1::Placement& after, v1::Placement follower) {
   const double turn = after.theta_rad() - before.theta_rad();
@@ -122,17 +152,22 @@ absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtr
   // Riders of riders follow too: hosts are listed before what stands on them only by chance.
   std::map<std::string, v1::Placement> moved;
   for (const v1::Placement& to : placements) moved[to.object_id()] = to;
-  const std::map<std::string, std::string> drawn_up = DrawnUp(layout, now);
+  const std::map<std::string, std::string> drawn_up = DrawnUp(layout, now), hung = HungAbove(layout);
+  const auto leader_of = [&](const v1::Object& object) -> std::string {
+    if (const auto seat = drawn_up.find(object.id()); seat != drawn_up.end()) return seat->second;
+    if (const auto above = hung.find(object.id()); above != hung.end()) return above->second;
+    // A rug belongs to a bed without standing on it.
+    return object.kind() == v1::OBJECT_KIND_SURFACE ? object.host_id() : "";
+  };
   for (bool more = true; more;) {
     more = false;
     for (const v1::Object& object : layout.graph().object_list().objects()) {
-      const auto seat = drawn_up.find(object.id());
-      // A rug or a painting belongs to a bed without standing on it.
-      if (seat == drawn_up.end() && object.kind() != v1::OBJECT_KIND_SURFACE) continue;
-      const auto leader = moved.find(seat == drawn_up.end() ? object.host_id() : seat->second);
+      const auto leader = moved.find(leader_of(object));
       if (leader == moved.end() || moved.contains(object.id()) || !now.contains(object.id())) continue;
       const auto from = now.find(leader->first);
       if (from == now.end()) continue;
+      const bool hangs = object.kind() == v1::OBJECT_KIND_WALL;
+      if (hangs && !AlongItsWall(*now[object.id()], *from->second, leader->second)) continue;
       moved[object.id()] = Carried(*from->second, leader->second, *now[object.id()]);
       more = true;
     }
@@ -142,6 +177,60 @@ absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtr
     *(at == now.end() ? layout.add_placements() : at->second) = placement;
   }
   return absl::OkStatus();
+}
+
+namespace {
+
+// A wall as it is seen from a point within the room.
+struct NearWall {
+  double away_m = INFINITY;
+  double foot_x_m = 0, foot_y_m = 0;
+  // Into the room.
+  double x = 0, y = 0;
+};
+
+NearWall NearestWall(const v1::Room& room, double x_m, double y_m) {
+  const auto& corners = room.floor().vertices();
+  double area = 0;
+  for (int i = 0; i < corners.size(); ++i) {
+    const v1::Point2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    area += a.x_m() * b.y_m() - b.x_m() * a.y_m();
+  }
+  NearWall nearest;
+  for (int i = 0; i < corners.size(); ++i) {
+    const v1::Point2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double dx = b.x_m() - a.x_m(), dy = b.y_m() - a.y_m(), length = std::hypot(dx, dy);
+    if (length < 1e-6) continue;
+    const double along = ((x_m - a.x_m()) * dx + (y_m - a.y_m()) * dy) / length;
+    const double at = std::clamp(along, 0.0, length) / length;
+    NearWall wall{.foot_x_m = a.x_m() + at * dx, .foot_y_m = a.y_m() + at * dy};
+    wall.away_m = std::hypot(x_m - wall.foot_x_m, y_m - wall.foot_y_m);
+    const double side = area > 0 ? 1 : -1;
+    wall.x = -side * dy / length;
+    wall.y = side * dx / length;
+    if (wall.away_m < nearest.away_m) nearest = wall;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+void FaceIntoRoom(const v1::Room& room, const v1::Object& object, bool put_there, v1::Placement& at) {
+  // Within this of a wall something is meant to be at it.
+  constexpr double kAtWall_m = 0.6, kTouching_m = 0.1, kFlush_m = 1e-3, kFacesWall = -0.7;
+  const NearWall wall = NearestWall(room, at.x_m(), at.y_m());
+  const double into_room = std::atan2(-wall.x, wall.y);
+  const double faces = -std::sin(at.theta_rad()) * wall.x + std::cos(at.theta_rad()) * wall.y;
+  if (object.kind() == v1::OBJECT_KIND_WALL) {
+    const bool hangs = faces > 1 - 1e-6 && std::abs(wall.away_m - object.depth_m() / 2) < kFlush_m;
+    if (put_there && (hangs || wall.away_m > kAtWall_m)) return;
+    at.set_theta_rad(into_room);
+    at.set_x_m(wall.foot_x_m + wall.x * object.depth_m() / 2);
+    at.set_y_m(wall.foot_y_m + wall.y * object.depth_m() / 2);
+    return;
+  }
+  if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over() || !put_there) return;
+  if (faces < kFacesWall && wall.away_m < object.depth_m() / 2 + kTouching_m) at.set_theta_rad(into_room);
 }
 
 }  // namespace flair::session

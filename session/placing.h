@@ -15,8 +15,13 @@ using Placements = std::map<std::string, v1::Placement*>;
 Placements PlacementsOf(v1::SolvedLayout& layout);
 
 // Puts objects where `placements` says. What stands on them goes along, and what is drawn up to them, as chairs to a
-// table, unless it is named itself or locked. INVALID_ARGUMENT names the field, `path` first.
+// table, and what hangs above them where they move along its wall, unless it is named itself or locked.
+// INVALID_ARGUMENT names the field, `path` first.
 absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
                    std::string_view path);
+
+// Turns what is new at a wall so that its back is there, and hangs wall pieces on theirs. `put_there`: somebody has
+// chosen the place, and what is not at a wall there is left alone.
+void FaceIntoRoom(const v1::Room& room, const v1::Object& object, bool put_there, v1::Placement& at);
 
 }  // namespace flair::session

@@ -92,7 +92,7 @@ absl::StatusOr<Acted> LayoutActs::Taken(const v1::SolvedLayout& shown, v1::Solve
   }
   ASSIGN_OR_RETURN(taken.layout, Evaluated(std::move(variant), call));
   if (!edits.empty()) {
-    ASSIGN_OR_RETURN(Acted around, Solved({taken.layout, &taken.layout, {}}, edits, call));
+    ASSIGN_OR_RETURN(Acted around, Solved({taken.layout, &taken.layout, {}, {}}, edits, call));
     around.diagnostics.insert(around.diagnostics.begin(), taken.diagnostics.begin(), taken.diagnostics.end());
     taken = std::move(around);
   }

@@ -95,7 +95,7 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
   for (const v1::LayoutEdit& edit : standing.pending) {
     if (!edit.has_move_object() || !aim.object_ids.contains(edit.move_object().object_id())) *pending.Add() = edit;
   }
-  const Standing now{standing.shown, standing.settled, pending};
+  const Standing now{standing.shown, standing.settled, pending, standing.by_hand};
   ASSIGN_OR_RETURN(Acted best, Solved(now, edits, call));
   const auto holds = [&] {
     return WhyUnmet(best.layout, aim.sentence_ids).empty() && !IsWorseOff(best.layout, standing.shown);
@@ -110,11 +110,17 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
     free = InReach(first, free);
     for (IdSet* const ids : {&about, &free}) {
       Erase(first.graph().pinned_placements(), *ids);
+      for (const std::string& id : best.by_hand) ids->erase(id);
       for (const EditList* moves : {&std::as_const(pending), &edits}) {
         for (const v1::LayoutEdit& edit : *moves) ids->erase(edit.move_object().object_id());
       }
     }
-    keep(SolvedAround(first, about, call));
+    const auto around = [&](const IdSet& ids) {
+      absl::StatusOr<Acted> solved = SolvedAround(first, ids, call);
+      if (solved.ok()) solved->by_hand = best.by_hand;
+      return solved;
+    };
+    keep(around(about));
     const bool enough = !aim.others_may_move && !HasMoreFaults(best.layout, standing.shown) &&
                         WhyUnmet(best.layout, OfRoom(aim.sentence_ids, best.layout.graph())).empty();
     if (!holds() && !enough && now.settled != nullptr) {
@@ -122,10 +128,10 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
       keep(Solved(now, freeing, call));
       if (!holds()) {
         const v1::SolvedLayout without = Without(*now.settled, about);
-        keep(Solved({now.shown, &without, pending}, edits, call));
+        keep(Solved({now.shown, &without, pending, standing.by_hand}, edits, call));
       }
     }
-    if (!holds() && !enough) keep(SolvedAround(first, free, call));
+    if (!holds() && !enough) keep(around(free));
     RETURN_IF_ERROR(PutBack(standing.shown, aim, best, call));
     best.moved_ids = MovedIds(standing.shown, best.layout);
   }

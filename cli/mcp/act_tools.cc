@@ -75,7 +75,9 @@ DocumentTools::Result DocumentTools::Act(const Json& arguments, ToolCall& call, 
     RETURN_IF_ERROR(after.status());
     const std::string done = request.has_undo()   ? "undo: " + before.document().undo_label()
                              : request.has_redo() ? "redo: " + before.document().redo_label()
-                                                  : after->document().undo_label();
+                             : after->document().layout_id() == before.document().layout_id()
+                                 ? "nothing"
+                                 : after->document().undo_label();
     ToolResult result;
     result.structured = ActedJson(before, *after, done);
     return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "absl/status/statusor.h"
@@ -14,5 +16,9 @@ namespace flair::cli {
 // armchair"); of what is no class there, and of no size that fits into a room, there is no offer. Errors as
 // language::LoadHandbook and renderer::AssetLibrary::Open.
 absl::StatusOr<std::vector<v1::FurnitureOffer>> FurnitureOffers(const StageChoice& stages);
+
+// Other words for offers than their names, each with the index of the first offer that it means.
+absl::StatusOr<std::map<std::string, int>> FurnitureWords(const StageChoice& stages,
+                                                          const std::vector<v1::FurnitureOffer>& offers);
 
 }  // namespace flair::cli

@@ -39,6 +39,7 @@ absl::StatusOr<session::DocumentParts> Parts(const StageChoice& stages) {
   session::DocumentParts parts;
   ASSIGN_OR_RETURN(parts.furniture, FurnitureOffers(stages));
   parts.sentences_of = session::SentencesOfHandbook(stages.handbooks);
+  ASSIGN_OR_RETURN(parts.furniture_words, FurnitureWords(stages, parts.furniture));
   parts.read_file = ReadUpload;
   parts.not_as_asked = NotAsAsked;
   parts.note_json = [](const v1::SolvedLayout& layout,

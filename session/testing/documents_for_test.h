@@ -44,13 +44,29 @@ class DocumentsTest : public ::testing::Test {
     parts.note_text = parts.note_json;
     parts.not_as_asked = cli::NotAsAsked;
     parts.sentences_of = SentencesOfHandbook({});
-    v1::FurnitureOffer& lamp = parts.furniture.emplace_back();
-    lamp.mutable_object()->set_name("floor lamp");
-    lamp.mutable_object()->set_kind(v1::OBJECT_KIND_FLOOR);
-    lamp.mutable_object()->set_role(v1::OBJECT_ROLE_SECONDARY);
-    lamp.mutable_object()->set_width_m(0.4);
-    lamp.mutable_object()->set_depth_m(0.4);
-    lamp.mutable_object()->set_height_m(1.6);
+    const auto offer = [&](const char* name, double width_m, double depth_m, double height_m) -> v1::Object& {
+      v1::Object& object = *parts.furniture.emplace_back().mutable_object();
+      object.set_name(name);
+      object.set_kind(v1::OBJECT_KIND_FLOOR);
+      object.set_role(v1::OBJECT_ROLE_SECONDARY);
+      object.set_width_m(width_m);
+      object.set_depth_m(depth_m);
+      object.set_height_m(height_m);
+      return object;
+    };
+    offer("floor lamp", 0.4, 0.4, 1.6);
+    offer("desk", 1.2, 0.6, 0.75).set_sat_at(true);
+    offer("desk chair", 0.5, 0.5, 0.9).set_seat(true);
+    offer("bookshelf", 0.8, 0.3, 1.9);
+    offer("floor plant", 0.4, 0.4, 1.2);
+    v1::Object& vase = offer("vase", 0.15, 0.15, 0.3);
+    vase.set_kind(v1::OBJECT_KIND_SURFACE);
+    vase.set_role(v1::OBJECT_ROLE_TERTIARY);
+    v1::Object& picture = offer("picture", 0.6, 0.04, 0.5);
+    picture.set_kind(v1::OBJECT_KIND_WALL);
+    picture.set_role(v1::OBJECT_ROLE_TERTIARY);
+    picture.set_elevation_m(1.4);
+    parts.furniture_words = {{"bookcase", 3}, {"chair", 2}};
     return *Documents::Open(folder_.path() + "/" + folder,
                             {.orchestrator = services_->orchestrator(),
                              .translator = stages.translator.channel,
