@@ -46,7 +46,7 @@ await withStudio(async ({ page, context, restart }) => {
   await page.keyboard.press('s');
   const settled = await until(page, async () => {
     const now = await shown(page);
-    return now.document.undoLabel === 'settle' && now;
+    return !now.document.unsettled && now;
   }, 'the settled room');
   assert.deepEqual(placeOf(settled.layout, wardrobe), placeOf(moved.layout, wardrobe));
   assert.ok((settled.layout.metrics.deepestOverlapM ?? 0) < 1e-6);
