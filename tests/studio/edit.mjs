@@ -91,8 +91,7 @@ await withStudio(async ({ page, context, restart }) => {
   await page.locator('[data-piece]').first().waitFor();
 
   // Undo to the start gives the same bytes.
-  for (let i = 0; i < 4; ++i) {
-    const label = (await shown(page)).document.undoLabel;
+  for (let label; (label = (await shown(page)).document.undoLabel);) {
     await page.getByLabel(/^Undo/).first().click();
     await until(page, async () => (await shown(page)).document.undoLabel !== label, `undo of ${label}`);
   }
