@@ -2,11 +2,35 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "session/placing.h"
 #include "session/testing/documents_for_test.h"
 
 namespace flair::session {
 namespace {
+
+TEST(PlaceTest, HeadingsOfWhatIsTurnedAndOfWhatStandsOnItAreWithinOneTurn) {
+  v1::SolvedLayout layout;
+  auto& objects = *layout.mutable_graph()->mutable_object_list();
+  objects.add_objects()->set_id("desk");
+  v1::Object& lamp = *objects.add_objects();
+  lamp.set_id("lamp");
+  lamp.set_host_id("desk");
+  lamp.set_kind(v1::OBJECT_KIND_SURFACE);
+  for (const auto& [id, theta_rad] : {std::pair{"desk", 0.0}, {"lamp", 1.5 * M_PI}}) {
+    v1::Placement& at = *layout.add_placements();
+    at.set_object_id(id);
+    at.set_theta_rad(theta_rad);
+  }
+  google::protobuf::RepeatedPtrField<v1::Placement> turned;
+  *turned.Add() = layout.placements(0);
+  turned[0].set_theta_rad(3 * M_PI);
+  ASSERT_TRUE(Place(layout, turned, "move").ok());
+  EXPECT_NEAR(layout.placements(0).theta_rad(), M_PI, 1e-12);
+  EXPECT_NEAR(layout.placements(1).theta_rad(), M_PI / 2, 1e-12);
+}
 
 using ::testing::Contains;
 using ::testing::ElementsAre;

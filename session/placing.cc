@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fmt/format.h"
+#include "room/geometry/pose.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
@@ -174,7 +175,10 @@ absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtr
   }
   for (const auto& [id, placement] : moved) {
     const auto at = now.find(id);
-    *(at == now.end() ? layout.add_placements() : at->second) = placement;
+    v1::Placement& to = *(at == now.end() ? layout.add_placements() : at->second);
+    to = placement;
+    // As every other stage takes it.
+    to.set_theta_rad(WrapHeading(placement.theta_rad()));
   }
   return absl::OkStatus();
 }
@@ -219,7 +223,7 @@ void FaceIntoRoom(const v1::Room& room, const v1::Object& object, bool put_there
   // Within this of a wall something is meant to be at it.
   constexpr double kAtWall_m = 0.6, kTouching_m = 0.1, kFlush_m = 1e-3, kFacesWall = -0.7;
   const NearWall wall = NearestWall(room, at.x_m(), at.y_m());
-  const double into_room = std::atan2(-wall.x, wall.y);
+  const double into_room = WrapHeading(std::atan2(-wall.x, wall.y));
   const double faces = -std::sin(at.theta_rad()) * wall.x + std::cos(at.theta_rad()) * wall.y;
   if (object.kind() == v1::OBJECT_KIND_WALL) {
     const bool hangs = faces > 1 - 1e-6 && std::abs(wall.away_m - object.depth_m() / 2) < kFlush_m;
