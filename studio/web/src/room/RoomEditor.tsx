@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page on which one draws a room of one's own, or changes the room of a document.
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { GetDocumentResponse } from "../gen/flair/v1/studio_service_pb";
 import { isOnFloor, piecesOf } from "../state/pieces";
 import { goTo } from "../state/route";
@@ -50,8 +50,8 @@ function Editor({ shown }: { shown: GetDocumentResponse | undefined }) {
   );
   const isClosed = drawing.sketch.value.isClosed;
   const body = useRef<HTMLDivElement>(null);
-  // The button that was pressed is gone: keys are still meant for the panel.
-  useEffect(() => {
+  // The button that was pressed is gone: keys are still meant for the panel, the very next one too.
+  useLayoutEffect(() => {
     if (document.activeElement === document.body) body.current?.focus({ preventScroll: true });
   });
   return (
