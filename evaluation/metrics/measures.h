@@ -2,6 +2,7 @@
 // The measures of a layout beside those of layout_metrics.h and walk_grid.h: solids, uses, pathway cost.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "evaluation/metrics/layout_metrics.h"
@@ -77,8 +78,8 @@ struct WayPiece {
   double half_width_m = 0;
 };
 
-// Pieces of at most 0.05 m on the floor and outside of objects. Deterministic; exact to the samples' spacing of 0.018
-// m.
-std::vector<WayPiece> FindWays(const LayoutView& view);
+// Pieces of at most 0.05 m on the floor and outside of objects, without ways that are wider. Deterministic; exact to
+// the samples' spacing of 0.018 m.
+std::vector<WayPiece> FindWays(const LayoutView& view, double widest_m = std::numeric_limits<double>::infinity());
 
 }  // namespace flair::evaluation

@@ -26,7 +26,7 @@ constexpr double kPiece_m = 0.05;
 // sin^2 of half the angle at which the two places are seen: 104 and 143 degrees. A corner of 90 degrees, sampled, stays
 // below.
 constexpr double kCorner = 0.62, kOpposite = 0.9;
-constexpr double kSlit_m = 0.02, kGap_m = 0.04;
+constexpr double kSlit_m = 0.02, kGap_m = 0.04, kRounding_m = 1e-9;
 
 // Linear from 0 at `low` to 1 at `high`.
 double Ramp(double value, double low, double high) { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
@@ -94,7 +94,7 @@ void AddRidge(const Vec2<double>& from, const Vec2<double>& to, const Vec2<doubl
   const double width = Distance(a, b);
   const double slit = Ramp(width, kSlit_m, kGap_m);
   const double length = Distance(from, to);
-  if (slit == 0 || length == 0) return;
+  if (length == 0) return;
   const int steps = static_cast<int>(std::ceil(length / kPiece_m));
   for (int i = 0; i < steps; ++i) {
     const Vec2<double> p = from + ((i + 0.5) / steps) * (to - from);
@@ -130,10 +130,11 @@ std::vector<Delaunay::Edge> EdgesInOrder(const Delaunay& delaunay) {
 }  // namespace
 
 double PathwayCost_m3(const LayoutView& view) {
+  constexpr double kReach_m = kSteps * kStep_m;
   const std::vector<Solid> solids = SolidsOf(view);
   double cost = 0;
-  for (const WayPiece& piece : FindWays(view)) {
-    if (piece.half_width_m >= kSteps * kStep_m) continue;
+  for (const WayPiece& piece : FindWays(view, 2 * kReach_m)) {
+    if (piece.half_width_m >= kReach_m) continue;
     double section = 0;
     for (int k = -kSteps; k <= kSteps; ++k) {
       const Vec2<double> p = piece.middle + (k * kStep_m) * piece.across;
@@ -148,7 +149,7 @@ double PathwayCost_m3(const LayoutView& view) {
   return cost;
 }
 
-std::vector<WayPiece> FindWays(const LayoutView& view) {
+std::vector<WayPiece> FindWays(const LayoutView& view, double widest_m) {
   const std::vector<Solid> solids = SolidsOf(view);
   std::vector<Point> samples = SampleBoundary(view, solids);
   // In the order of a Hilbert curve, one after the other: inserting a range shuffles it by a generator that all of the
@@ -166,7 +167,9 @@ std::vector<WayPiece> FindWays(const LayoutView& view) {
     const Point& b = face->vertex(Delaunay::ccw(index))->point();
     // The ridge counts only where its two places are opposite: within a circle round their middle.
     const Vec2<double> pa{a.x(), a.y()}, pb{b.x(), b.y()}, middle = 0.5 * (pa + pb);
-    const Vec2<double> along = Perpendicular((1 / Distance(pa, pb)) * (pb - pa));
+    const double width = Distance(pa, pb), reach = width / 2;
+    if (width <= kSlit_m || width > widest_m + kRounding_m) continue;
+    const Vec2<double> along = Perpendicular((1 / width) * (pb - pa));
     // Where the ridge ends beside a triangle; on the hull (in a door, say) it goes on and on to the other side.
     const auto end = [&](const auto& cell, double beyond) {
       if (delaunay.is_infinite(cell)) return beyond;
@@ -175,7 +178,6 @@ std::vector<WayPiece> FindWays(const LayoutView& view) {
       // A triangle that is flat but for rounding has its centre nowhere.
       return std::isfinite(at) ? at : beyond;
     };
-    const double reach = Distance(pa, pb) / 2;
     const bool ahead = Dot(along, ThirdVertex(delaunay, face, index, neighbour) - middle) > 0;
     const double one = std::clamp(end(face, ahead ? -reach : reach), -reach, reach);
     const double other = std::clamp(end(neighbour, ahead ? -reach : reach), -reach, reach);

@@ -127,8 +127,17 @@ bool IsConvex(const Polygon& polygon) {
 }
 
 double DistanceToBoundary(const Polygon& polygon, const Vec2<double>& p) {
+  constexpr double kRounding_m = 1e-9;
   double best = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < polygon.vertices.size(); ++i) best = std::min(best, DistanceTo(EdgeAt(polygon, i), p));
+  for (size_t i = 0; i < polygon.vertices.size(); ++i) {
+    const Segment edge = EdgeAt(polygon, i);
+    const Vec2<double> along = edge.end - edge.start;
+    const double off = Cross(along, p - edge.start);
+    const double near_m = best + kRounding_m;
+    // The edge's whole line is farther away.
+    if (off * off > near_m * near_m * SquaredNorm(along)) continue;
+    best = std::min(best, DistanceTo(edge, p));
+  }
   return best;
 }
 
