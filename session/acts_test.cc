@@ -302,6 +302,19 @@ TEST_F(ActsTest, AlternativesAreOtherLayoutsOfWhatIsShown) {
   ASSERT_TRUE(artifact.ok()) << artifact.status();
   EXPECT_EQ(artifact->solved_layout().placements_size(), taken->layout().placements_size());
   EXPECT_TRUE(documents_->GetArtifact(made.document().layout_id(), call_).ok());
+
+  // What they are variants of is taken as they are.
+  v1::GetDocumentRequest with_variants;
+  with_variants.set_document_id(id);
+  with_variants.set_layout_id(found->document().variants_layout_id());
+  const auto all = documents_->Get(with_variants);
+  ASSERT_TRUE(all.ok()) << all.status();
+  EXPECT_EQ(all->layout().SerializeAsString(), found->layout().SerializeAsString());
+  const auto first = Act(taken->document(), [](v1::ActRequest& act) { act.mutable_take_variant()->set_index(-1); });
+  ASSERT_TRUE(first.ok()) << first.status();
+  EXPECT_EQ(PlacementOf(first->layout(), "double_bed").SerializeAsString(),
+            PlacementOf(made.layout(), "double_bed").SerializeAsString());
+  EXPECT_EQ(first->document().undo_label(), "take variant 1");
   EXPECT_TRUE(absl::IsNotFound(documents_->GetArtifact(std::string(64, '0'), call_).status()));
 }
 

@@ -42,7 +42,6 @@ absl::StatusOr<v1::ActResponse> Documents::Furnish(Record record, const v1::ActR
   v1::JobSpec spec;
   *spec.mutable_brief() = request.furnish();
   *spec.mutable_brief()->mutable_room() = before->solved_layout().graph().room();
-  *record.mutable_document()->mutable_brief() = request.furnish();
   RETURN_IF_ERROR(
       StartJob(record, spec, fmt::format("{}-{}", record.document().id(), record.document().revision()), call));
   RETURN_IF_ERROR(Commit(record, {}));
@@ -72,7 +71,7 @@ absl::StatusOr<v1::ShareDocumentResponse> Documents::Share(const v1::ShareDocume
   create.set_request_id("layout-" + shown->id());
   *create.mutable_layout() = *shown;
   v1::Brief& brief = *create.mutable_spec()->mutable_brief();
-  brief = record.document().brief();
+  brief = DocumentOf(record).brief();
   if (brief.text().empty()) brief.set_text(graph.room().title().empty() ? kOwnRoom : graph.room().title());
   const absl::StatusOr<v1::Job> made = stages_.CreateJob(create, call);
   if (made.ok() && !has_it(*made)) {
@@ -200,6 +199,10 @@ absl::Status Documents::AdoptOnce(const std::string& document_id, const v1::Job&
   LayoutState state;
   state.set_label(label);
   state.set_settled_layout_id("shown");
+  if (label == kFurnish) {
+    *state.mutable_brief() = job.spec().brief();
+    state.mutable_brief()->clear_room();
+  }
   SetVariants(record, artifact);
   return PushState(record, std::move(artifact), std::move(state));
 }

@@ -29,7 +29,13 @@ inline google::protobuf::Timestamp NowProto() {
 inline v1::Document DocumentOf(const store::v1::DocumentRecord& record) {
   v1::Document document = record.document();
   if (record.states().empty()) return document;
+  document.set_variants_layout_id(record.variants_layout_id());
   const int at = record.position();
+  for (int i = at; i >= 0; --i) {
+    if (!record.states(i).has_brief()) continue;
+    *document.mutable_brief() = record.states(i).brief();
+    break;
+  }
   document.set_layout_id(record.states(at).layout_id());
   const auto& pending = record.states(at).pending_edits();
   document.set_unsettled(std::ranges::any_of(pending, [](const v1::LayoutEdit& edit) {

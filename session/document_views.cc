@@ -6,12 +6,13 @@
 #include <set>
 
 #include "absl/strings/ascii.h"
-#include "absl/strings/match.h"
-#include "absl/strings/str_split.h"
+#include "absl/strings/numbers.h"
 #include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
+#include "session/document_parts.h"
 #include "session/documents.h"
+#include "session/furniture_search.h"
 #include "worker_runtime/status/status_macros.h"
 
 namespace flair::session {
@@ -21,7 +22,7 @@ using runtime::CallContext;
 
 constexpr size_t kMostOffers = 200;
 
-// What a document is called as a file: "a-bedroom-for-two".
+// What a document is called as a file: "a-bedroom-for-two". A long one ends with a whole word.
 std::string FileStemOf(const std::string& title) {
   constexpr size_t kMost = 60;
   std::string stem;
@@ -32,7 +33,9 @@ std::string FileStemOf(const std::string& title) {
     } else if (!stem.empty() && stem.back() != '-') {
       stem += '-';
     }
-    if (stem.size() >= kMost) break;
+  }
+  if (const size_t end = stem.rfind('-', kMost); stem.size() > kMost) {
+    stem.resize(end == std::string::npos ? kMost : end);
   }
   while (stem.ends_with('-')) stem.pop_back();
   return stem.empty() ? "room" : stem;
@@ -83,27 +86,6 @@ void SetOrigin(const v1::Artifact& layout, const v1::Document& document, Request
   if (!document.has_brief()) return;
   request.set_brief_text(document.brief().text());
   request.set_brief_seed(document.brief().seed());
-}
-
-// How well a piece answers a search: words at the beginning of its name first; 0 not at all.
-int RankOf(const v1::FurnitureOffer& offer, const std::vector<std::string>& words) {
-  const std::string name = absl::AsciiStrToLower(offer.object().name());
-  int rank = 1;
-  for (const std::string& word : words) {
-    if (name == word) {
-      rank += 8;
-    } else if (absl::StartsWith(name, word)) {
-      rank += 4;
-    } else if (absl::StrContains(name, " " + word)) {
-      rank += 3;
-    } else if (absl::StrContains(name, word) || absl::StrContains(offer.group(), word) ||
-               absl::StrContains(offer.object().description(), word)) {
-      rank += 1;
-    } else {
-      return 0;
-    }
-  }
-  return rank;
 }
 
 }  // namespace
@@ -165,7 +147,7 @@ absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDoc
   response.set_media_type(format->media_type);
   if (format->view != v1::PREVIEW_VIEW_UNSPECIFIED) {
     v1::RenderRequest render;
-    SetOrigin(*layout, record.document(), render);
+    SetOrigin(*layout, DocumentOf(record), render);
     *render.mutable_options() = request.options();
     render.mutable_options()->set_view(format->view);
     render.mutable_options()->set_format(format->preview);
@@ -173,7 +155,7 @@ absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDoc
     response.mutable_content()->swap(*drawn.mutable_preview()->mutable_image());
   } else if (format->format == v1::DOCUMENT_FORMAT_SCENE_GLB) {
     v1::ExportSceneRequest scene;
-    SetOrigin(*layout, record.document(), scene);
+    SetOrigin(*layout, DocumentOf(record), scene);
     scene.set_format(v1::SCENE_FORMAT_GLB);
     ASSIGN_OR_RETURN(v1::ExportSceneResponse made, stages_.ExportScene(scene, call));
     response.mutable_content()->swap(*made.mutable_scene());
@@ -193,13 +175,7 @@ absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDoc
 
 absl::StatusOr<v1::ListFurnitureResponse> Documents::ListFurniture(const v1::ListFurnitureRequest& request,
                                                                    CallContext& call) {
-  const std::vector<std::string> words =
-      absl::StrSplit(absl::AsciiStrToLower(request.query()), absl::ByAnyChar(" ,"), absl::SkipEmpty());
-  std::vector<std::pair<int, const v1::FurnitureOffer*>> found;
-  for (const v1::FurnitureOffer& offer : parts_.furniture) {
-    if (const int rank = RankOf(offer, words); rank > 0) found.emplace_back(-rank, &offer);
-  }
-  std::ranges::stable_sort(found, {}, &std::pair<int, const v1::FurnitureOffer*>::first);
+  std::vector<const v1::FurnitureOffer*> found = FoundFurniture(parts_, request.query());
   if (found.size() > kMostOffers) found.resize(kMostOffers);
   v1::DrawPlanPartsRequest draw;
   draw.set_request_id("flair-session");
@@ -219,7 +195,7 @@ absl::StatusOr<v1::ListFurnitureResponse> Documents::ListFurniture(const v1::Lis
   zone.set_id("room");
   zone.set_name("room");
   v1::ListFurnitureResponse response;
-  for (const auto& [rank, offer] : found) {
+  for (const v1::FurnitureOffer* const offer : found) {
     v1::Object& object = *graph.mutable_object_list()->add_objects();
     object = offer->object();
     object.set_id(fmt::format("offer_{}", response.offers_size()));

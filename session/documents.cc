@@ -32,7 +32,7 @@ Catalogue CatalogueOf(const DocumentParts& parts) {
     auto found = std::ranges::find(offers, name, called);
     if (const auto word = parts.furniture_words.find(name);
         found == offers.end() && word != parts.furniture_words.end())
-      found = offers.begin() + word->second;
+      found = offers.begin() + word->second.front();
     if (found == offers.end()) {
       found =
           std::ranges::find_if(offers, [&](const auto& offer) { return absl::EndsWith(called(offer), " " + name); });
@@ -182,8 +182,14 @@ absl::StatusOr<v1::ActResponse> Documents::Answer(const Record& record, const La
 
 absl::StatusOr<v1::GetDocumentResponse> Documents::Get(const v1::GetDocumentRequest& request) {
   ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
-  ASSIGN_OR_RETURN(v1::ActResponse answer, Answer(record, nullptr));
   v1::GetDocumentResponse response;
+  if (!request.layout_id().empty()) {
+    ASSIGN_OR_RETURN(const Layout layout, LayoutOf(record, request.layout_id()));
+    *response.mutable_document() = DocumentOf(record);
+    *response.mutable_layout() = layout->solved_layout();
+    return response;
+  }
+  ASSIGN_OR_RETURN(v1::ActResponse answer, Answer(record, nullptr));
   response.mutable_document()->Swap(answer.mutable_document());
   if (answer.has_layout()) response.mutable_layout()->Swap(answer.mutable_layout());
   return response;
@@ -305,7 +311,7 @@ absl::StatusOr<v1::GetDocumentResponse> Documents::FindAlternatives(const std::s
 }
 
 absl::StatusOr<v1::ActResponse> Documents::TakeVariant(Record record, int index, CallContext& call) {
-  if (index < 0 || index >= record.document().variant_count()) {
+  if (index < -1 || index >= record.document().variant_count() || record.variants_layout_id().empty()) {
     return InvalidArgument("take_variant.index: {}; there are {}", index, record.document().variant_count());
   }
   ASSIGN_OR_RETURN(const Layout before, Shown(record));
@@ -314,7 +320,9 @@ absl::StatusOr<v1::ActResponse> Documents::TakeVariant(Record record, int index,
   for (int i = 0, seen = 0; i < all->solved_layout().runner_ups_size() && at < 0; ++i) {
     if (cli::IsComplete(all->solved_layout().runner_ups(i)) && seen++ == index) at = i;
   }
-  ASSIGN_OR_RETURN(Acted taken, acts_.Taken(before->solved_layout(), cli::VariantOf(all->solved_layout(), at), call));
+  v1::SolvedLayout variant = at < 0 ? all->solved_layout() : cli::VariantOf(all->solved_layout(), at);
+  variant.clear_runner_ups();
+  ASSIGN_OR_RETURN(Acted taken, acts_.Taken(before->solved_layout(), std::move(variant), call));
   LayoutState state;
   state.set_label(fmt::format("take variant {}", index + 2));
   state.set_settled_layout_id("shown");

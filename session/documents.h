@@ -34,8 +34,8 @@ struct DocumentParts {
   SentencesOf sentences_of;
   // Furniture that can be added.
   std::vector<v1::FurnitureOffer> furniture;
-  // Other words for it, lower case and singular, with the index of the offer that each means.
-  std::map<std::string, int> furniture_words;
+  // Other words for it, lower case and singular, with the indexes of the offers that each means, likeliest first.
+  std::map<std::string, std::vector<int>> furniture_words;
   // The model that designs at first, without its key; and how another one comes to: the channels of an orchestrator and
   // a translator that ask it. Null where the services of another program design.
   v1::ModelChoice model;

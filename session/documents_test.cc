@@ -96,6 +96,23 @@ TEST_F(DocumentsTest, AnOwnRoomIsDrawnChangedAndFurnished) {
   EXPECT_EQ(furnished.undo_label(), "furnish the room");
   EXPECT_NE(IdOf(Get(furnished.id()).layout(), "desk"), "");
   EXPECT_EQ(Get(furnished.id()).layout().graph().room().height_m(), 2.6);
+  EXPECT_EQ(furnished.brief().text(), "A study with a desk and a bookcase.");
+  EXPECT_FALSE(furnished.brief().has_room());
+
+  // Once more, otherwise; undo gives back the layout and what it was asked for.
+  const v1::Document again = After(
+      [&] {
+        const auto act =
+            Act(furnished, [](v1::ActRequest& request) { request.mutable_furnish()->set_text("A bedroom."); });
+        ASSERT_TRUE(act.ok()) << act.status();
+        EXPECT_EQ(act->document().brief().text(), furnished.brief().text());
+      },
+      [](const v1::Document& document) { return document.job_state() == v1::JOB_STATE_SUCCEEDED; });
+  EXPECT_EQ(again.brief().text(), "A bedroom.");
+  const auto undone = Act(again, [](v1::ActRequest& request) { request.mutable_undo(); });
+  ASSERT_TRUE(undone.ok()) << undone.status();
+  EXPECT_EQ(undone->document().layout_id(), furnished.layout_id());
+  EXPECT_EQ(undone->document().brief().text(), furnished.brief().text());
 }
 
 TEST_F(DocumentsTest, FilesAreOpenedAndBadOnesRefused) {
@@ -128,6 +145,37 @@ TEST_F(DocumentsTest, FurnitureIsFoundByItsWordsWithItsSymbol) {
   EXPECT_THAT(found->offers(0).svg(), HasSubstr("<path"));
   request.set_query("throne");
   EXPECT_EQ(documents_->ListFurniture(request, call_)->offers_size(), 0);
+}
+
+TEST_F(DocumentsTest, FurnitureIsFoundByOtherWordsForItAndInThePlural) {
+  const auto first = [&](const std::string& query) -> std::string {
+    v1::ListFurnitureRequest request;
+    request.set_query(query);
+    const auto found = documents_->ListFurniture(request, call_);
+    return found->offers().empty() ? "" : found->offers(0).object().name();
+  };
+  EXPECT_EQ(first("Bookcase"), "bookshelf");
+  EXPECT_EQ(first("bookcases"), "bookshelf");
+  EXPECT_EQ(first("bookc"), "bookshelf");
+  EXPECT_EQ(first("floor plants"), "floor plant");
+  // Too few letters for a word that is not the name.
+  EXPECT_EQ(first("bo"), "bookshelf");
+  EXPECT_EQ(first("ca"), "");
+}
+
+TEST_F(DocumentsTest, FilesAreCalledByWholeWords) {
+  const v1::GetDocumentResponse made = Designed();
+  v1::ActRequest title;
+  title.set_document_id(made.document().id());
+  title.set_revision(made.document().revision());
+  title.set_title("A living room of five by four metres with a sofa and two bookshelves");
+  ASSERT_TRUE(documents_->Act(title, call_).ok());
+  v1::ExportDocumentRequest file;
+  file.set_document_id(made.document().id());
+  file.set_format(v1::DOCUMENT_FORMAT_LAYOUT_JSON);
+  const auto named = documents_->Export(file, call_);
+  ASSERT_TRUE(named.ok()) << named.status();
+  EXPECT_EQ(named->file_name(), "a-living-room-of-five-by-four-metres-with-a-sofa-and-two.json");
 }
 
 TEST_F(DocumentsTest, AModelIsChosenOnlyWhereTheProgramCan) {

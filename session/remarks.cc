@@ -28,7 +28,7 @@ Ids Asking(const v1::LayoutGraph& graph) {
   return ids;
 }
 
-Ids ObjectsOf(const v1::LayoutGraph& graph) {
+Ids IdsOfAll(const v1::LayoutGraph& graph) {
   Ids ids;
   for (const v1::Object& object : graph.object_list().objects()) ids.insert(object.id());
   return ids;
@@ -77,7 +77,7 @@ bool Supplies(const std::string& name, const std::string& missed) {
 void ForgetWhatIsAnswered(const v1::LayoutGraph& before, v1::SolvedLayout& layout) {
   v1::LayoutGraph& graph = *layout.mutable_graph();
   const Ids silenced = Without(Asking(before), Asking(graph));
-  const Ids lost = Without(ObjectsOf(before), ObjectsOf(graph));
+  const Ids lost = Without(IdsOfAll(before), IdsOfAll(graph));
   const Ids came = Without(NamesOf(graph), NamesOf(before)), holding = Holding(layout);
   Ids gone = lost;
   const v1::ConstraintList& wishes = graph.constraint_list();
@@ -137,7 +137,7 @@ v1::Diagnostic WhyNothingMoves(const Acted& acted) {
   const v1::SolvedLayout& layout = acted.layout;
   Ids locked;
   for (const v1::Placement& pin : layout.graph().pinned_placements()) locked.insert(pin.object_id());
-  const Ids by_hand(acted.by_hand.begin(), acted.by_hand.end()), here = ObjectsOf(layout.graph());
+  const Ids by_hand(acted.by_hand.begin(), acted.by_hand.end()), here = IdsOfAll(layout.graph());
   std::vector<std::string> causes;
   Ids told;
   const auto tell = [&](const std::string& id, const std::string& reason) {

@@ -134,20 +134,20 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> FurnitureOffers(const StageChoic
   return offers;
 }
 
-absl::StatusOr<std::map<std::string, int>> FurnitureWords(const StageChoice& stages,
-                                                          const std::vector<v1::FurnitureOffer>& offers) {
+absl::StatusOr<std::map<std::string, std::vector<int>>> FurnitureWords(const StageChoice& stages,
+                                                                       const std::vector<v1::FurnitureOffer>& offers) {
   const std::vector<std::filesystem::path> overlays(stages.handbooks.begin(), stages.handbooks.end());
   ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder(), overlays));
   std::map<std::string, const language::hb::Furniture*> classes;
   for (const language::hb::Furniture& furniture : handbook->contents().furniture()) {
     classes.emplace(furniture.name(), &furniture);
   }
-  std::map<std::string, int> words;
+  std::map<std::string, std::vector<int>> words;
   for (size_t i = 0; i < offers.size(); ++i) {
     const auto of_class = classes.find(offers[i].object().name());
     if (of_class == classes.end() || offers[i].group() == kOwnModels) continue;
     for (const std::string& word : of_class->second->synonyms()) {
-      words.emplace(absl::AsciiStrToLower(word), static_cast<int>(i));
+      words[absl::AsciiStrToLower(word)].push_back(static_cast<int>(i));
     }
   }
   return words;

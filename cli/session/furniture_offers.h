@@ -17,8 +17,8 @@ namespace flair::cli {
 // language::LoadHandbook and renderer::AssetLibrary::Open.
 absl::StatusOr<std::vector<v1::FurnitureOffer>> FurnitureOffers(const StageChoice& stages);
 
-// Other words for offers than their names, each with the index of the first offer that it means.
-absl::StatusOr<std::map<std::string, int>> FurnitureWords(const StageChoice& stages,
-                                                          const std::vector<v1::FurnitureOffer>& offers);
+// Other words for offers than their names, each with the indexes of the offers that it means.
+absl::StatusOr<std::map<std::string, std::vector<int>>> FurnitureWords(const StageChoice& stages,
+                                                                       const std::vector<v1::FurnitureOffer>& offers);
 
 }  // namespace flair::cli

@@ -17,7 +17,9 @@
 namespace flair::cli {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class OwnModels : public ::testing::Test {
  protected:
@@ -99,6 +101,24 @@ TEST_F(OwnModels, AreOfferedFirstAndShownInThreeDimensions) {
   const auto drawn = documents.Export(scene, call_);
   ASSERT_TRUE(drawn.ok()) << drawn.status();
   EXPECT_NE(drawn->content().find("\"asset\":\"rattan\""), std::string::npos);
+}
+
+TEST_F(OwnModels, BesideTheHandbooksFurnitureWhichHasOtherNames) {
+  const auto open = Open({});
+  ASSERT_TRUE(open.ok()) << open.status();
+  const auto found = [&](const std::string& query) {
+    v1::ListFurnitureRequest request;
+    request.set_query(query);
+    std::vector<std::string> names;
+    const auto all = (*open)->documents().ListFurniture(request, call_);
+    for (const v1::FurnitureOffer& offer : all->offers()) names.push_back(offer.object().name());
+    return names;
+  };
+  EXPECT_EQ(found("couch").front(), "sofa");
+  EXPECT_EQ(found("Closets").front(), "wardrobe");
+  EXPECT_THAT(found("picture"), Contains("painting"));
+  EXPECT_EQ(found("desk").front(), "desk");
+  EXPECT_THAT(found("throwne"), IsEmpty());
 }
 
 TEST_F(OwnModels, OfABadFolderAreRefusedAsWhenDrawing) {

@@ -66,7 +66,7 @@ class DocumentsTest : public ::testing::Test {
     picture.set_kind(v1::OBJECT_KIND_WALL);
     picture.set_role(v1::OBJECT_ROLE_TERTIARY);
     picture.set_elevation_m(1.4);
-    parts.furniture_words = {{"bookcase", 3}, {"chair", 2}};
+    parts.furniture_words = {{"bookcase", {3}}, {"chair", {2}}};
     return *Documents::Open(folder_.path() + "/" + folder,
                             {.orchestrator = services_->orchestrator(),
                              .translator = stages.translator.channel,
