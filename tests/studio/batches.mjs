@@ -63,7 +63,9 @@ await withStudio(async ({ page, studio, home, restart }) => {
   assert.equal((await shown(page)).document.undoLabel, 'take variant 3');
   await tile(1).click();
   await isShown(1);
-  assert.equal((await shown(page)).document.layoutId, first.document.layoutId);
+  const { document, layout } = await shown(page);
+  assert.equal(document.undoLabel, 'take variant 1');
+  assert.deepEqual(layout.placements, first.layout.placements);
 });
 
 // A batch whose program was killed waits in the store; it goes on here, is paused and cancelled.

@@ -86,6 +86,54 @@ await withStudio(async ({ page }) => {
   assert.ok(layout.placements.length > 5);
   assert.ok((layout.metrics.deepestOverlapM ?? 0) < 1e-6, 'nothing overlaps');
 
+  // Other layouts of it, the sofa where it is; what is taken is undone as one act.
+  const sofaId = layout.graph.objectList.objects.find(({ name }) => name === 'sofa').id;
+  const at = (from) => from.placements.find(({ objectId }) => objectId === sofaId);
+  await page.getByRole('button', { name: /^Sofa/ }).click();
+  await page.keyboard.press('l');
+  await until(page, async () => (await shown(page)).layout.graph.pinnedPlacements?.length === 1, 'the lock');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Other layouts' }).click();
+  await page.getByRole('button', { name: /^Variant 2/ }).click();
+  const taken = await until(page, async () => {
+    const now = await shown(page);
+    return now.document.undoLabel === 'take variant 2' && now;
+  }, 'the variant');
+  assert.deepEqual(at(taken.layout), at(layout));
+  assert.notDeepEqual(taken.layout.placements, layout.placements);
+  assert.equal(taken.layout.graph.pinnedPlacements.length, 1);
+  assert.deepEqual(await seriousFaults(page), [], 'the variants');
+  await page.keyboard.press('Control+z');
+  await until(page, async () => (await shown(page)).document.layoutId !== taken.document.layoutId, 'the undo');
+  const before = await shown(page);
+  assert.deepEqual(before.layout.placements, layout.placements);
+
+  // A search that is given up finds nothing, whatever the server comes to.
+  let isAsked = false;
+  await page.route('**/FindVariants', () => { isAsked = true; });
+  await page.getByRole('button', { name: 'Search others' }).click();
+  await page.getByText('Searching for other layouts').waitFor();
+  await until(page, async () => isAsked, 'the question');
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await page.getByText('Searching for other layouts').waitFor({ state: 'detached' });
+  await page.unroute('**/FindVariants');
+
+  // The brief is changed and run again within the same walls; undo gives back the layout and the brief.
+  await page.getByRole('button', { name: 'Furnish again' }).click();
+  const again = page.getByRole('textbox', { name: 'What shall it hold?' });
+  assert.match(await again.inputValue(), /^A living room with a sofa/);
+  await again.fill('A study with a desk and a bookshelf.');
+  await page.keyboard.press('Enter');
+  await page.getByText('Furnished anew').waitFor();
+  const study = await shown(page);
+  assert.equal(study.document.brief.text, 'A study with a desk and a bookshelf.');
+  assert.deepEqual(corners(study.layout.graph.room), corners(room));
+  assert.ok(study.layout.graph.objectList.objects.some(({ name }) => name === 'desk'));
+  await page.getByRole('button', { name: 'Back to what was before' }).click();
+  await until(page, async () => (await shown(page)).document.layoutId === before.document.layoutId, 'what was before');
+  assert.match((await shown(page)).document.brief.text, /^A living room/);
+
   // The west wall goes 40 cm out: furniture stays where it is in the room, also as its origin moves.
   const sofa = layout.graph.objectList.objects.find(({ name }) => name === 'sofa').id;
   const placeOf = (from) => from.placements.find(({ objectId }) => objectId === sofa);

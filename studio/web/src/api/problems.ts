@@ -27,4 +27,7 @@ export const isConflict = (error: unknown): boolean => ConnectError.from(error).
 // Nothing is wrong: there is nothing to undo, or everything is settled.
 export const isNothingToDo = (error: unknown): boolean => ConnectError.from(error).code === Code.FailedPrecondition;
 
+// Whoever asked gave up.
+export const isCancelled = (error: unknown): boolean => ConnectError.from(error).code === Code.Canceled;
+
 export const isUnknownCall = (error: unknown): boolean => ConnectError.from(error).code === Code.Unimplemented;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: documents at the left, the room in the middle, what there is to say of it at the right.
 import { lazy, Suspense } from "preact/compat";
-import { JobState } from "../gen/flair/v1/job_pb";
 import { Start } from "../brief/Start";
 import { Progress } from "../brief/Progress";
 import { Inspector } from "../inspector/Inspector";
 import { Plan } from "../plan/Plan";
+import { isWorking } from "../state/jobs";
 import type { OpenRoom } from "../state/open_room";
 import { route } from "../state/route";
 import { useStudio } from "../state/studio";
@@ -37,10 +37,8 @@ function Panes({ room }: { room: OpenRoom }) {
 }
 
 function RoomPage({ room }: { room: OpenRoom }) {
-  const { jobState } = room.document.value;
-  const isWorking = jobState === JobState.QUEUED || jobState === JobState.RUNNING;
   const hasRoom = room.layout.value?.graph?.room !== undefined;
-  if (!hasRoom || (isWorking && room.pieces.value.size === 0))
+  if (!hasRoom || (isWorking(room.document.value) && room.pieces.value.size === 0))
     return (
       <main class="stage">
         <Progress room={room} />

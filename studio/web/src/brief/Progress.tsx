@@ -4,7 +4,8 @@ import { Icon } from "../app/Icon";
 import { JobState } from "../gen/flair/v1/job_pb";
 import { spentInWords, useSpent } from "../model/spent";
 import { stageWords } from "../inspector/words";
-import { stagesOf } from "../state/jobs";
+import { cancelJob } from "../jobs/cancel";
+import { isWorking, stagesOf } from "../state/jobs";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
@@ -37,6 +38,9 @@ export function Progress({ room }: { room: OpenRoom }) {
           </li>
         )}
       </ol>
+      {isWorking(room.document.value) && (
+        <button class="button" onClick={() => cancelJob(studio, jobId)}>Cancel</button>
+      )}
       {spent.calls > 0 && <p class="hint spent">The model: {spentInWords(spent)}</p>}
       {isFailed && (
         <div class="notice is-bad" role="alert">

@@ -3,6 +3,7 @@
 import { useRef } from "preact/hooks";
 import type { OpenRoom } from "../state/open_room";
 import { EffectCard } from "./EffectCard";
+import { FurnishCard } from "./FurnishCard";
 import { objectIn } from "./note";
 import { PiecePanel } from "./PiecePanel";
 import { RoomPanel } from "./RoomPanel";
@@ -27,6 +28,7 @@ export function Inspector({ room }: { room: OpenRoom }) {
         {only && chosen.length === 1 && <PiecePanel key={only.id} room={room} piece={only} />}
         {chosen.length > 1 && <SeveralPanel room={room} pieces={chosen} />}
       </div>
+      <FurnishCard room={room} />
       <EffectCard room={room} told={told} />
       <SayField room={room} about={chosen.length === 1 ? only : undefined} />
     </aside>

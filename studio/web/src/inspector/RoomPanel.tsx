@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The room as a whole: what was not done of the brief, what is wrong, how well it can be used, what stands in it.
+import { useState } from "preact/hooks";
 import { areaText } from "../app/units";
 import { area } from "../geometry/polygon";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
+import { isWorking } from "../state/jobs";
 import { useStudio } from "../state/studio";
+import { OtherLayouts } from "../variants/Searching";
 import { Faults } from "./Faults";
-import { Furnish } from "./Furnish";
+import { Furnish, FurnishAgain } from "./Furnish";
 import { Measures } from "./Measures";
 import { PieceList } from "./PieceList";
 import { Wishes } from "./Wishes";
@@ -22,6 +25,36 @@ function Lines({ title, lines }: { title: string; lines: readonly string[] | und
   );
 }
 
+// What one can do with the whole room.
+function RoomActs({ room }: { room: OpenRoom }) {
+  const [isAsking, setAsking] = useState(false);
+  const isEmpty = room.pieces.value.size === 0;
+  return (
+    <>
+      <div class="room-acts">
+        <button class="button" title="Change walls, doors and windows"
+          onClick={() => goTo({ page: "draw", id: room.id })}>
+          Edit room
+        </button>
+        {!isEmpty && <OtherLayouts room={room} />}
+        {!isEmpty && (
+          <button
+            class="button"
+            aria-expanded={isAsking}
+            disabled={isWorking(room.document.value)}
+            title="Change what was asked for, and furnish these walls anew"
+            onClick={() => setAsking(!isAsking)}
+          >
+            Furnish again
+          </button>
+        )}
+      </div>
+      {isEmpty && <Furnish room={room} />}
+      {!isEmpty && isAsking && <FurnishAgain room={room} close={() => setAsking(false)} />}
+    </>
+  );
+}
+
 export function RoomPanel({ room }: { room: OpenRoom }) {
   const { units } = useStudio().settings;
   const explanation = room.explanation.value, note = explanation?.note ?? {};
@@ -31,14 +64,8 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
       <header class="panel-head">
         <h2>{capital(shape?.roomType || "room")}</h2>
         <span class="hint">{areaText(area(room.floor.value), units.value)}</span>
-        <button
-          class="link-button room-edit"
-          title="Change walls, doors and windows"
-          onClick={() => goTo({ page: "draw", id: room.id })}
-        >
-          Edit room
-        </button>
       </header>
+      <RoomActs room={room} />
       {note.room && <p class="stands is-room">{note.room}</p>}
       {explanation && explanation.notAsAsked.length > 0 && (
         <section>
@@ -53,7 +80,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
         </section>
       )}
       <Faults room={room} title="What is wrong" />
-      {room.pieces.value.size === 0 ? <Furnish room={room} /> : <Measures note={note} metrics={layout?.metrics} />}
+      {room.pieces.value.size > 0 && <Measures note={note} metrics={layout?.metrics} />}
       <Wishes room={room} note={note} />
       <Lines title="Wishes that contradict each other" lines={note.clashes} />
       <PieceList room={room} note={note} />

@@ -2,7 +2,8 @@
 // How far the jobs of documents are, as their events tell.
 import { signal } from "@preact/signals";
 import type { JobEvent } from "../gen/flair/v1/job_pb";
-import { JobEventKind } from "../gen/flair/v1/job_pb";
+import { JobEventKind, JobState } from "../gen/flair/v1/job_pb";
+import type { Document } from "../gen/flair/v1/studio_service_pb";
 
 export interface StageProgress {
   readonly stage: string;
@@ -11,6 +12,9 @@ export interface StageProgress {
   readonly isDone: boolean;
   readonly isReused: boolean;
 }
+
+// Whether a job designs or furnishes it just now.
+export const isWorking = ({ jobState }: Document): boolean => jobState === JobState.QUEUED || jobState === JobState.RUNNING;
 
 // Events in order of arrival -> stages in the order in which they began.
 export function stagesOf(events: readonly JobEvent[]): StageProgress[] {

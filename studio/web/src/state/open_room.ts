@@ -17,6 +17,7 @@ import { Judging } from "./judging";
 import { animate } from "./motion";
 import { floorOf, piecesOf, wallsOf, type Poses } from "./pieces";
 import { isDrawnAlike } from "./structure";
+import { VariantSearch } from "../variants/search";
 import type { ToastAct, Toasts } from "./toasts";
 
 export type Act = NonNullable<MessageInitShape<typeof ActRequestSchema>["act"]>;
@@ -57,6 +58,7 @@ export class OpenRoom {
   // What walls are called that have but a number.
   readonly wallWords = computed(() => wallWords(wallsOf(this.layout.value?.graph?.room)));
   readonly judging: Judging;
+  readonly search: VariantSearch;
   private readonly poses = new Map<string, ReadonlySignal<Pose | undefined>>();
   private queue: Promise<unknown> = Promise.resolve();
   private waiting = 0;
@@ -69,6 +71,12 @@ export class OpenRoom {
     this.document = signal(document);
     this.judging = new Judging((placements) => clients.studio.judge(
       { documentId: this.id, revision: this.document.peek().revision, placements }));
+    this.search = new VariantSearch(this, clients);
+  }
+
+  // The document with other layouts to take; what it shows is the same.
+  found(document: Document): void {
+    if (document.revision > this.document.peek().revision) this.document.value = document;
   }
 
   // With acts, an offer that can be taken by a click.
@@ -93,6 +101,7 @@ export class OpenRoom {
 
   close(): void {
     this.isClosed = true;
+    this.search.cancel();
     this.endMotion();
   }
 

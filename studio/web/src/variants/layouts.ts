@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layouts of a design that was made in several variants: the first, and its complete runner-ups in TakeVariant's
-// order.
-import { ArtifactKind } from "../gen/flair/v1/artifact_pb";
+// The layouts of one room that can be taken: the first, and its complete runner-ups in TakeVariant's order.
+import { equals } from "@bufbuild/protobuf";
+import { RoomSchema } from "../gen/flair/v1/room_pb";
 import type { Placement } from "../gen/flair/v1/placement_pb";
 import { OutcomeStatus, type EdgeOutcome, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 import type { Document } from "../gen/flair/v1/studio_service_pb";
@@ -56,17 +56,17 @@ export function isSame(a: readonly Placement[], b: readonly Placement[]): boolea
   );
 }
 
-async function layoutIdOf(clients: Clients, { jobId, layoutId }: Document): Promise<string> {
-  if (!jobId) return layoutId;
-  const { job } = await clients.orchestrator.getJob({ jobId });
-  return job?.artifacts.find(({ kind }) => kind === ArtifactKind.SOLVED_LAYOUT)?.id ?? layoutId;
+// What of the room has changed since, so that a variant does not have it; empty when nothing has.
+export function changedSince({ layout }: Variants, shown: SolvedLayout | undefined): "" | "walls" | "pieces" {
+  const before = layout.graph?.room, now = shown?.graph?.room;
+  if (before && now && !equals(RoomSchema, before, now)) return "walls";
+  const sizes = (of: SolvedLayout | undefined) => (of?.graph?.objectList?.objects ?? [])
+    .map(({ id, widthM, depthM }) => `${id} ${widthM} ${depthM}`).sort().join("\n");
+  return sizes(layout) === sizes(shown) ? "" : "pieces";
 }
 
-// Undefined when the artifact that has them is not there any more.
 export async function fetchVariants(clients: Clients, document: Document): Promise<Variants | undefined> {
-  const id = await layoutIdOf(clients, document);
-  const content = (await clients.orchestrator.getArtifact({ artifactId: id })).artifact?.content;
-  return content?.case === "solvedLayout" && content.value.runnerUps.length > 0
-    ? variantsOf(id, content.value)
-    : undefined;
+  const { id: documentId, variantsLayoutId: layoutId } = document;
+  const { layout } = await clients.studio.getDocument({ documentId, layoutId });
+  return layout && layout.runnerUps.length > 0 ? variantsOf(layoutId, layout) : undefined;
 }

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { create } from "@bufbuild/protobuf";
 import { OutcomeStatus, SolvedLayoutSchema } from "../gen/flair/v1/solved_layout_pb";
-import { isSame, variantsOf } from "./layouts";
+import { changedSince, isSame, variantsOf } from "./layouts";
 
 const outcome = (status: OutcomeStatus) => ({ edgeId: "e1", status });
 
@@ -27,4 +27,14 @@ test("runner-ups that are not complete cannot be taken and do not count", () => 
   assert.equal(list[1]!.placements[0]!.xM, 2);
   assert.ok(isSame(layout.placements, list[0]!.placements));
   assert.ok(!isSame(layout.placements, list[1]!.placements));
+});
+
+test("what has changed since they were found is known", () => {
+  const room = (width: number) => ({ floor: { vertices: [{ xM: 0 }, { xM: width }] } });
+  const layout = (width: number, ...ids: string[]) =>
+    create(SolvedLayoutSchema, { graph: { room: room(width), objectList: { objects: ids.map((id) => ({ id })) } } });
+  const found = variantsOf("id", layout(4, "bed", "desk"));
+  assert.equal(changedSince(found, layout(4, "desk", "bed")), "");
+  assert.equal(changedSince(found, layout(4, "bed")), "pieces");
+  assert.equal(changedSince(found, layout(5, "bed", "desk")), "walls");
 });
