@@ -2,7 +2,7 @@
 // A batch whose rooms are looked at, chosen by measure and opened; variants of a room side by side.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { PROGRAM, call, seriousFaults, shown, until, withStudio } from './studio.mjs';
 
@@ -19,6 +19,15 @@ await withStudio(async ({ page, studio, home, restart }) => {
 
   await page.getByText('Jobs and batches').click();
   await page.locator('.job').nth(BRIEFS.length - 1).waitFor();
+  // What came of each, and all that it has stored.
+  await page.locator('.job-result').first().waitFor();
+  assert.match(await page.locator('.job-result').first().innerText(), /^(\d+ not as asked · )?\d+ pieces: \S/);
+  await page.getByRole('button', { name: 'Details' }).first().click();
+  await page.locator('.job-plan').waitFor();
+  const saved = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Layout', exact: true }).click();
+  const { solvedLayout } = JSON.parse(readFileSync(await (await saved).path(), 'utf8'));
+  assert.ok(solvedLayout.placements.length > 0);
   assert.deepEqual(await seriousFaults(page), [], 'the jobs');
   await page.getByRole('button', { name: 'Batches', exact: true }).click();
   await page.getByRole('link', { name: 'rooms.txt' }).click();
@@ -66,6 +75,18 @@ await withStudio(async ({ page, studio, home, restart }) => {
   const { document, layout } = await shown(page);
   assert.equal(document.undoLabel, 'take variant 1');
   assert.deepEqual(layout.placements, first.layout.placements);
+
+  // Its job opens as it ended, beside the room as it is by now.
+  await page.getByText('Jobs and batches').click();
+  await page.getByRole('button', { name: 'Open result' }).first().click();
+  await page.locator('[data-piece]').first().waitFor();
+  const { document: result } = await shown(page);
+  assert.notEqual(result.id, document.id);
+  assert.deepEqual([result.layoutId, result.undoLabel ?? ''], [first.document.layoutId, '']);
+  await page.getByText('Jobs and batches').click();
+  await page.getByRole('button', { name: 'Go to its room' }).click();
+  await page.locator('[data-piece]').first().waitFor();
+  assert.ok(page.url().endsWith(document.id));
 });
 
 // A batch whose program was killed waits in the store; it goes on here, is paused and cancelled.

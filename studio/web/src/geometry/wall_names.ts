@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What walls without a name of their own ("wall_3") are called: by the point of the compass that they lie at.
+// What walls without a name of their own ("wall_3") are called: by their side of the room, as WallName of room/scene/scene.cc
+// calls them in the server's sentences.
 import { areaText, lengthText, type Units } from "../app/units";
-import { pointOf } from "./compass";
-import { distance, left, sub, times, type Vec } from "./vec";
+import { distance, left, sub, unit, type Vec } from "./vec";
 
 export interface NamedWall {
   readonly name: string;
@@ -11,26 +11,23 @@ export interface NamedWall {
 }
 
 const isNumbered = /^wall_\d+$/;
-const kAlike = 0.01;
 
-const lengthOf = ({ a, b }: NamedWall): number => distance(a, b);
 // Rooms are at the left of their walls.
-const sideOf = ({ a, b }: NamedWall): string => pointOf(times(left(sub(b, a)), -1));
-
-function told(wall: NamedWall, alike: readonly NamedWall[]): string {
-  const side = sideOf(wall), length = lengthOf(wall);
-  const others = alike.filter((one) => one !== wall);
-  if (others.length === 0) return `${side} wall`;
-  const differs = others.every((one) => Math.abs(lengthOf(one) - length) > kAlike);
-  if (differs && others.every((one) => lengthOf(one) > length)) return `${others.length > 1 ? "shortest" : "shorter"} ${side} wall`;
-  if (differs && others.every((one) => lengthOf(one) < length)) return `${others.length > 1 ? "longest" : "longer"} ${side} wall`;
-  return `${side} wall of ${length.toFixed(2)} m${differs ? "" : ` (${wall.name.replace("wall_", "")})`}`;
+export function sideOf({ a, b }: NamedWall): string {
+  const inward = left(unit(sub(b, a)));
+  if (Math.abs(inward.y) > 0.5) return inward.y > 0 ? "south" : "north";
+  return inward.x > 0.5 ? "west" : "east";
 }
 
-// Name -> "north wall", "shorter north wall", "north wall of 1.20 m"; only for walls that have but a number.
+// Name -> "north wall", "1.20 m north wall"; only for walls that have but a number.
 export function wallWords(walls: readonly NamedWall[]): Map<string, string> {
-  const alikeOf = (wall: NamedWall) => walls.filter((one) => sideOf(one) === sideOf(wall));
-  return new Map(walls.filter(({ name }) => isNumbered.test(name)).map((wall) => [wall.name, told(wall, alikeOf(wall))]));
+  const numbered = walls.filter(({ name }) => isNumbered.test(name));
+  return new Map(numbered.map((wall) => {
+    const side = sideOf(wall);
+    const isAlone = numbered.filter((one) => sideOf(one) === side).length +
+      walls.filter(({ name }) => name === side).length < 2;
+    return [wall.name, isAlone ? `${side} wall` : `${distance(wall.a, wall.b).toFixed(2)} m ${side} wall`];
+  }));
 }
 
 // "wall_3", "the wall 3", "wall_3 in the north".

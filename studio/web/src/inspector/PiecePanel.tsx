@@ -43,7 +43,6 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const about = objectIn(room.explanation.value?.note, piece.id);
   const told = new Set(faultsOf(room).map((one) => room.spoken(one.message).replace(/\.$/, "")));
   const demands = useKept(sorted(about?.demands ?? []), keyOf, () => true);
-  const asked = piece.object.requested ? "You asked for it." : "";
   return (
     <>
       <header class="panel-head">
@@ -51,7 +50,7 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
         <PieceActs room={room} pieces={[piece]} />
       </header>
       <PieceFields room={room} piece={piece} />
-      {about?.stands && <p class="stands">{withStop(capital(about.stands))} {asked}</p>}
+      {about?.stands && <p class="stands">{withStop(capital(about.stands))} {about.origin}</p>}
       <Faults room={room} of={[piece]} />
       <h3 class="eyebrow">Why it stands there</h3>
       {demands.length === 0 && <p class="hint">Nothing is asked of it. Say a sentence below.</p>}
@@ -61,7 +60,7 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
         ))}
       </ul>
       {about?.followers && about.followers.length > 0 && (
-        <p class="hint followers">Placed by it: {about.followers.join(", ")}.</p>
+        <p class="hint followers">Placed relative to it: {about.followers.join(", ")}.</p>
       )}
       {about?.remarks
         ?.filter((remark) => !told.has(remark.replace(/\.$/, "")))

@@ -9,7 +9,7 @@ import type { OpenRoom } from "../state/open_room";
 import { useStudio } from "../state/studio";
 import type { Demand, Fate } from "./note";
 import { Weight } from "./Weight";
-import { missedText } from "./words";
+import { capital, missedText, withStop } from "./words";
 
 const origins: Record<SentenceOrigin, string> = {
   [SentenceOrigin.BRIEF]: "you asked for it", [SentenceOrigin.IMPLIED]: "follows from its use",
@@ -67,6 +67,9 @@ export function SentenceRow({ room, demand, objectId }: { room: OpenRoom; demand
       </button>
       {(missed || isNew) && (
         <p class="sentence-missed">{[missed, isNew && "since the last change"].filter(Boolean).join(", ")}</p>
+      )}
+      {fate === "missed" && !isLive && demand.because && (
+        <p class="sentence-because">{withStop(capital(demand.because))}</p>
       )}
       {isOpen && (
         <div class="sentence-more">

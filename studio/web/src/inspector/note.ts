@@ -14,6 +14,8 @@ export interface Demand {
   types?: string[];
   other_object_ids?: string[];
   shortfall?: string;
+  // What stands in the way of one that is missed.
+  because?: string;
   missed_by?: number;
   unit?: string;
 }
@@ -26,6 +28,8 @@ export interface NoteObject {
   zone_id?: string;
   requested?: boolean;
   pinned?: boolean;
+  // What the user has done for it: "You put it there. You asked for a desk."
+  origin?: string;
   stands?: string;
   demands?: Demand[];
   followers?: string[];

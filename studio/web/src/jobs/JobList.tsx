@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { useState } from "preact/hooks";
+import { useEffect, useMemo, useState } from "preact/hooks";
 import { JobState } from "../gen/flair/v1/job_pb";
 import { useStudio } from "../state/studio";
 import { Asked } from "./Asked";
 import { JobRow } from "./JobRow";
+import { JobPictures } from "./pictures";
 import { usePolling } from "./polling";
 
 const kPage = 50;
@@ -37,6 +38,8 @@ export function JobList() {
     clients.orchestrator.listJobs({ state, pageSize: size }),
   );
   const { value, again } = asked;
+  const pictures = useMemo(() => new JobPictures(clients), [clients]);
+  useEffect(() => () => pictures.forgetAll(), [pictures]);
   const now = new Date();
   return (
     <>
@@ -53,7 +56,7 @@ export function JobList() {
       )}
       <ul class="job-list">
         {value?.jobs.map((job) => (
-          <JobRow key={job.id} job={job} now={now} changed={again} />
+          <JobRow key={job.id} job={job} now={now} changed={again} pictures={pictures} />
         ))}
       </ul>
       {value?.nextPageToken && size < kMost && (

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A job of a batch as a small plan; what it shows is fetched when it comes into view.
-import { useEffect, useRef, useState } from "preact/hooks";
 import { JobState, type Job } from "../gen/flair/v1/job_pb";
 import { useStudio } from "../state/studio";
-import { briefOf, openJob } from "./JobRow";
+import { briefOf } from "./JobRow";
+import { openResult } from "./open";
 import { percent } from "../inspector/words";
 import { measureNames, type MeasureName, type Measures } from "./measures";
 import type { JobPictures } from "./pictures";
+import { useSeen } from "./seen";
 import { failureText, stateText } from "./words";
 
 const short: Record<MeasureName, string> = { held: "wishes", uses: "use", floor: "floor" };
@@ -24,26 +25,14 @@ function figures(measures: Measures): { text: string; title: string } {
 }
 
 export function JobTile({ job, pictures }: { job: Job; pictures: JobPictures }) {
-  const studio = useStudio(),
-    tile = useRef<HTMLLIElement>(null);
-  const [isSeen, setSeen] = useState(false);
-  useEffect(() => {
-    const observer = new IntersectionObserver(
-      ([entry]) => {
-        if (entry!.isIntersecting) setSeen(true);
-      },
-      { rootMargin: "200px" },
-    );
-    observer.observe(tile.current!);
-    return () => observer.disconnect();
-  }, []);
+  const studio = useStudio(), { element, isSeen } = useSeen<HTMLLIElement>();
   const isDone = job.state === JobState.SUCCEEDED;
   const plan = isSeen && isDone ? pictures.planOf(job).value : undefined;
   const measures = isSeen && isDone ? pictures.measuresOf(job).value : undefined;
   const shown = figures(measures ?? {});
   return (
-    <li class="tile" ref={tile}>
-      <button disabled={!isDone} onClick={() => void openJob(studio, job)} title={isDone ? "Open it" : job.error}>
+    <li class="tile" ref={element}>
+      <button disabled={!isDone} onClick={() => void openResult(studio, job)} title={isDone ? "Open it" : job.error}>
         <span class="tile-picture">
           {plan && <img src={plan} alt="" loading="lazy" />}
           {!plan && (

@@ -5,6 +5,7 @@ import type { Clients } from "../api/clients";
 import { ArtifactKind } from "../gen/flair/v1/artifact_pb";
 import type { Job } from "../gen/flair/v1/job_pb";
 import { PreviewFormat, PreviewView } from "../gen/flair/v1/preview_pb";
+import { factsOf, type Facts } from "./facts";
 import { measuresOf, type Measures } from "./measures";
 
 const kMediaTypes: Partial<Record<PreviewFormat, string>> = {
@@ -18,6 +19,7 @@ const kKept = 300;
 export class JobPictures {
   private readonly plans = new Map<string, Signal<string | undefined>>();
   private readonly measured = new Map<string, Signal<Measures | undefined>>();
+  private readonly facts = new Map<string, Signal<Facts | undefined>>();
   private readonly waiting: Array<() => Promise<void>> = [];
   private running = 0;
 
@@ -41,6 +43,14 @@ export class JobPictures {
     });
   }
 
+  // What came of it; undefined until it is known, and when its layout is not there any more.
+  factsOf(job: Job): Signal<Facts | undefined> {
+    return this.once(this.facts, job, ArtifactKind.SOLVED_LAYOUT, undefined, async (id) => {
+      const { artifact } = await this.clients.orchestrator.getArtifact({ artifactId: id });
+      return artifact?.content.case === "solvedLayout" ? factsOf(artifact.content.value) : undefined;
+    });
+  }
+
   forgetAll(): void {
     this.waiting.length = 0;
     for (const plan of this.plans.values()) if (plan.peek()) URL.revokeObjectURL(plan.peek()!);
@@ -51,8 +61,8 @@ export class JobPictures {
     known: Map<string, Signal<T | undefined>>,
     job: Job,
     kind: ArtifactKind,
-    none: T,
-    get: (id: string) => Promise<T>,
+    none: T | undefined,
+    get: (id: string) => Promise<T | undefined>,
   ) {
     const before = known.get(job.id);
     if (before) return before;

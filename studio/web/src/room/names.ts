@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What walls are called: by compass in an upright rectangle, else by number; names that they came with stay.
-import { pointOf } from "../geometry/compass";
-import { times } from "../geometry/vec";
-import { wallWords } from "../geometry/wall_names";
+import { sideOf, wallWords } from "../geometry/wall_names";
 import { isUprightRectangle, wallsOf, type Sketch } from "./sketch";
 
 // Key -> name, as docs/rooms.md says.
@@ -10,7 +8,7 @@ export function wallNamesOf(sketch: Sketch): Map<string, string> {
   const walls = wallsOf(sketch);
   const names = new Map<string, string>();
   if (isUprightRectangle(sketch) && walls.every(({ key }) => !sketch.wallNames[key])) {
-    for (const { key, inward } of walls) names.set(key, pointOf(times(inward, -1)));
+    for (const { key, a, b } of walls) names.set(key, sideOf({ name: "", a, b }));
     return names;
   }
   const taken = new Set(walls.map(({ key }) => sketch.wallNames[key]).filter(Boolean));
@@ -23,7 +21,7 @@ export function wallNamesOf(sketch: Sketch): Map<string, string> {
   return names;
 }
 
-// Key -> "north wall", "shorter north wall", "garden wall".
+// Key -> "north wall", "1.20 m north wall", "garden wall".
 export function spokenWallsOf(sketch: Sketch): Map<string, string> {
   const names = wallNamesOf(sketch);
   // While they are drawn, nobody knows at which side of them the room will be.
@@ -36,7 +34,7 @@ export const withArticle = (wall: string): string => (/^wall \d/.test(wall) ? wa
 
 function ownName(name: string): string {
   const words = name.replace(/_/g, " ");
-  return /wall/.test(words) ? words : `${words} wall`;
+  return words.endsWith("wall") ? words : `${words} wall`;
 }
 
 // "door 1" of "door_1".

@@ -76,7 +76,7 @@ test("what the server would refuse is said before", () => {
       wall: `w${i + 1}`,
     })),
   };
-  assert.match(texts(crossed).join(), /The south-east wall and the north-east wall cross or touch/);
+  assert.match(texts(crossed).join(), /The south wall and the north wall cross or touch/);
   const door = newFixture(rect, "door", "w4", 2.5);
   assert.match(texts(withFixture(rect, door)).join(), /Door 1 reaches beyond the end of the west wall/);
   const window = newFixture(rect, "window", "w1", 1);
