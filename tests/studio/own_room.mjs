@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A room of one's own: an L is drawn by clicks and typed lengths, gets a door and a window, and is furnished.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { seriousFaults, shown, until, withStudio } from './studio.mjs';
 
 const corners = (room) => room.floor.vertices.map(({ xM, yM }) => [xM ?? 0, yM ?? 0]);
@@ -52,6 +53,13 @@ await withStudio(async ({ page }) => {
   await page.keyboard.press('w');
   await onWall(1, 0.5);
   await page.getByRole('heading', { name: 'Window 1' }).waitFor();
+  // With the tool still in hand a press on it takes it, and puts no other over it.
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('w');
+  await page.getByRole('heading', { name: 'Window 1' }).waitFor({ state: 'detached' });
+  await onWall(1, 0.5);
+  await page.getByRole('heading', { name: 'Window 1' }).waitFor();
+  assert.equal(await page.locator('[data-fixture^="window"]').count(), 1);
 
   // What cannot be is said, and nothing is sent.
   const done = page.getByRole('button', { name: 'Done' });
@@ -147,5 +155,13 @@ await withStudio(async ({ page }) => {
     return corners(now.layout.graph.room)[1][0] === 6.4 && placeOf(now.layout).xM !== placeOf(layout).xM && now;
   }, 'the wider room');
   assert.ok(Math.abs(placeOf(wider.layout).xM - placeOf(layout).xM - 0.4) < 1e-6);
+
+  // Its picture can be printed on A3: 420 mm at 200 dots an inch.
+  await page.getByRole('button', { name: 'Export' }).click();
+  const saved = page.waitForEvent('download');
+  await page.getByRole('menuitem', { name: 'Plan as picture' }).click();
+  const png = readFileSync(await (await saved).path());
+  const sides = [png.readUInt32BE(16), png.readUInt32BE(20)];
+  assert.ok(Math.abs(Math.max(...sides) - (420 / 25.4) * 200) < 2, `${sides}`);
 });
 console.log('drawn, furnished, changed');

@@ -22,10 +22,14 @@ const formats: Array<{ format: DocumentFormat; label: string; hint: string } | "
   { format: DocumentFormat.ARTIFACTS_TAR, label: "All artifacts, from the brief on", hint: "TAR" },
 ];
 
+// A sheet of A3 can be printed from its pixels.
+const kPrinted_dpi = 200;
+
 async function exportAs(studio: Studio, room: OpenRoom, format: DocumentFormat): Promise<void> {
   const isSlow = format === DocumentFormat.BIRDSEYE_PNG || format === DocumentFormat.PERSPECTIVE_PNG;
   if (isSlow) studio.toasts.note("The view is being traced; that takes some seconds.");
-  const file = await studio.told(() => studio.clients.studio.exportDocument({ documentId: room.id, format }));
+  const options = format === DocumentFormat.PLAN_PNG ? { dpi: kPrinted_dpi } : undefined;
+  const file = await studio.told(() => studio.clients.studio.exportDocument({ documentId: room.id, format, options }));
   if (file) save(file.fileName, file.mediaType, file.content);
 }
 

@@ -22,6 +22,10 @@ export function newFixture(sketch: Sketch, kind: Fixture["kind"], wall: string, 
   return { kind, id, wall, offset, height: 0.3 };
 }
 
+// Doors and windows share a wall, sockets go below windows.
+export const isInTheWay = (kind: Fixture["kind"], there: Fixture): boolean =>
+  (kind === "socket") === (there.kind === "socket");
+
 export interface Spot {
   readonly wall: WallLine;
   // Of the point on the wall that is nearest to the pointer.

@@ -7,7 +7,7 @@ import { Pinch } from "../plan/gestures/pinch";
 import { dot, sub } from "../geometry/vec";
 import { addCornerOn } from "./acts";
 import type { RoomDrawing, Selection, Tool } from "./controller";
-import { newFixture, withFixture } from "./fixtures";
+import { isInTheWay, newFixture, withFixture } from "./fixtures";
 import { dragCorner, dragEnd, dragFixture, dragWall, ghostAt, panGesture } from "./gestures";
 import { penAt, type PenPoint } from "./pen";
 
@@ -73,6 +73,12 @@ function placeGesture(drawing: RoomDrawing, start: PointerEvent, kind: Exclude<T
   };
 }
 
+// What is there already where the tool in hand would put another: it is taken instead.
+function takenAt(drawing: RoomDrawing, tool: Exclude<Tool, "select">, id: string | undefined): string | undefined {
+  const fixture = drawing.sketch.peek().fixtures.find((one) => one.id === id);
+  return fixture && isInTheWay(tool, fixture) ? fixture.id : undefined;
+}
+
 function gestureFor(drawing: RoomDrawing, event: PointerEvent): Gesture | undefined {
   if (event.button === kMiddleButton || (event.button === 0 && drawing.isSpaceDown.peek()))
     return panGesture(drawing, event);
@@ -80,15 +86,19 @@ function gestureFor(drawing: RoomDrawing, event: PointerEvent): Gesture | undefi
   const mode = drawing.mode.peek();
   if (mode === "scale") return scaleGesture(drawing);
   if (mode === "pen") return penGesture(drawing, event);
-  if (mode !== "select") return placeGesture(drawing, event, mode);
   const one = drawing.selection.peek(),
     end = attribute(event, "end");
   if (one?.kind === "fixture" && (end === "start" || end === "end")) return dragEnd(drawing, event, one.id, end);
   const corner = attribute(event, "corner"),
     fixture = attribute(event, "fixture"),
     wall = attribute(event, "wall");
+  const taken = mode === "select" ? fixture : takenAt(drawing, mode, fixture);
+  if (taken) {
+    drawing.ghost.value = undefined;
+    return dragFixture(drawing, event, taken);
+  }
+  if (mode !== "select") return placeGesture(drawing, event, mode);
   if (corner) return dragCorner(drawing, event, corner);
-  if (fixture) return dragFixture(drawing, event, fixture);
   if (wall) return dragWall(drawing, event, wall);
   return panGesture(drawing, event, () => drawing.select(undefined));
 }
@@ -106,7 +116,10 @@ function hover(drawing: RoomDrawing, event: PointerEvent): void {
   const mode = drawing.mode.peek();
   if (mode === "pen" && !drawing.typed.peek()) drawing.pen.value = penOf(drawing, event);
   if (mode === "door" || mode === "window" || mode === "socket") {
-    drawing.ghost.value = ghostAt(drawing, newFixture(drawing.sketch.peek(), mode, "", 0), event);
+    const taken = takenAt(drawing, mode, attribute(event, "fixture"));
+    drawing.ghost.value = taken ? undefined : ghostAt(drawing, newFixture(drawing.sketch.peek(), mode, "", 0), event);
+    drawing.hovered.value = taken ? { kind: "fixture", id: taken } : undefined;
+    return;
   }
   drawing.hovered.value = mode === "select" ? under(event) : undefined;
 }
