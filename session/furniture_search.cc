@@ -17,6 +17,8 @@ using Words = std::vector<std::string>;
 
 // Names, and other words for them, that are just what was typed.
 constexpr int kSameName = 100, kSameWord = 50;
+// Kinds of what was typed by another word for them ("oil painting"), what is like the best, and the rest.
+constexpr int kOfThatKind = 3, kAlike = 2, kNear = 1;
 // A whole word of the name, or the beginning of one; less is no reason to show what is like it.
 constexpr int kStrong = 3;
 // Other words are many: fewer letters begin too many of them.
@@ -61,18 +63,19 @@ std::vector<const v1::FurnitureOffer*> FoundFurniture(const DocumentParts& parts
   if (phrase.size() >= kFewestLetters) {
     for (const auto& [word, meant] : parts.furniture_words) {
       const bool is_same = word == phrase || word == one;
+      const bool is_kind = absl::EndsWith(word, " " + phrase) || absl::EndsWith(word, " " + one);
       const bool is_near = std::ranges::all_of(words, [&](const std::string& typed) {
         return BeginsAWordOf(word, typed) || BeginsAWordOf(word, english::Singular(typed));
       });
-      if (!is_same && !is_near) continue;
-      for (const int i : meant) ranks[i] = std::max(ranks[i], is_same ? kSameWord : 2);
+      const int rank = is_same ? kSameWord : is_kind ? kOfThatKind : is_near ? kNear : 0;
+      for (const int i : meant) ranks[i] = std::max(ranks[i], rank);
     }
   }
   const auto best = std::ranges::max_element(ranks);
   if (!words.empty() && best != ranks.end() && *best > kStrong) {
     const std::string& category = offers[best - ranks.begin()].object().category();
     for (size_t i = 0; i < offers.size(); ++i) {
-      if (!category.empty() && offers[i].object().category() == category) ranks[i] = std::max(ranks[i], 1);
+      if (!category.empty() && offers[i].object().category() == category) ranks[i] = std::max(ranks[i], kAlike);
     }
   }
   std::vector<size_t> order;
