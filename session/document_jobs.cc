@@ -72,7 +72,7 @@ absl::StatusOr<v1::ShareDocumentResponse> Documents::Share(const v1::ShareDocume
   *create.mutable_layout() = *shown;
   v1::Brief& brief = *create.mutable_spec()->mutable_brief();
   brief = DocumentOf(record).brief();
-  if (brief.text().empty()) brief.set_text(graph.room().title().empty() ? kOwnRoom : graph.room().title());
+  if (brief.text().empty()) brief.set_text(record.document().title());
   const absl::StatusOr<v1::Job> made = stages_.CreateJob(create, call);
   if (made.ok() && !has_it(*made)) {
     // It has taken the brief alone.

@@ -35,6 +35,7 @@ const groups: Array<[string, Array<[string, string]>]> = [
       ["Delete", "remove"],
       ["L", "lock or unlock"],
       ["S", "settle: the others make room for what was moved"],
+      ["O", "other layouts of the same pieces"],
       ["Auto", "settles after every change"],
       ["Ctrl Z, Ctrl Shift Z", "undo, redo"],
     ],

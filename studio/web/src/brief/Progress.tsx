@@ -9,10 +9,17 @@ import { isWorking, stagesOf } from "../state/jobs";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
+import { firstBrief } from "./first_brief";
+
+// Begins with what was asked, to be changed.
+function another(text: string): void {
+  firstBrief.value = text;
+  goTo({ page: "start" });
+}
 
 export function Progress({ room }: { room: OpenRoom }) {
   const studio = useStudio();
-  const { jobId, jobState, jobError, title } = room.document.value;
+  const { jobId, jobState, jobError, title, brief } = room.document.value;
   const events = studio.jobs.events.value.get(jobId) ?? [];
   const stages = stagesOf(events);
   const spent = useSpent(studio.clients, events);
@@ -45,7 +52,7 @@ export function Progress({ room }: { room: OpenRoom }) {
       {isFailed && (
         <div class="notice is-bad" role="alert">
           <p>{jobError || "The design was ended."}</p>
-          <button class="button" onClick={() => goTo({ page: "start" })}>Try another brief</button>
+          <button class="button" onClick={() => another(brief?.text ?? "")}>Try another brief</button>
         </div>
       )}
     </div>

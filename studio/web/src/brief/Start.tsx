@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a room begins: a sentence, a drawing of one's own, or a file.
-import { useRef, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { Icon } from "../app/Icon";
 import { ModelChip } from "../model/ModelChip";
 import { chooseFile } from "../app/files";
 import { goTo } from "../state/route";
 import { useStudio } from "../state/studio";
 import examples from "./examples.json";
+import { firstBrief } from "./first_brief";
 
 const kLongest = 4000;
 const kVariants = 3;
@@ -14,7 +15,8 @@ const kVariants = 3;
 export function Start() {
   const studio = useStudio();
   const field = useRef<HTMLTextAreaElement>(null);
-  const [text, setText] = useState("");
+  const [text, setText] = useState(firstBrief.peek());
+  useEffect(() => { firstBrief.value = ""; }, []);
   const [isSent, setSent] = useState(false);
   const [hasVariants, setVariants] = useState(false);
   const send = async (brief: string) => {

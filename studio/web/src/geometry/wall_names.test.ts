@@ -14,6 +14,7 @@ test("walls are called by the side of the room that they are on, alike ones by t
     "2.00 m east wall", "3.00 m north wall", "west wall"]);
   const named = walls.map((wall, i) => (i === 4 ? { ...wall, name: "garden" } : wall));
   assert.equal(wallWords(named).get("wall_3"), "north wall");
+  assert.equal(wallWords(walls, "ft").get("wall_3"), "6′ 7″ north wall");
   const slanted = wallWords([{ name: "wall_1", a: vec(0, 0), b: vec(2, 1) }, { name: "wall_2", a: vec(2, 1), b: vec(1, 3) }]);
   assert.deepEqual([...slanted.values()], ["south wall", "east wall"]);
   assert.equal(wallWords([{ ...walls[0]!, name: "garden" }]).size, 0);

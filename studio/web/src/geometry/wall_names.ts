@@ -20,13 +20,13 @@ export function sideOf({ a, b }: NamedWall): string {
 }
 
 // Name -> "north wall", "1.20 m north wall"; only for walls that have but a number.
-export function wallWords(walls: readonly NamedWall[]): Map<string, string> {
+export function wallWords(walls: readonly NamedWall[], units: Units = "m"): Map<string, string> {
   const numbered = walls.filter(({ name }) => isNumbered.test(name));
   return new Map(numbered.map((wall) => {
     const side = sideOf(wall);
     const isAlone = numbered.filter((one) => sideOf(one) === side).length +
       walls.filter(({ name }) => name === side).length < 2;
-    return [wall.name, isAlone ? `${side} wall` : `${distance(wall.a, wall.b).toFixed(2)} m ${side} wall`];
+    return [wall.name, isAlone ? `${side} wall` : `${lengthText(distance(wall.a, wall.b), units)} ${side} wall`];
   }));
 }
 

@@ -44,11 +44,10 @@ function Head({ title, remove, children }: { title: string; remove?: string; chi
 }
 
 function WallPanel({ wall }: { wall: WallLine }) {
-  const drawing = useDrawing(),
-    sketch = drawing.sketch.value;
+  const drawing = useDrawing();
   return (
     <>
-      <Head title={capital(nameOfWall(sketch, wall.key))} />
+      <Head title={capital(nameOfWall(drawing, wall.key))} />
       <div class="fields">
         <MetresField
           label="Length"
@@ -156,8 +155,7 @@ function DoorFields({ door, wall }: { door: Door; wall: WallLine }) {
 }
 
 function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | undefined }) {
-  const drawing = useDrawing(),
-    sketch = drawing.sketch.value;
+  const drawing = useDrawing();
   const set = (part: Partial<Fixture>) => setFixture(drawing, { ...fixture, ...part } as Fixture);
   const gaps = wall && gapsOf(fixture, wall),
     ends = endsOf(wall?.along ?? { x: 1, y: 0 });
@@ -181,7 +179,7 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
   return (
     <>
       <Head title={capital(spokenFixture(fixture.id))} remove={`Remove ${spokenFixture(fixture.id)}`} />
-      <p class="stands">In {withArticle(nameOfWall(sketch, fixture.wall))}. Drag it along, or to another wall.</p>
+      <p class="stands">In {withArticle(nameOfWall(drawing, fixture.wall))}. Drag it along, or to another wall.</p>
       <div class="fields">
         {fixture.kind !== "socket" && (
           <MetresField label="Width" metres={fixture.width} least={kLeastWidth} take={(width) => set({ width })} />

@@ -30,7 +30,7 @@ function askedOf(drawing: RoomDrawing): Asked | undefined {
       wall && {
         at: wallFigureAt(wall.a, wall.b, times(wall.inward, -1), scale),
         metres: wall.length,
-        label: `Length of ${withArticle(nameOfWall(sketch, wall.key))}`,
+        label: `Length of ${withArticle(nameOfWall(drawing, wall.key))}`,
         take: (metres) => drawing.commit(withWallLength(sketch, wall.index, metres), "change a length"),
       }
     );

@@ -95,7 +95,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
             <li key={wall.key}>
               <button
                 class="piece-row"
-                aria-label={`${capital(nameOfWall(sketch, wall.key))}, ${lengthText(wall.length, units)}`}
+                aria-label={`${capital(nameOfWall(drawing, wall.key))}, ${lengthText(wall.length, units)}`}
                 onClick={() => drawing.select({ kind: "wall", key: wall.key })}
                 onPointerEnter={() => {
                   drawing.hovered.value = { kind: "wall", key: wall.key };
@@ -104,7 +104,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
                   drawing.hovered.value = undefined;
                 }}
               >
-                {capital(nameOfWall(sketch, wall.key))}
+                {capital(nameOfWall(drawing, wall.key))}
                 <span class="hint">{figure(wall.length, units)}</span>
               </button>
             </li>
@@ -119,7 +119,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
               <li key={one.id}>
                 <button
                   class="piece-row"
-                  aria-label={`${capital(spokenFixture(one.id))}, ${nameOfWall(sketch, one.wall)}`}
+                  aria-label={`${capital(spokenFixture(one.id))}, ${nameOfWall(drawing, one.wall)}`}
                   onClick={() => drawing.select({ kind: "fixture", id: one.id })}
                   onPointerEnter={() => {
                     drawing.hovered.value = { kind: "fixture", id: one.id };
@@ -132,7 +132,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
                     <Icon name={icons[one.kind]!} size={14} />
                     {capital(spokenFixture(one.id))}
                   </span>
-                  <span class="hint">{nameOfWall(sketch, one.wall)}</span>
+                  <span class="hint">{nameOfWall(drawing, one.wall)}</span>
                 </button>
               </li>
             ))}

@@ -15,8 +15,8 @@ export function cornerIndex(sketch: Sketch, key: string): number {
   return sketch.corners.findIndex(({ wall }) => wall === key);
 }
 
-export function nameOfWall(sketch: Sketch, key: string): string {
-  return spokenWallsOf(sketch).get(key) ?? "wall";
+export function nameOfWall({ sketch, studio }: RoomDrawing, key: string): string {
+  return spokenWallsOf(sketch.value, studio.settings.units.value).get(key) ?? "wall";
 }
 
 export function setFixture(drawing: RoomDrawing, fixture: Fixture): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What walls are called: by compass in an upright rectangle, else by number; names that they came with stay.
+import type { Units } from "../app/units";
 import { sideOf, wallWords } from "../geometry/wall_names";
 import { isUprightRectangle, wallsOf, type Sketch } from "./sketch";
 
@@ -22,10 +23,11 @@ export function wallNamesOf(sketch: Sketch): Map<string, string> {
 }
 
 // Key -> "north wall", "1.20 m north wall", "garden wall".
-export function spokenWallsOf(sketch: Sketch): Map<string, string> {
+export function spokenWallsOf(sketch: Sketch, units: Units): Map<string, string> {
   const names = wallNamesOf(sketch);
   // While they are drawn, nobody knows at which side of them the room will be.
-  const words = wallWords(!sketch.isClosed ? [] : wallsOf(sketch).map(({ key, a, b }) => ({ name: names.get(key)!, a, b })));
+  const walls = sketch.isClosed ? wallsOf(sketch).map(({ key, a, b }) => ({ name: names.get(key)!, a, b })) : [];
+  const words = wallWords(walls, units);
   return new Map([...names].map(([key, name]) => [key, words.get(name) ?? ownName(name)]));
 }
 

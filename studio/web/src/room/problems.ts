@@ -132,7 +132,7 @@ function overlap(a: Fixture, b: Fixture): boolean {
 
 export function problemsOf(sketch: Sketch, units: Units): Problem[] {
   const walls = wallsOf(sketch),
-    names = spokenWallsOf(sketch);
+    names = spokenWallsOf(sketch, units);
   const name = (key: string) => withArticle(names.get(key) ?? key);
   const crossing = wallProblems(sketch, walls, name, units);
   if (!sketch.isClosed) return crossing;
