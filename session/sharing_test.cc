@@ -84,6 +84,23 @@ TEST_F(SharingTest, WhatAJobHasDesignedIsSharedAsItIs) {
   EXPECT_EQ(*Share(made.document().id()), made.document().job_id());
 }
 
+TEST_F(SharingTest, ARoomWithoutABriefIsListedByItsTitle) {
+  v1::CreateDocumentRequest file;
+  file.set_request_id("file");
+  file.set_file(Export(Moved(Designed()).id(), v1::DOCUMENT_FORMAT_LAYOUT_PB));
+  const auto opened = documents_->Create(file, call_);
+  ASSERT_TRUE(opened.ok()) << opened.status();
+  const auto named = Act(opened->document(), [](v1::ActRequest& act) { act.set_title("Our attic"); });
+  ASSERT_TRUE(named.ok()) << named.status();
+  const absl::StatusOr<std::string> job = Share(opened->document().id());
+  ASSERT_TRUE(job.ok()) << job.status();
+  Stages stages({.orchestrator = services_->orchestrator(),
+                 .translator = services_->stages().translator.channel,
+                 .optimizer = services_->stages().optimizer.channel,
+                 .renderer = services_->stages().renderer.channel});
+  EXPECT_EQ(stages.GetJob(*job, call_)->spec().brief().text(), "Our attic");
+}
+
 TEST_F(SharingTest, AnEmptyRoomIsNotShared) {
   v1::CreateDocumentRequest request;
   request.set_request_id("own");
