@@ -23,12 +23,6 @@ std::string NewDocumentId() {
   return fmt::format("{:x}-{:08x}", absl::ToUnixMicros(absl::Now()), random());
 }
 
-std::string CutTo(std::string text, size_t most) {
-  if (text.size() <= most) return text;
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
-  return text.substr(0, most);
-}
-
 v1::Producer Opened() {
   v1::Producer producer;
   producer.set_program("flair");
@@ -70,7 +64,7 @@ absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDoc
   switch (request.source_case()) {
     case v1::CreateDocumentRequest::kDesign:
       *document.mutable_brief() = request.design().brief();
-      document.set_title(CutTo(request.design().brief().text(), kMostTitleLetters));
+      document.set_title(TitleOf(request.design().brief().text()));
       RETURN_IF_ERROR(StartJob(record, request.design(), request.request_id(), call));
       RETURN_IF_ERROR(Commit(record, {}));
       Follow(document.id(), document.job_id(), kDesign);
@@ -80,7 +74,7 @@ absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDoc
       ASSIGN_OR_RETURN(const v1::Job job, stages_.GetJob(request.job_id(), call));
       ASSIGN_OR_RETURN(artifact, LayoutOfJob(job, call));
       *document.mutable_brief() = job.spec().brief();
-      document.set_title(CutTo(job.spec().brief().text(), kMostTitleLetters));
+      document.set_title(TitleOf(job.spec().brief().text()));
       break;
     }
     case v1::CreateDocumentRequest::kFile: {
@@ -109,8 +103,7 @@ absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDoc
   } else {
     return absl::InvalidArgumentError("file: holds no layout and no room");
   }
-  if (document.title().empty())
-    document.set_title(CutTo(artifact.solved_layout().graph().room().title(), kMostTitleLetters));
+  if (document.title().empty()) document.set_title(TitleOf(artifact.solved_layout().graph().room().title()));
   if (document.title().empty()) document.set_title(kOwnRoom);
   SetVariants(record, artifact);
   RETURN_IF_ERROR(PushState(record, std::move(artifact), std::move(state)));

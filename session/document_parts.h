@@ -25,7 +25,15 @@ inline google::protobuf::Timestamp NowProto() {
   return google::protobuf::util::TimeUtil::MicrosecondsToTimestamp(absl::ToUnixMicros(absl::Now()));
 }
 
-// What callers see of a record.
+// As much of a text as a title holds.
+inline std::string TitleOf(const std::string& text) {
+  size_t most = kMostTitleLetters;
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
+// What callers see of a record. A room that is called by its brief is called by the one that it was furnished for last.
 inline v1::Document DocumentOf(const store::v1::DocumentRecord& record) {
   v1::Document document = record.document();
   if (record.states().empty()) return document;
@@ -33,7 +41,9 @@ inline v1::Document DocumentOf(const store::v1::DocumentRecord& record) {
   const int at = record.position();
   for (int i = at; i >= 0; --i) {
     if (!record.states(i).has_brief()) continue;
+    const bool by_brief = document.has_brief() && document.title() == TitleOf(document.brief().text());
     *document.mutable_brief() = record.states(i).brief();
+    if (by_brief) document.set_title(TitleOf(document.brief().text()));
     break;
   }
   document.set_layout_id(record.states(at).layout_id());

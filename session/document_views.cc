@@ -143,7 +143,7 @@ absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDoc
   ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));
   v1::ExportDocumentResponse response;
-  response.set_file_name(FileStemOf(record.document().title()) + format->ending);
+  response.set_file_name(FileStemOf(DocumentOf(record).title()) + format->ending);
   response.set_media_type(format->media_type);
   if (format->view != v1::PREVIEW_VIEW_UNSPECIFIED) {
     v1::RenderRequest render;

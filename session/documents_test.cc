@@ -113,6 +113,8 @@ TEST_F(DocumentsTest, AnOwnRoomIsDrawnChangedAndFurnished) {
   ASSERT_TRUE(undone.ok()) << undone.status();
   EXPECT_EQ(undone->document().layout_id(), furnished.layout_id());
   EXPECT_EQ(undone->document().brief().text(), furnished.brief().text());
+  // It was drawn, and not called by a brief.
+  EXPECT_EQ(again.title(), made->document().title());
 }
 
 TEST_F(DocumentsTest, FilesAreOpenedAndBadOnesRefused) {
@@ -161,6 +163,23 @@ TEST_F(DocumentsTest, FurnitureIsFoundByOtherWordsForItAndInThePlural) {
   // Too few letters for a word that is not the name.
   EXPECT_EQ(first("bo"), "bookshelf");
   EXPECT_EQ(first("ca"), "");
+}
+
+TEST_F(DocumentsTest, ARoomIsCalledByTheBriefItWasFurnishedForUnlessSomebodyNamedIt) {
+  const v1::GetDocumentResponse made = Designed();
+  const auto furnished = [&](const v1::Document& before, const std::string& brief) {
+    return After(
+        [&] { ASSERT_TRUE(Act(before, [&](v1::ActRequest& act) { act.mutable_furnish()->set_text(brief); }).ok()); },
+        [&](const v1::Document& one) {
+          return one.job_state() == v1::JOB_STATE_SUCCEEDED && one.brief().text() == brief;
+        });
+  };
+  const v1::Document study = furnished(made.document(), "A study.");
+  EXPECT_EQ(study.title(), "A study.");
+  const auto undone = Act(study, [](v1::ActRequest& act) { act.mutable_undo(); });
+  EXPECT_EQ(undone->document().title(), made.document().title());
+  const auto named = Act(undone->document(), [](v1::ActRequest& act) { act.set_title("Attic"); });
+  EXPECT_EQ(furnished(named->document(), "A library.").title(), "Attic");
 }
 
 TEST_F(DocumentsTest, FilesAreCalledByWholeWords) {
