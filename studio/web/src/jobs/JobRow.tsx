@@ -81,12 +81,21 @@ export function JobRow({ job, now, changed, pictures }: { job: Job; now: Date; c
           Details
         </button>
         {edited && (
-          <button class="button" title="The room that was made of it, as it is now" onClick={() => goTo({ page: "document", id: edited.id })}>
+          <button
+            class="button"
+            title="The room that was made of it, as it is now"
+            onClick={() => goTo({ page: "document", id: edited.id })}
+          >
             Go to its room
           </button>
         )}
         {isDone && (
-          <button class="button" disabled={isBusy} title="The room just as the job made it" onClick={() => run(() => openResult(studio, job))}>
+          <button
+            class="button"
+            disabled={isBusy}
+            title="The room just as the job made it"
+            onClick={() => run(() => openResult(studio, job))}
+          >
             <Icon name="plan" />
             Open result
           </button>

@@ -10,7 +10,9 @@ export function OtherLayouts({ room, label = "Other layouts" }: { room: OpenRoom
     <button
       class="button"
       disabled={isEmpty || isSearching || room.isBusy.value}
-      title={isEmpty ? "Nothing stands in the room yet" : "Search for other ways to place the same pieces; what is locked stays (O)"}
+      title={isEmpty
+        ? "Nothing stands in the room yet"
+        : "Search for other ways to place the same pieces; what is locked stays (O)"}
       onClick={() => void room.search.start()}
     >
       {label}

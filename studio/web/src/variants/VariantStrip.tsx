@@ -100,7 +100,9 @@ export function VariantStrip({ room }: { room: OpenRoom }) {
         {isOpen && began === undefined && <OtherLayouts room={room} label="Search others" />}
         {isOpen && changed && <p class="hint">{changed}</p>}
       </div>
-      {began !== undefined ? <Searching room={room} began={began} /> : isOpen && variants && <Tiles room={room} variants={variants} />}
+      {began !== undefined
+        ? <Searching room={room} began={began} />
+        : isOpen && variants && <Tiles room={room} variants={variants} />}
     </section>
   );
 }

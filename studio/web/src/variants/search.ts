@@ -38,7 +38,8 @@ export class VariantSearch {
       const { document } = await this.clients.studio.findVariants(request, { signal: abort.signal });
       if (abort.signal.aborted || !document) return;
       this.room.found(document);
-      if (document.variantCount === 0) this.room.tell("There is no other layout: what is locked and wished for leaves just this one.");
+      if (document.variantCount === 0)
+        this.room.tell("There is no other layout: what is locked and wished for leaves just this one.");
     } catch (error) {
       const isChanged = abort.signal.reason === kChanged || (!abort.signal.aborted && isConflict(error));
       if (isChanged) this.room.tell("The room was changed meanwhile. Search again for layouts of what it is now.");
