@@ -15,6 +15,16 @@ namespace flair::session {
 using runtime::CallContext;
 using runtime::UnaryRequest;
 
+namespace {
+
+template <typename Request>
+const Request& Named(Request& request) {
+  request.set_request_id("flair-session");
+  return request;
+}
+
+}  // namespace
+
 // Calls under way keep theirs.
 struct Stages::Designer {
   explicit Designer(const Channels& channels)
@@ -46,14 +56,14 @@ std::shared_ptr<Stages::Designer> Stages::DesignerNow() {
   return designer_;
 }
 
-absl::StatusOr<v1::SolveResponse> Stages::Solve(const v1::SolveRequest& request, CallContext& call) {
-  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Solve, request, call);
+absl::StatusOr<v1::SolveResponse> Stages::Solve(v1::SolveRequest request, CallContext& call) {
+  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Solve, Named(request), call);
 }
-absl::StatusOr<v1::ResolveResponse> Stages::Resolve(const v1::ResolveRequest& request, CallContext& call) {
-  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Resolve, request, call);
+absl::StatusOr<v1::ResolveResponse> Stages::Resolve(v1::ResolveRequest request, CallContext& call) {
+  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Resolve, Named(request), call);
 }
-absl::StatusOr<v1::EvaluateResponse> Stages::Evaluate(const v1::EvaluateRequest& request, CallContext& call) {
-  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Evaluate, request, call);
+absl::StatusOr<v1::EvaluateResponse> Stages::Evaluate(v1::EvaluateRequest request, CallContext& call) {
+  return UnaryRequest(*stubs_->optimizer, &v1::OptimizerService::StubInterface::Evaluate, Named(request), call);
 }
 absl::StatusOr<v1::ConstraintCatalog> Stages::Catalog(CallContext& call) {
   const std::lock_guard lock(mutex_);
@@ -65,18 +75,18 @@ absl::StatusOr<v1::ConstraintCatalog> Stages::Catalog(CallContext& call) {
   }
   return *catalog_;
 }
-absl::StatusOr<v1::TranslateResponse> Stages::Translate(const v1::TranslateRequest& request, CallContext& call) {
-  return UnaryRequest(*DesignerNow()->translator, &v1::TranslatorService::StubInterface::Translate, request, call);
+absl::StatusOr<v1::TranslateResponse> Stages::Translate(v1::TranslateRequest request, CallContext& call) {
+  return UnaryRequest(*DesignerNow()->translator, &v1::TranslatorService::StubInterface::Translate, Named(request),
+                      call);
 }
-absl::StatusOr<v1::RenderResponse> Stages::Render(const v1::RenderRequest& request, CallContext& call) {
-  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::Render, request, call);
+absl::StatusOr<v1::RenderResponse> Stages::Render(v1::RenderRequest request, CallContext& call) {
+  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::Render, Named(request), call);
 }
-absl::StatusOr<v1::ExportSceneResponse> Stages::ExportScene(const v1::ExportSceneRequest& request, CallContext& call) {
-  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::ExportScene, request, call);
+absl::StatusOr<v1::ExportSceneResponse> Stages::ExportScene(v1::ExportSceneRequest request, CallContext& call) {
+  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::ExportScene, Named(request), call);
 }
-absl::StatusOr<v1::DrawPlanPartsResponse> Stages::DrawPlanParts(const v1::DrawPlanPartsRequest& request,
-                                                                CallContext& call) {
-  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::DrawPlanParts, request, call);
+absl::StatusOr<v1::DrawPlanPartsResponse> Stages::DrawPlanParts(v1::DrawPlanPartsRequest request, CallContext& call) {
+  return UnaryRequest(*stubs_->renderer, &v1::RendererService::StubInterface::DrawPlanParts, Named(request), call);
 }
 
 absl::StatusOr<v1::Job> Stages::CreateJob(const v1::CreateJobRequest& request, CallContext& call) {

@@ -28,7 +28,8 @@ struct Channels {
   std::shared_ptr<grpc::Channel> renderer;
 };
 
-// The calls that an editor makes of them, each until its caller gives up. Errors are the service's. Thread-safe.
+// The calls that an editor makes of them, under one request_id, each until its caller gives up. Errors are the
+// service's. Thread-safe.
 class Stages {
  public:
   explicit Stages(const Channels& channels);
@@ -37,17 +38,15 @@ class Stages {
   void DesignBy(const Channels& channels);
   ~Stages();
 
-  absl::StatusOr<v1::SolveResponse> Solve(const v1::SolveRequest& request, runtime::CallContext& call);
-  absl::StatusOr<v1::ResolveResponse> Resolve(const v1::ResolveRequest& request, runtime::CallContext& call);
-  absl::StatusOr<v1::EvaluateResponse> Evaluate(const v1::EvaluateRequest& request, runtime::CallContext& call);
+  absl::StatusOr<v1::SolveResponse> Solve(v1::SolveRequest request, runtime::CallContext& call);
+  absl::StatusOr<v1::ResolveResponse> Resolve(v1::ResolveRequest request, runtime::CallContext& call);
+  absl::StatusOr<v1::EvaluateResponse> Evaluate(v1::EvaluateRequest request, runtime::CallContext& call);
   // The optimizer's, asked once.
   absl::StatusOr<v1::ConstraintCatalog> Catalog(runtime::CallContext& call);
-  absl::StatusOr<v1::TranslateResponse> Translate(const v1::TranslateRequest& request, runtime::CallContext& call);
-  absl::StatusOr<v1::RenderResponse> Render(const v1::RenderRequest& request, runtime::CallContext& call);
-  absl::StatusOr<v1::ExportSceneResponse> ExportScene(const v1::ExportSceneRequest& request,
-                                                      runtime::CallContext& call);
-  absl::StatusOr<v1::DrawPlanPartsResponse> DrawPlanParts(const v1::DrawPlanPartsRequest& request,
-                                                          runtime::CallContext& call);
+  absl::StatusOr<v1::TranslateResponse> Translate(v1::TranslateRequest request, runtime::CallContext& call);
+  absl::StatusOr<v1::RenderResponse> Render(v1::RenderRequest request, runtime::CallContext& call);
+  absl::StatusOr<v1::ExportSceneResponse> ExportScene(v1::ExportSceneRequest request, runtime::CallContext& call);
+  absl::StatusOr<v1::DrawPlanPartsResponse> DrawPlanParts(v1::DrawPlanPartsRequest request, runtime::CallContext& call);
 
   absl::StatusOr<v1::Job> CreateJob(const v1::CreateJobRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::Job> GetJob(const std::string& id, runtime::CallContext& call);

@@ -9,7 +9,7 @@
 #include "absl/status/statusor.h"
 #include "cli/mcp/root_folder.h"
 #include "cli/mcp/server.h"
-#include "session/documents.h"
+#include "session/documents/documents.h"
 
 namespace flair::cli::mcp {
 

@@ -2,7 +2,6 @@
 #include "cli/session/furniture_offers.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -12,7 +11,6 @@
 #include "absl/strings/ascii.h"
 #include "absl/strings/str_replace.h"
 #include "cli/output/text.h"
-#include "language_worker/handbook/loading/load_handbook.h"
 #include "renderer_worker/assets/asset_library.h"
 #include "room/validation/validate.h"
 #include "worker_runtime/status/status_macros.h"
@@ -38,11 +36,9 @@ v1::ObjectKind KindOf(language::hb::FurnitureKind kind) {
 }
 
 // The handbook's classes, in their usual sizes.
-absl::StatusOr<std::vector<v1::FurnitureOffer>> OfHandbook(const std::vector<std::string>& handbooks) {
-  const std::vector<std::filesystem::path> overlays(handbooks.begin(), handbooks.end());
-  ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder(), overlays));
+std::vector<v1::FurnitureOffer> OfHandbook(const language::Handbook& handbook) {
   std::vector<v1::FurnitureOffer> offers;
-  for (const language::hb::Furniture& furniture : handbook->contents().furniture()) {
+  for (const language::hb::Furniture& furniture : handbook.contents().furniture()) {
     v1::FurnitureOffer& offer = offers.emplace_back();
     offer.set_group(absl::StrReplaceAll(furniture.category(), {{"_", " "}}));
     v1::Object& object = *offer.mutable_object();
@@ -62,7 +58,7 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> OfHandbook(const std::vector<std
   }
   // What most kinds of rooms have is what people look for first, and what stands on the floor before the rest.
   std::map<std::string, int> rooms;
-  for (const language::hb::Archetype& room : handbook->contents().archetypes()) {
+  for (const language::hb::Archetype& room : handbook.contents().archetypes()) {
     std::set<std::string> pieces;
     for (const language::hb::Band& band : room.bands()) {
       for (const language::hb::ObjectEntry& entry : band.objects()) pieces.insert(entry.furniture());
@@ -126,20 +122,19 @@ absl::StatusOr<std::vector<v1::FurnitureOffer>> OfFolder(const std::string& fold
 
 }  // namespace
 
-absl::StatusOr<std::vector<v1::FurnitureOffer>> FurnitureOffers(const StageChoice& stages) {
-  ASSIGN_OR_RETURN(const std::vector<v1::FurnitureOffer> of_handbook, OfHandbook(stages.handbooks));
-  if (stages.asset_folder.empty()) return of_handbook;
-  ASSIGN_OR_RETURN(std::vector<v1::FurnitureOffer> offers, OfFolder(stages.asset_folder, of_handbook));
+absl::StatusOr<std::vector<v1::FurnitureOffer>> FurnitureOffers(const std::string& asset_folder,
+                                                                const language::Handbook& handbook) {
+  const std::vector<v1::FurnitureOffer> of_handbook = OfHandbook(handbook);
+  if (asset_folder.empty()) return of_handbook;
+  ASSIGN_OR_RETURN(std::vector<v1::FurnitureOffer> offers, OfFolder(asset_folder, of_handbook));
   offers.insert(offers.end(), of_handbook.begin(), of_handbook.end());
   return offers;
 }
 
-absl::StatusOr<std::map<std::string, std::vector<int>>> FurnitureWords(const StageChoice& stages,
-                                                                       const std::vector<v1::FurnitureOffer>& offers) {
-  const std::vector<std::filesystem::path> overlays(stages.handbooks.begin(), stages.handbooks.end());
-  ASSIGN_OR_RETURN(const auto handbook, language::LoadHandbook(language::DefaultHandbookFolder(), overlays));
+std::map<std::string, std::vector<int>> FurnitureWords(const language::Handbook& handbook,
+                                                       const std::vector<v1::FurnitureOffer>& offers) {
   std::map<std::string, const language::hb::Furniture*> classes;
-  for (const language::hb::Furniture& furniture : handbook->contents().furniture()) {
+  for (const language::hb::Furniture& furniture : handbook.contents().furniture()) {
     classes.emplace(furniture.name(), &furniture);
   }
   std::map<std::string, std::vector<int>> words;

@@ -19,8 +19,9 @@
 #include "cli/session/furniture_offers.h"
 #include "cli/session/session.h"
 #include "fmt/format.h"
+#include "language_worker/handbook/loading/load_handbook.h"
 #include "llm/config/check_llm_config.h"
-#include "session/designer_sentences.h"
+#include "session/sentences/designer_sentences.h"
 #include "worker_runtime/security/security.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -37,9 +38,12 @@ absl::StatusOr<v1::Artifact> ReadUpload(const std::string& bytes) {
 
 absl::StatusOr<session::DocumentParts> Parts(const StageChoice& stages) {
   session::DocumentParts parts;
-  ASSIGN_OR_RETURN(parts.furniture, FurnitureOffers(stages));
-  parts.sentences_of = session::SentencesOfHandbook(stages.handbooks);
-  ASSIGN_OR_RETURN(parts.furniture_words, FurnitureWords(stages, parts.furniture));
+  const std::vector<std::filesystem::path> overlays(stages.handbooks.begin(), stages.handbooks.end());
+  ASSIGN_OR_RETURN(std::shared_ptr<const language::Handbook> handbook,
+                   language::LoadHandbook(language::DefaultHandbookFolder(), overlays));
+  ASSIGN_OR_RETURN(parts.furniture, FurnitureOffers(stages.asset_folder, *handbook));
+  parts.furniture_words = FurnitureWords(*handbook, parts.furniture);
+  parts.sentences_of = session::SentencesOfHandbook(std::move(handbook));
   parts.read_file = ReadUpload;
   parts.not_as_asked = NotAsAsked;
   parts.note_json = [](const v1::SolvedLayout& layout,

@@ -9,7 +9,7 @@
 
 #include "absl/status/statusor.h"
 #include "cli/input/service_flags.h"
-#include "session/documents.h"
+#include "session/documents/documents.h"
 
 namespace flair::cli {
 

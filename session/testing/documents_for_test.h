@@ -11,9 +11,10 @@
 #include "cli/embedded/embedded_services.h"
 #include "cli/input/artifact_file.h"
 #include "cli/output/report_text.h"
+#include "language_worker/handbook/loading/load_handbook.h"
 #include "orchestrator/testing/temporary_folder.h"
-#include "session/designer_sentences.h"
-#include "session/documents.h"
+#include "session/documents/documents.h"
+#include "session/sentences/designer_sentences.h"
 
 namespace flair::session {
 
@@ -43,7 +44,9 @@ class DocumentsTest : public ::testing::Test {
     parts.note_json = [](const auto&, const auto&) { return std::string("{}"); };
     parts.note_text = parts.note_json;
     parts.not_as_asked = cli::NotAsAsked;
-    parts.sentences_of = SentencesOfHandbook({});
+    static const std::shared_ptr<const language::Handbook> handbook =
+        *language::LoadHandbook(language::DefaultHandbookFolder(), {});
+    parts.sentences_of = SentencesOfHandbook(handbook);
     const auto offer = [&](const char* name, double width_m, double depth_m, double height_m) -> v1::Object& {
       v1::Object& object = *parts.furniture.emplace_back().mutable_object();
       object.set_name(name);

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "session/documents.h"
+#include "session/documents/documents.h"
 #include "worker_runtime/bootstrap/worker_context.h"
 
 namespace flair::studio {

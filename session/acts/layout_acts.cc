@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/acts/layout_acts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "fmt/format.h"
+#include "room/validation/validate.h"
+#include "session/layouts/edits.h"
+#include "session/layouts/placing.h"
+#include "session/sentences/names.h"
+#include "session/sentences/sentences.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::session {
+namespace {
+
+using runtime::CallContext;
+
+// Whether an edge speaks of one of these.
+bool Names(const v1::ConstraintEdge& edge, const IdSet& ids) {
+  return std::ranges::any_of(TextsOf(edge), [&](const std::string& text) { return ids.contains(text); });
+}
+
+// What sentences call a room's parts.
+IdSet PartsOf(const v1::Room& room) {
+  IdSet parts = IdsOf(room.openings());
+  parts.merge(IdsOf(room.sockets()));
+  for (const v1::Wall& wall : room.walls()) parts.insert(wall.name());
+  return parts;
+}
+
+}  // namespace
+
+absl::StatusOr<Acted> LayoutActs::Move(const Standing& standing, const v1::MoveObjects& move, CallContext& call) const {
+  Acted acted;
+  acted.layout = standing.shown;
+  RETURN_IF_ERROR(Place(acted.layout, move.placements(), "move.placements"));
+  const IdSet moved = IdsOf(move.placements());
+  for (v1::Placement& pin : *acted.layout.mutable_graph()->mutable_pinned_placements()) {
+    if (moved.contains(pin.object_id())) pin = *PlaceOf(acted.layout, pin.object_id());
+  }
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  // The last place of each object is what counts.
+  for (const v1::LayoutEdit& edit : standing.pending) {
+    const bool again = edit.has_move_object() && moved.contains(edit.move_object().object_id());
+    if (!again) *acted.pending.Add() = edit;
+  }
+  for (const v1::Placement& to : move.placements()) *acted.pending.Add()->mutable_move_object() = to;
+  acted.producer = ByHand();
+  acted.moved_ids = MovedIds(standing.shown, acted.layout);
+  acted.settled = false;
+  acted.by_hand = ByHandAfter(standing.by_hand, acted.pending);
+  acted.label = MoveLabel(standing.shown, move);
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Clear(const Standing& standing, CallContext& call) const {
+  Acted acted;
+  *acted.layout.mutable_graph()->mutable_room() = standing.shown.graph().room();
+  *acted.layout.mutable_graph()->mutable_zone_plan() = standing.shown.graph().zone_plan();
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  acted.producer = ByHand();
+  acted.settled = false;
+  acted.anew = true;
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Edit(const Standing& standing, const v1::EditLayout& edit, CallContext& call) const {
+  if (edit.edits().empty()) return absl::InvalidArgumentError("edit.edits: is empty; say what to change");
+  if (edit.edits_size() > 1000) return InvalidArgument("edit.edits: {}; at most 1000 at once", edit.edits_size());
+  if (std::ranges::any_of(edit.edits(), &v1::LayoutEdit::has_add_object)) return Add(standing, edit, call);
+  const EditList edits = Completed(standing.shown, edit.edits());
+  ASSIGN_OR_RETURN(Acted acted, RemovesAll(standing.shown, edits) ? Clear(standing, call)
+                                : edit.without_solving()          ? Unsolved(standing, edits, call)
+                                                                  : Solved(standing, edits, call));
+  acted.label = EditLabel(standing.shown, edits);
+  for (v1::Diagnostic& left : LeftBehind(standing.shown, edits)) acted.diagnostics.push_back(std::move(left));
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& call) const {
+  if (standing.shown.graph().object_list().objects().empty()) {
+    return absl::FailedPreconditionError("settle: nothing stands in the room");
+  }
+  EditList edits;
+  if (standing.settled != nullptr && standing.pending.empty()) {
+    edits = WhatStandsBadly(standing.shown);
+    if (edits.empty()) return absl::FailedPreconditionError("everything holds: there is nothing to settle");
+  }
+  ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
+  acted.label = "settle";
+  if (ChangesNothing(standing.shown, acted)) acted.diagnostics.push_back(WhyNothingMoves(acted.layout, acted.by_hand));
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::ReplaceObject& replace,
+                                          CallContext& call) const {
+  v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
+  std::string before;
+  for (v1::SolvedLayout* layout : {&shown, &settled}) {
+    for (v1::Object& object : *layout->mutable_graph()->mutable_object_list()->mutable_objects()) {
+      if (object.id() != replace.object_id()) continue;
+      before = object.name();
+      // Sizes are an edit, which keeps the back where it was.
+      object.set_name(replace.by().name());
+      object.set_category(replace.by().category());
+      object.set_description(replace.by().description());
+      object.set_round(replace.by().round());
+      object.set_sat_at(replace.by().sat_at());
+      object.set_seat(replace.by().seat());
+      object.set_requested(true);
+      const auto at = std::ranges::find(*layout->mutable_placements(), object.id(), &v1::Placement::object_id);
+      if (at != layout->mutable_placements()->end()) FaceIntoRoom(layout->graph().room(), object, true, *at);
+    }
+  }
+  if (before.empty()) {
+    return InvalidArgument("replace.object_id: \"{}\" is not an object of the room", replace.object_id().substr(0, 80));
+  }
+  EditList edits;
+  v1::ResizeObject& resize = *edits.Add()->mutable_resize_object();
+  resize.set_object_id(replace.object_id());
+  resize.set_width_m(replace.by().width_m());
+  resize.set_depth_m(replace.by().depth_m());
+  resize.set_height_m(replace.by().height_m());
+  ASSIGN_OR_RETURN(Acted acted,
+                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending, standing.by_hand},
+                          edits, call));
+  acted.label = fmt::format("replace the {} by {}", before, WithArticle(replace.by().name()));
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1::Room& room, CallContext& call) const {
+  RETURN_IF_ERROR(Validate(room));
+  Acted acted;
+  acted.layout = standing.shown;
+  v1::LayoutGraph& graph = *acted.layout.mutable_graph();
+  // What a sentence said of a wall that is gone means nothing any more.
+  const IdSet left = PartsOf(room);
+  IdSet gone = PartsOf(graph.room());
+  for (const std::string& part : left) gone.erase(part);
+  EraseIf(*graph.mutable_edges(), [&](const v1::ConstraintEdge& edge) {
+    if (!Names(edge, gone)) return false;
+    acted.diagnostics.push_back(
+        Remark(v1::SEVERITY_NOTE, "edge_dropped", edge.id(),
+               fmt::format("{} is dropped: it speaks of a wall or opening that is gone", edge.id())));
+    return true;
+  });
+  *graph.mutable_room() = room;
+  acted.layout.clear_zone_regions();
+  ASSIGN_OR_RETURN(acted.layout, Evaluated(std::move(acted.layout), call));
+  acted.producer = ByHand();
+  // Settling goes on from here: what stands well stays.
+  acted.by_hand = standing.by_hand;
+  acted.settled = !acted.layout.placements().empty();
+  acted.anew = !acted.settled;
+  if (acted.settled) acted.pending = WhatStandsBadly(acted.layout);
+  acted.label = "change the room";
+  return acted;
+}
+
+absl::StatusOr<Acted> LayoutActs::Dispatch(const Standing& standing, const v1::ActRequest& request,
+                                           CallContext& call) const {
+  switch (request.act_case()) {
+    case v1::ActRequest::kMove:
+      return Move(standing, request.move(), call);
+    case v1::ActRequest::kEdit:
+      return Edit(standing, request.edit(), call);
+    case v1::ActRequest::kSettle:
+      return Settle(standing, call);
+    case v1::ActRequest::kSay:
+      return Say(standing, request.say(), call);
+    case v1::ActRequest::kWeigh:
+      return Weigh(standing, request.weigh(), call);
+    case v1::ActRequest::kReplace:
+      return Replace(standing, request.replace(), call);
+    case v1::ActRequest::kRoom:
+      return ChangeRoom(standing, request.room(), call);
+    default:
+      return absl::InvalidArgumentError("act: is not set; say what to do");
+  }
+}
+
+absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActRequest& request,
+                                      CallContext& call) const {
+  ASSIGN_OR_RETURN(Acted acted, Dispatch(standing, request, call));
+  ForgetWhatIsAnswered(standing.shown.graph(), acted.layout);
+  return acted;
+}
+
+absl::StatusOr<v1::JudgeResponse> LayoutActs::Judge(const v1::SolvedLayout& layout, const v1::JudgeRequest& request,
+                                                    CallContext& call) const {
+  v1::SolvedLayout moved;
+  *moved.mutable_graph() = layout.graph();
+  *moved.mutable_placements() = layout.placements();
+  RETURN_IF_ERROR(Place(moved, request.placements(), "placements"));
+  v1::EvaluateRequest evaluate;
+  evaluate.mutable_layout_graph()->Swap(moved.mutable_graph());
+  evaluate.mutable_placements()->Swap(moved.mutable_placements());
+  ASSIGN_OR_RETURN(v1::EvaluateResponse judged, stages_.Evaluate(std::move(evaluate), call));
+  const IdSet ids = IdsOf(request.placements());
+  v1::JudgeResponse response;
+  for (int i = 0; i < judged.edge_outcomes_size() && i < layout.graph().edges_size(); ++i) {
+    if (Names(layout.graph().edges(i), ids))
+      *response.add_edge_outcomes() = std::move(*judged.mutable_edge_outcomes(i));
+  }
+  for (v1::Finding& finding : *judged.mutable_metrics()->mutable_findings()) {
+    if (ids.contains(finding.object_id()) || ids.contains(finding.partner_id())) {
+      *response.add_findings() = std::move(finding);
+    }
+  }
+  response.set_reachable_floor_share(judged.metrics().reachable_floor_share());
+  return response;
+}
+
+}  // namespace flair::session

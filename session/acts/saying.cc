@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the room in English: wishes for its pieces, and for pieces that it has not.
+#include <algorithm>
+#include <utility>
+
+#include "absl/strings/ascii.h"
+#include "absl/strings/match.h"
+#include "fmt/format.h"
+#include "optimizer_worker/resolve/resolve_layout.h"
+#include "room/validation/validate.h"
+#include "session/acts/layout_acts.h"
+#include "session/sentences/names.h"
+#include "session/sentences/said.h"
+#include "session/sentences/sentences.h"
+#include "worker_runtime/status/status_macros.h"
+
+namespace flair::session {
+namespace {
+
+using runtime::CallContext;
+
+// What an edge is about: the first object that it names.
+std::string SubjectOf(const v1::ConstraintEdge& edge, const v1::LayoutGraph& graph) {
+  const IdSet objects = IdsOf(graph.object_list().objects());
+  const std::vector<std::string> texts = TextsOf(edge);
+  const auto first = std::ranges::find_if(texts, [&](const std::string& text) { return objects.contains(text); });
+  return first == texts.end() ? "" : *first;
+}
+
+// "Desk" is what a room with a standing desk has.
+bool HasOne(const v1::LayoutGraph& graph, const std::string& name) {
+  return std::ranges::any_of(graph.object_list().objects(), [&](const v1::Object& object) {
+    const std::string low = absl::AsciiStrToLower(object.name());
+    return low == name || absl::EndsWith(low, " " + name);
+  });
+}
+
+// As people compare what they have said.
+std::string Plain(const std::string& text) {
+  std::string plain = absl::AsciiStrToLower(text);
+  while (!plain.empty() && !absl::ascii_isalnum(static_cast<unsigned char>(plain.back()))) plain.pop_back();
+  return plain;
+}
+
+// Edits that take back what was said before in the same words.
+void DropSame(const v1::LayoutGraph& graph, const IdSet& said, EditList& edits) {
+  IdSet same;
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    if (sentence.id().starts_with(kSaid) && said.contains(Plain(sentence.text()))) same.insert(sentence.id());
+  }
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    if (same.contains(edge.sentence_id())) edits.Add()->set_remove_edge_id(edge.id());
+  }
+}
+
+// Takes back what was said before of the same piece in the same respect, does not hold, and so is said otherwise now.
+void DropOvertaken(const IdSet& now, Acted& acted) {
+  v1::LayoutGraph& graph = *acted.layout.mutable_graph();
+  std::set<std::pair<std::string, std::string>> said;
+  IdSet overtaken;
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    if (now.contains(edge.sentence_id()) && WhyUnmet(acted.layout, {edge.sentence_id()}).empty())
+      said.emplace(edge.type(), SubjectOf(edge, graph));
+  }
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    const std::string& sentence = edge.sentence_id();
+    if (!sentence.starts_with(kSaid) || now.contains(sentence) || WhyUnmet(acted.layout, {sentence}).empty()) continue;
+    if (said.contains({edge.type(), SubjectOf(edge, graph)})) overtaken.insert(sentence);
+  }
+  for (int i = graph.edges_size() - 1; i >= 0; --i) {
+    if (!overtaken.contains(graph.edges(i).sentence_id())) continue;
+    graph.mutable_edges()->DeleteSubrange(i, 1);
+    if (i < acted.layout.edge_outcomes_size()) acted.layout.mutable_edge_outcomes()->DeleteSubrange(i, 1);
+  }
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    if (!overtaken.contains(sentence.id())) continue;
+    acted.diagnostics.push_back(
+        Remark(v1::SEVERITY_NOTE, "said_otherwise", "",
+               fmt::format("\"{}\" is dropped: you have said otherwise since", sentence.text())));
+  }
+}
+
+}  // namespace
+
+absl::StatusOr<v1::LayoutGraph> LayoutActs::Understood(const v1::SaySentence& say, const Said& said,
+                                                       const v1::SolvedLayout& shown, const v1::SolvedLayout& with,
+                                                       CallContext& call) const {
+  const IdSet selected(say.selected_object_ids().begin(), say.selected_object_ids().end());
+  v1::TranslateRequest request;
+  v1::ObjectList& meant = *request.mutable_object_list();
+  meant = MeantBy(say.text(), shown, selected);
+  for (const v1::Object& object : with.graph().object_list().objects()) {
+    if (said.added_ids.contains(object.id())) *meant.add_objects() = object;
+  }
+  if (said.meant.sentences().empty() || meant.objects().empty()) return v1::LayoutGraph();
+  std::ranges::stable_sort(*meant.mutable_objects(), {}, &v1::Object::role);
+  *request.mutable_room() = shown.graph().room();
+  *request.mutable_zone_plan() = shown.graph().zone_plan();
+  *request.mutable_style_sheet() = LooksOf(meant, with);
+  *request.mutable_constraint_list() = said.meant;
+  ASSIGN_OR_RETURN(*request.mutable_catalog(), stages_.Catalog(call));
+  ASSIGN_OR_RETURN(v1::TranslateResponse translated, stages_.Translate(std::move(request), call));
+  return std::move(*translated.mutable_layout_graph());
+}
+
+absl::Status LayoutActs::TellUnmet(const v1::ConstraintList& said, Acted& acted, CallContext& call) const {
+  for (const v1::Sentence& sentence : said.sentences()) {
+    const std::string unmet = WhyUnmet(acted.layout, {sentence.id()});
+    if (unmet.empty()) continue;
+    const IdSet about = ObjectsOf({sentence.id()}, acted.layout.graph());
+    ASSIGN_OR_RETURN(const std::string why, WhyNot(acted.layout, {{sentence.id()}, about}, call));
+    acted.diagnostics.push_back(
+        Remark(v1::SEVERITY_WARNING, "said_in_vain", about.empty() ? "" : *about.begin(),
+               fmt::format("\"{}\" is noted but does not hold: {}; {}", sentence.text(), unmet, why)));
+  }
+  return absl::OkStatus();
+}
+
+absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySentence& say, CallContext& call) const {
+  const std::string text(absl::StripAsciiWhitespace(say.text()));
+  if (text.empty() || text.size() > 400) {
+    return InvalidArgument("say.text: {} characters; sentences of 1 to 400", text.size());
+  }
+  const v1::LayoutGraph& graph = standing.shown.graph();
+  const auto has = [&](const std::string& name) {
+    const std::optional<v1::Object> known = catalogue_.find(name);
+    return HasOne(graph, name) || (known.has_value() && HasOne(graph, known->name()));
+  };
+  const Wishes wishes = ReadWishes(text, catalogue_.find, has);
+  const Said said = Written(wishes, standing.shown);
+  v1::SolvedLayout shown = standing.shown, with = shown;
+  ASSIGN_OR_RETURN(optimizer::EditedProblem with_pieces, optimizer::ApplyEdits(shown, said.adds));
+  with.mutable_graph()->Swap(&with_pieces.graph);
+  ASSIGN_OR_RETURN(const v1::LayoutGraph understood, Understood(say, said, shown, with, call));
+
+  std::vector<std::string> refusals;
+  for (const std::string& name : wishes.unknown) {
+    refusals.push_back(fmt::format("I know no \"{}\"; the furniture list has {}", name, catalogue_.some));
+  }
+  Aim aim;
+  for (const v1::ConstraintEdge& edge : understood.edges()) aim.sentence_ids.insert(edge.sentence_id());
+  const IdSet meaning = aim.sentence_ids;
+  IdSet words;
+  for (const v1::Sentence& sentence : said.shown.sentences()) {
+    if (!meaning.contains(sentence.id())) {
+      refusals.push_back(Refusal(sentence, understood, catalogue_));
+      continue;
+    }
+    words.insert(Plain(sentence.text()));
+    *shown.mutable_graph()->mutable_constraint_list()->add_sentences() = sentence;
+  }
+  if (understood.edges().empty() && said.adds.empty()) {
+    return InvalidArgument("say.text: {}", refusals.empty() ? "nothing is said" : refusals.front());
+  }
+  EditList edits = said.adds;
+  DropSame(graph, words, edits);
+  FreeIds ids(graph.edges(), "e");
+  for (const v1::ConstraintEdge& edge : understood.edges()) {
+    v1::ConstraintEdge& one = *edits.Add()->mutable_add_edge();
+    one = edge;
+    one.set_id(ids.Next());
+    aim.object_ids.insert(SubjectOf(edge, with.graph()));
+  }
+  // Who says something of a piece that was placed by hand wants it to move.
+  ObjectIds by_hand = standing.by_hand;
+  std::erase_if(by_hand, [&](const std::string& one) { return aim.object_ids.contains(one); });
+  aim.object_ids.insert(said.added_ids.begin(), said.added_ids.end());
+  // Without a designer at hand a piece comes as it is.
+  absl::StatusOr<v1::LayoutGraph> designers;
+  if (!said.adds.empty()) designers = LetDesignerSpeak(said.added_ids, with, shown, edits, aim, call);
+  ASSIGN_OR_RETURN(Acted acted, Tried({shown, standing.settled, standing.pending, by_hand}, edits, aim, call));
+  if (designers.ok()) ReturnSubjects(*designers, *acted.layout.mutable_graph());
+  acted.label = SayLabel(text) + AlsoMoved(standing.shown, acted.layout, acted.moved_ids);
+  for (const v1::Diagnostic& remark : understood.diagnostics()) {
+    if (!meaning.contains(remark.subject_id())) continue;
+    acted.diagnostics.push_back(remark);
+    acted.diagnostics.back().set_message(WithNames(remark.message(), acted.layout));
+  }
+  for (std::string& refusal : refusals) {
+    acted.diagnostics.push_back(Remark(v1::SEVERITY_WARNING, "not_understood", "", std::move(refusal)));
+  }
+  RETURN_IF_ERROR(TellUnmet(said.shown, acted, call));
+  DropOvertaken(meaning, acted);
+  return acted;
+}
+
+}  // namespace flair::session

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of a room, as pieces to add and sentences for a translator.
+#pragma once
+
+#include <string>
+
+#include "session/layouts/lists.h"
+#include "session/sentences/piece_wishes.h"
+
+namespace flair::session {
+
+// Sentences that a user has said in this room have ids that begin so.
+inline constexpr char kSaid[] = "said_";
+
+struct Said {
+  // Pieces that are new.
+  EditList adds;
+  IdSet added_ids;
+  // The sentences as people read them; and the same, by the same ids, for a translator, which calls new pieces by their
+  // ids.
+  v1::ConstraintList shown, meant;
+};
+
+Said Written(const Wishes& wishes, const v1::SolvedLayout& layout);
+
+// Why a sentence means nothing to a translator, for people.
+std::string Refusal(const v1::Sentence& sentence, const v1::LayoutGraph& understood, const Catalogue& catalogue);
+
+}  // namespace flair::session
