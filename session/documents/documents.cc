@@ -167,8 +167,10 @@ absl::Status Documents::PushState(Record& record, v1::Artifact artifact, LayoutS
   return Commit(record, {&sealed, 1});
 }
 
-absl::StatusOr<v1::ActResponse> Documents::Answer(const Record& record, const Layout& before) {
+absl::StatusOr<v1::ActResponse> Documents::Answer(const Record& record, const Layout& before, const Acted& acted) {
   v1::ActResponse response;
+  response.mutable_moved_object_ids()->Assign(acted.moved_ids.begin(), acted.moved_ids.end());
+  response.mutable_diagnostics()->Assign(acted.diagnostics.begin(), acted.diagnostics.end());
   *response.mutable_document() = DocumentOf(record);
   if (record.states().empty()) return response;
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));
@@ -250,14 +252,10 @@ absl::StatusOr<v1::ActResponse> Documents::Unchanged(Record record, const Layout
     RETURN_IF_ERROR(Commit(record, {}));
   }
   if (acted.diagnostics.empty()) {
-    v1::Diagnostic& same = acted.diagnostics.emplace_back();
-    same.set_severity(v1::SEVERITY_NOTE);
-    same.set_code("nothing_changed");
-    same.set_message("Nothing was changed: all of it is so already.");
+    acted.diagnostics.push_back(
+        Remark(v1::SEVERITY_NOTE, "nothing_changed", "", "Nothing was changed: all of it is so already."));
   }
-  ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
-  for (v1::Diagnostic& diagnostic : acted.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
-  return response;
+  return Answer(record, before, acted);
 }
 
 absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::ActRequest& request,
@@ -284,10 +282,7 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnLayout(Record record, const v1::
   for (const std::string& id : acted.by_hand) state.add_placed_by_hand_ids(id);
   RETURN_IF_ERROR(
       PushState(record, ArtifactOf(std::move(acted.layout), acted.producer, now.layout_id()), std::move(state)));
-  ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
-  for (const std::string& id : acted.moved_ids) response.add_moved_object_ids(id);
-  for (v1::Diagnostic& diagnostic : acted.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
-  return response;
+  return Answer(record, before, acted);
 }
 
 absl::StatusOr<v1::GetDocumentResponse> Documents::FindAlternatives(const std::string& document_id, int64_t revision,
@@ -328,10 +323,7 @@ absl::StatusOr<v1::ActResponse> Documents::TakeVariant(Record record, int index,
   state.set_settled_layout_id("shown");
   const v1::Producer& producer = taken.producer.program().empty() ? all->producer() : taken.producer;
   RETURN_IF_ERROR(PushState(record, ArtifactOf(std::move(taken.layout), producer, all->id()), std::move(state)));
-  ASSIGN_OR_RETURN(v1::ActResponse response, Answer(record, before));
-  for (const std::string& id : taken.moved_ids) response.add_moved_object_ids(id);
-  for (v1::Diagnostic& diagnostic : taken.diagnostics) *response.add_diagnostics() = std::move(diagnostic);
-  return response;
+  return Answer(record, before, taken);
 }
 
 absl::StatusOr<v1::FindVariantsResponse> Documents::FindVariants(const v1::FindVariantsRequest& request,

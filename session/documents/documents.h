@@ -115,7 +115,8 @@ class Documents {
   absl::StatusOr<v1::ActResponse> Unchanged(Record record, const Layout& before, Acted acted);
   absl::StatusOr<v1::ActResponse> TakeVariant(Record record, int index, runtime::CallContext& call);
   absl::StatusOr<v1::ActResponse> Furnish(Record record, const v1::ActRequest& request, runtime::CallContext& call);
-  absl::StatusOr<v1::ActResponse> Answer(const Record& record, const Layout& before);
+  // What is shown now, its graph only where that differs from the one of `before`.
+  absl::StatusOr<v1::ActResponse> Answer(const Record& record, const Layout& before, const Acted& acted = {});
   // A tar archive of the layout and of what led to it, as far as it is still stored; of bounded size.
   absl::StatusOr<std::string> ArchiveOf(const Layout& shown, runtime::CallContext& call);
 
