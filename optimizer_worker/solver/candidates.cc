@@ -107,6 +107,8 @@ class Proposer {
 
   void AlongWall(const Wall& wall, Side side) {
     const double half = SideLength(footprint_, side) / 2;
+    // What hangs anywhere on a wall as well hangs in its middle, not in a corner.
+    if (object_.kind == ObjectKind::kWall) OnWall(wall, side, wall.length_m / 2);
     OnWall(wall, side, half);
     OnWall(wall, side, wall.length_m - half);
     OnWall(wall, side, wall.length_m / 2);
@@ -194,8 +196,8 @@ class Proposer {
       const double w = sideways ? footprint_.depth_m : footprint_.width_m;
       const double d = sideways ? footprint_.width_m : footprint_.depth_m;
       const double u = std::max(0.0, (top.width_m - w) / 2), v = std::max(0.0, (top.depth_m - d) / 2);
-      for (double a : {0.0, -1.0, 1.0, -0.5, 0.5}) {
-        for (double b : {0.0, -1.0, 1.0, -0.5, 0.5}) {
+      for (double a : {0.0, -0.5, 0.5, -1.0, 1.0}) {
+        for (double b : {0.0, -0.5, 0.5, -1.0, 1.0}) {
           const Vec2<double> p = frame.ToRoom(a * u, b * v);
           out_.push_back({p.x, p.y, pose.theta_rad + turn * kPi / 2});
         }

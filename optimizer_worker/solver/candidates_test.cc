@@ -80,5 +80,17 @@ TEST(SlidesOffCorners, ThereAreNoneInARectangle) {
   EXPECT_TRUE(Slides(scene, {1, 0.5, 0}).empty());
 }
 
+TEST(Candidates, WhatHangsIsTriedInTheMiddleOfAWallFirst) {
+  Scene scene = RoomWithABench(2, 0.1);
+  scene.room = RectangularRoom(6, 5);
+  scene.objects[0].kind = ObjectKind::kWall;
+  const Layout layout = {{0, 0, 0}};
+  Random random(1);
+  std::vector<Pose<double>> tried;
+  ProposeCandidates({scene, layout, {}, {}, {}}, 0, {}, random, tried);
+  ASSERT_FALSE(tried.empty());
+  EXPECT_NEAR(scene.room.walls[0].Offset(Center(tried[0])), scene.room.walls[0].length_m / 2, 1e-9);
+}
+
 }  // namespace
 }  // namespace flair::optimizer

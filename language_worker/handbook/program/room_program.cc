@@ -150,6 +150,9 @@ class ProgramMaker {
   void Add(const hb::ObjectEntry& entry, const std::string& owner, const hb::Archetype& archetype) {
     const std::string key = owner + "." + entry.furniture() + "." + entry.zone();
     if (!Holds(entry.condition(), archetype, area_m2_, choice_, key)) return;
+    // Nobody watches a screen beside the fire that they asked for.
+    const auto is_instead = [&](const Wish& w) { return Includes(entry.condition().without(), w.furniture->name()); };
+    if (std::ranges::any_of(facts_.wishes, is_instead)) return;
     std::string name = entry.furniture();
     const std::size_t pick = choice_.Index(key, static_cast<std::size_t>(entry.or_furniture_size()) + 1);
     if (pick > 0) name = entry.or_furniture(static_cast<int>(pick) - 1);
@@ -256,8 +259,10 @@ class ProgramMaker {
     if (middle.empty()) middle = zone_of("coffee_table");
     for (ProgramItem& item : program_.floor_items) {
       if (middle.empty() || item.furniture->category() != "armchair" || item.seat_of != nullptr) continue;
-      const bool placed =
-          std::ranges::any_of(facts_.places, [&](const Place& place) { return place.furniture == item.furniture; });
+      const bool placed = std::ranges::any_of(facts_.places, [&](const Place& place) {
+        const int most = place.asked->relation().condition().max_count();
+        return place.furniture == item.furniture && (most == 0 || item.count <= most);
+      });
       const bool alone = std::ranges::none_of(program_.floor_items, [&](const ProgramItem& other) {
         return &other != &item && other.zone == item.zone && other.requested;
       });

@@ -35,7 +35,8 @@ using Units = std::vector<Unit>;
 
 // What a brief says of the run.
 struct AskedRun {
-  std::optional<int> wall;
+  std::optional<int> wall;  // of all but those that have one of their own
+  std::map<std::string, int> wall_of;
   bool basin_at_window = false;
   bool others_at_window = false;  // a table has the place before it
 };
@@ -296,7 +297,10 @@ class RunPlanner {
     };
     const bool before = joins(i - 1), after = joins(i + 1);
     const double left_m = before ? 1 : place.offset_m, right_m = after ? 1 : length_m - place.end_m();
-    double cost = asked_.wall && *asked_.wall != place.wall ? 3 : 0;
+    const auto own = asked_.wall_of.find(place.object->name());
+    const bool is_own = own != asked_.wall_of.end();
+    double cost = is_own && own->second != place.wall ? kAsked : 0;
+    if (!is_own && !asked_.basin_at_window && asked_.wall && *asked_.wall != place.wall) cost += 3;
     if (asked_.others_at_window && !WindowsOn(place.wall).empty()) cost += 2;
     for (const double slot_m : {left_m, right_m}) {
       if (slot_m > kSmallM && slot_m < kSlotM) cost += 0.4;
@@ -352,7 +356,9 @@ bool ReadAsked(const BriefFacts& facts, const v1::Room& room, AskedRun& asked) {
     // The one is beside the other anyway.
     if (place.target != nullptr && is_wet(*place.furniture) && is_wet(*place.target)) continue;
     if (text.find("{wall}") == std::string::npos) return false;
-    if (!place.side.empty()) asked.wall = WallOf(room, place.side);
+    if (place.side.empty()) continue;
+    asked.wall = WallOf(room, place.side);
+    if (asked.wall) asked.wall_of.insert_or_assign(place.furniture->name(), *asked.wall);
   }
   return true;
 }

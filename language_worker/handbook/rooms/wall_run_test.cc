@@ -137,6 +137,22 @@ TEST(WallRunWishes, TheSinkOrATableHasTheWindowAsTheBriefSays) {
   }
 }
 
+TEST(WallRunWishes, TheWallOfOneUnitIsNotThatOfTheSinkUnderItsWindow) {
+  const std::string text =
+      "A kitchen, 3.8 x 4.5 m, with the window in the north wall and the door in the south wall. The sink under the "
+      "window, the cooker on the east wall.";
+  for (std::int64_t seed = 0; seed < 6; ++seed) {
+    Kitchen kitchen = KitchenOf(text, seed);
+    std::set<std::string> fitted;
+    for (const v1::Object& object : kitchen.objects.objects()) fitted.insert(object.id());
+    kitchen.run = PlanRun(kitchen.room, kitchen.objects, FactsOf(text), TheHandbook(), Choice(seed, text), fitted);
+    for (const RunPlace& place : kitchen.run) {
+      if (place.part == hb::RUN_PART_BASIN) EXPECT_TRUE(place.at_window) << seed;
+      if (place.part == hb::RUN_PART_HOB) EXPECT_EQ(kitchen.room.walls(place.wall).name(), "east") << seed;
+    }
+  }
+}
+
 TEST(WallRunWishes, ASinkAloneIsNoRun) {
   EXPECT_TRUE(KitchenOf("A bathroom.", 0).run.empty());
   EXPECT_TRUE(KitchenOf("A bedroom, 4 m x 4 m.", 0).run.empty());

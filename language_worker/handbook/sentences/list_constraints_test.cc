@@ -206,5 +206,58 @@ TEST(ListConstraints, VerbsFollowPluralNames) {
   }
 }
 
+bool Says(const Design& design, const std::string& text) {
+  return std::ranges::any_of(design.constraints.sentences(),
+                             [&](const v1::Sentence& sentence) { return sentence.text() == text; });
+}
+
+const v1::Object* Find(const Design& design, const std::string& name) {
+  const auto found = std::ranges::find(design.objects.objects(), name, &v1::Object::name);
+  return found == design.objects.objects().end() ? nullptr : &*found;
+}
+
+TEST(ListConstraints, TheLadderOfABunkBedStaysFree) {
+  const Design design = Ask("A child's bedroom, 4 x 3.2 m, with a bunk bed.", 0);
+  EXPECT_TRUE(Says(design, "The left side of the bunk bed is against a wall."));
+  EXPECT_TRUE(Says(design, "The right side of the bunk bed has 0.6 m of clear space."));
+}
+
+TEST(ListConstraints, KneesHaveRoomBetweenSofaAndLowTable) {
+  EXPECT_TRUE(Says(Ask("A living room, 5 x 4 m.", 0), "The coffee table is at least 0.35 m away from the sofa."));
+}
+
+TEST(ListConstraints, ArmchairsMakeACornerWithTheSofaRoundTheFire) {
+  const Design design = Ask("A sitting room, 5 x 4.5 m, with a wood stove, a sofa and two armchairs.", 0);
+  EXPECT_TRUE(Says(design, "The sofa faces the wood stove."));
+  EXPECT_TRUE(Says(design, "The second armchair is at a right angle to the sofa."));
+}
+
+TEST(ListConstraints, TheClosestOfSeveralTellsWhichNotWhereAllStand) {
+  const std::string lamp = ", and a reading lamp beside the chair closest to the window.";
+  const Design design = Ask("A living room, 5.4 x 4.1 m, with a sofa, two lounge chairs" + lamp, 0);
+  EXPECT_FALSE(Says(design, "The first lounge chair is near the window."));
+  ASSERT_NE(Find(design, "lounge chair"), nullptr);
+  EXPECT_EQ(Find(design, "lounge chair")->zone_id(), Find(design, "sofa")->zone_id());
+}
+
+TEST(ListConstraints, LowStoragePiecesStandBesideAWindow) {
+  const Design design = Ask("A dining room, 4 x 4.5 m, with a table for six and a sideboard.", 0);
+  EXPECT_TRUE(Says(design, "The sideboard is at least 0.05 m away from the windows."));
+}
+
+TEST(ListObjects, NobodyWatchesAScreenBesideTheFireThatTheyAskedFor) {
+  for (const char* fire : {"a fireplace", "a log burner"}) {
+    EXPECT_EQ(Find(Ask(std::string("A living room with ") + fire, 0), "tv stand"), nullptr) << fire;
+    EXPECT_NE(Find(Ask(std::string("A living room with a TV and ") + fire, 0), "tv stand"), nullptr) << fire;
+  }
+}
+
+TEST(ListObjects, ATeenagersRoomHasAPlaceForClothesAndALargeRoomALargeRug) {
+  EXPECT_NE(Find(Ask("A teenager's room, 3.7 x 3 m: a daybed, a desk and a vanity.", 0), "wardrobe"), nullptr);
+  EXPECT_EQ(Find(Ask("A teenager's room, 3.7 x 3 m: a daybed, a desk, a dresser.", 0), "wardrobe"), nullptr);
+  EXPECT_DOUBLE_EQ(Find(Ask("A living room, 6 x 5 m.", 0), "area rug")->width_m(), 3);
+  EXPECT_LT(Find(Ask("A living room, 4 x 5 m.", 0), "area rug")->width_m(), 2.5);
+}
+
 }  // namespace
 }  // namespace flair::language

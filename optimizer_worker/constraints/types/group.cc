@@ -102,7 +102,7 @@ BoundCost BindRow(const Arguments& a, const BindContext& context) {
   return std::make_unique<RowCost>(context.scene, objects, a.Number("gap_m"));
 }
 
-constexpr double kAir_m = 0.1;
+constexpr double kAir_m = 0.1, kMostPlay_m = 0.03;
 
 size_t PositionOf(const std::vector<int>& sorted, int object) {
   return static_cast<size_t>(std::ranges::lower_bound(sorted, object) - sorted.begin());
@@ -113,11 +113,12 @@ size_t PositionOf(const std::vector<int>& sorted, int object) {
 //   along  of the middle of the seat's front, outward from and along the side of the centre object f, n        the
 //   seat's front direction and the side's outward normal
 // Places: one on every side of the centre object that has room for a seat, long sides first (two seats: the two long
-// sides), the rest where most length is left; evenly spread along each side, play a quarter of the spare width. Seats
-// take the places that cost least together. Round what is round the places are evenly spread, the first before its
-// front or, where that has no room, half a place further. Zero exactly when every seat is at a place of its own and
-// faces the centre object. Sides are judged where the centre object is now: the cost may jump when it comes too near to
-// a wall. The released io_surround deals places in list order round a stale pose (SEMANTICS.md section 4).
+// sides unless they keep a distance), the rest where most length is left; evenly spread along each side, play a quarter of the spare width, at most
+// kMostPlay_m. Seats take the places that cost least together. Round what is round the places are evenly spread, the
+// first before its front or, where that has no room, half a place further. Zero exactly when every seat is at a place
+// of its own and faces the centre object. Sides are judged where the centre object is now: the cost may jump when it
+// comes too near to a wall. The released io_surround deals places in list order round a stale pose (SEMANTICS.md
+// section 4).
 
 class SurroundCost final : public Cost {
  public:
@@ -196,7 +197,7 @@ class SurroundCost final : public Cost {
     for (size_t k = 0; k < 4; ++k) free_count += free[k] = HasRoom(center, order[k]);
     if (free_count == 0) free.fill(true), free_count = 4;
 
-    if (seats == 2 && free[0] && free[1]) free[2] = free[3] = false, free_count = 2;
+    if (seats == 2 && gap_m_ == 0 && free[0] && free[1]) free[2] = free[3] = false, free_count = 2;
     std::array<int, 4> counts{};
     for (size_t k = 0; k < 4; ++k) counts[k] = free[k];
     for (int left = seats - free_count; left > 0; --left) {
@@ -237,7 +238,7 @@ class SurroundCost final : public Cost {
     for (int i = 0; i < count; ++i) {
       places.items[static_cast<size_t>(places.count++)] = {LocalNormal(side), ExtentBehind(table_, side) / 2,
                                                            (i + 0.5 - count / 2.0) * spacing,
-                                                           std::max(0.0, (spacing - widest_m_) / 4)};
+                                                           std::clamp((spacing - widest_m_) / 4, 0.0, kMostPlay_m)};
     }
   }
   // The place of each seat, cheapest together: greedy, then exchanged pairwise while that helps.

@@ -75,7 +75,7 @@ BoundCost BindBetween(const Arguments& a, const BindContext& context) {
 //   cost = out(gap, [distance / 2, distance])^2 + max(|u| - play, 0)^2 + [parallel] sin^2(theta_1 - theta_2)    [m2]
 //   gap   air between the target's front and the nearest corner of the object, along the target's front direction
 //   u     lateral offset of the object's centre from the target's middle line
-//   play  half of what the narrower can move within the wider, |w_1 - w_2| / 4
+//   play  a quarter of what the narrower can move within the wider, |w_1 - w_2| / 8
 // Zero exactly when the object stands before the target's middle, at distance_m or down to half of it, square to it (a
 // half turn is the same). The released io_infront asks for one point, counts a side shift like a distance and jumps
 // where headings wrap (SEMANTICS.md section 4).
@@ -84,7 +84,7 @@ std::optional<Shortfall> InFrontOfShortfall(const PlacedCall& call) {
   const Frame<double> frame = call.FrameOf(target);
   const double most = call.arguments().Number("distance_m");
   const double lateral = frame.ToObject(call.FrameOf(object).center).x;
-  const double play = std::abs(call.FootprintOf(object).width_m - call.FootprintOf(target).width_m) / 4;
+  const double play = std::abs(call.FootprintOf(object).width_m - call.FootprintOf(target).width_m) / 8;
   double gap = 1e9;
   for (int i = 0; i < 4; ++i) gap = std::min(gap, frame.ToObject(call.BoxOf(object).value(i)).y);
   gap -= call.FootprintOf(target).depth_m / 2;
@@ -112,7 +112,7 @@ BoundCost BindInFrontOf(const Arguments& a, const BindContext& context) {
     }
     const T gap = frames[1].ToObject(box.vertex(nearest)).y - second.depth_m / 2;
     const T lateral = frames[1].ToObject(frames[0].center).x;
-    const double play = std::abs(first.width_m - second.width_m) / 4;
+    const double play = std::abs(first.width_m - second.width_m) / 8;
     T sum = SquaredOutside(gap, distance_m / 2, distance_m) + SquaredOutside(lateral, -play, play);
     if (parallel) sum += Square(Cross(frames[0].front, frames[1].front));
     return sum;

@@ -71,10 +71,11 @@ BoundCost BindOnTopCenter(const Arguments& a, const BindContext&) {
 }
 
 // Sets a thing on one corner of another.
-//   cost = overhang^2 + max(-s_u u, 0)^2 + max(-s_v v, 0)^2 + (1 - cos(theta_1 - theta_2))                      [m2]
+//   cost = overhang^2 + max(p_u - s_u u, 0)^2 + max(p_v - s_v v, 0)^2 + (1 - cos(theta_1 - theta_2))            [m2]
 //   u, v      its centre in the host's frame;  s_u, s_v  signs of the corner
+//   p_u, p_v  a third of the way from the middle to where it is flush with the host's sides
 //   overhang  of its corners over the host's edges (measure/walls.h); of its centre when it is too large to fit
-// Zero exactly when it stands wholly on the host, its centre in that quarter, facing the same way. The released
+// Zero exactly when it stands wholly on the host, its centre well in that quarter, facing the same way. The released
 // on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
 Vec2<double> SignsOf(Corner corner) {
   const bool right = corner == Corner::kBackRight || corner == Corner::kFrontRight;
@@ -94,10 +95,12 @@ BoundCost BindOnTopCorner(const Arguments& a, const BindContext& context) {
   const Footprint small = FootprintOf(context, object), large = FootprintOf(context, host);
   const bool fits = small.width_m <= large.width_m && small.depth_m <= large.depth_m;
   const Vec2<double> signs = SignsOf(a.OneCorner("corner"));
+  const double across = std::max(0.0, large.width_m - small.width_m) / 6;
+  const double ahead = std::max(0.0, large.depth_m - small.depth_m) / 6;
   const auto formula = [=]<typename T>(const Frames<T, 2>& frames) {
     const Vec2<T> p = frames[1].ToObject(frames[0].center);
     const T overhang = SquaredSticksOut(fits ? small : Footprint{}, frames[0], large, frames[1]);
-    return overhang + SquaredHinge(-signs.x * p.x) + SquaredHinge(-signs.y * p.y) +
+    return overhang + SquaredHinge(across - signs.x * p.x) + SquaredHinge(ahead - signs.y * p.y) +
            Turn(frames[0].front, frames[1].front);
   };
   return MakeCost<kOnlyRelative>({object, host}, formula);
