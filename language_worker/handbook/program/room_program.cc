@@ -144,8 +144,6 @@ class ProgramMaker {
     });
   }
 
-  void Add(const hb::ObjectEntry& entry, const std::string& owner) { Add(entry, owner, *program_.archetype); }
-
   // Adds an entry to the list that its class belongs to.
   void Add(const hb::ObjectEntry& entry, const std::string& owner, const hb::Archetype& archetype) {
     const std::string key = owner + "." + entry.furniture() + "." + entry.zone();
@@ -182,7 +180,8 @@ class ProgramMaker {
     std::vector<ProgramItem> usual = std::move(program_.tertiary_items);
     program_.tertiary_items.clear();
     for (const hb::ObjectEntry& entry : changes.additions()) {
-      if (!Lists(program_, entry.furniture()) && !Lists(usual, entry.furniture())) Add(entry, "addition");
+      if (!Lists(program_, entry.furniture()) && !Lists(usual, entry.furniture()))
+        Add(entry, "addition", *program_.archetype);
     }
     program_.tertiary_items.insert(program_.tertiary_items.end(), usual.begin(), usual.end());
     DropLast(program_.floor_items, changes.fewer_secondaries(), program_.zones.size());

@@ -145,15 +145,13 @@ class RunPlanner {
       double over_m = span.length_m() - WidthOf(run);
       if (over_m < 0) over_m = Widen(run, over_m);
       if (over_m < -kSmallM) continue;
-      for (double from_m : StartsIn(run, wall, span)) {
-        PutAt(run, wall, from_m);
-        visit(run);
-      }
-      if (over_m > kFillM || over_m < kSmallM) continue;
-      Widen(run, over_m);
-      for (double from_m : StartsIn(run, wall, span)) {
-        PutAt(run, wall, from_m);
-        visit(run);
+      const bool widens = over_m >= kSmallM && over_m <= kFillM;
+      for (int width = 0; width < (widens ? 2 : 1); ++width) {
+        if (width > 0) Widen(run, over_m);
+        for (double from_m : StartsIn(run, wall, span)) {
+          PutAt(run, wall, from_m);
+          visit(run);
+        }
       }
     }
   }
