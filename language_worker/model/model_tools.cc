@@ -24,9 +24,8 @@ std::string BaseOf(std::string_view name, std::string_view fallback) {
 
 // Whether a length is at most so many times as large as a class gets, and at least as small as that allows.
 bool IsWithin(double value_m, const hb::Extent& extent, double factor) {
-  const double low_m = extent.min() > 0 ? extent.min() : extent.typical();
-  const double high_m = extent.max() > 0 ? extent.max() : extent.typical();
-  return high_m <= 0 || (value_m <= factor * high_m && value_m >= low_m / factor);
+  const double most_m = MostOf(extent);
+  return most_m <= 0 || (value_m <= factor * most_m && value_m >= LeastOf(extent) / factor);
 }
 
 // Longer and shorter side of a class: width and depth of an object may be meant the other way round.

@@ -118,7 +118,6 @@ class Proposer {
       OnWall(wall, side, opening.offset_m + opening.width_m + half);
       if (opening.kind == OpeningKind::kWindow) OnWall(wall, side, opening.offset_m + opening.width_m / 2);
     }
-    const bool secondary_side = side != Side::kBack;
     for (int other : context_.placed) {
       if (other != index_ && scene_.objects[other].kind == object_.kind) BesideOnWall(wall, side, half, other);
     }
@@ -128,7 +127,7 @@ class Proposer {
     if (object_.kind == ObjectKind::kWall) {
       for (const Vec2<double>& center : context_.zone_centers) OnWall(wall, side, wall.Offset(center));
     }
-    const int samples = secondary_side ? density_.wall_samples / 2 : density_.wall_samples;
+    const int samples = side == Side::kBack ? density_.wall_samples : density_.wall_samples / 2;
     const double start = random_.Uniform();
     for (int k = 0; k < samples; ++k) OnWall(wall, side, (k + start) / samples * wall.length_m);
   }

@@ -47,7 +47,7 @@ class Finder {
       std::optional<v1::Contradiction> contradiction = Explain(e);
       if (trials_ > kMostTrials || input_.Cancelled() || input_.OutOfTime()) break;
       if (!contradiction) continue;
-      const bool known = std::any_of(found.begin(), found.end(), [&](const v1::Contradiction& other) {
+      const bool known = std::ranges::any_of(found, [&](const v1::Contradiction& other) {
         return std::equal(other.edge_ids().begin(), other.edge_ids().end(), contradiction->edge_ids().begin(),
                           contradiction->edge_ids().end());
       });
@@ -59,9 +59,9 @@ class Finder {
  private:
   bool IsAboutZones(int edge) const {
     const ConstraintFacts* facts = FindConstraint(input_.graph.edges(edge).type());
-    return facts == nullptr ||
-           std::any_of(facts->type.parameters().begin(), facts->type.parameters().end(),
-                       [](const v1::ParameterSpec& spec) { return spec.kind() == v1::PARAMETER_KIND_ZONE; });
+    return facts == nullptr || std::ranges::any_of(facts->type.parameters(), [](const v1::ParameterSpec& spec) {
+             return spec.kind() == v1::PARAMETER_KIND_ZONE;
+           });
   }
 
   // Satisfied edges that share an object with the violated one.
@@ -119,9 +119,8 @@ class Finder {
       if (!branch.complete) break;
       const SceneCosts costs = BindCosts(*alone, branch.state);
       const std::vector<v1::EdgeOutcome> outcomes = EdgeOutcomes(*alone, costs, branch.state);
-      const auto missed = std::find_if(outcomes.begin(), outcomes.end(), [](const v1::EdgeOutcome& outcome) {
-        return outcome.status() == v1::OUTCOME_STATUS_VIOLATED;
-      });
+      const auto missed = std::ranges::find_if(
+          outcomes, [](const v1::EdgeOutcome& outcome) { return outcome.status() == v1::OUTCOME_STATUS_VIOLATED; });
       trial.missed = missed == outcomes.end() ? v1::EdgeOutcome() : *missed;
       trial.holds = missed == outcomes.end() && FindMisfits(*alone, costs, branch.state).empty();
       if (trial.holds) break;
@@ -206,10 +205,9 @@ class Finder {
 template <typename Gone>
 bool Names(const v1::Meaning& meaning, const Gone& gone) {
   const auto among = [&](const auto& participants) {
-    return std::any_of(participants.begin(), participants.end(),
-                       [&](const v1::Participant& one) { return gone(one.object_id()); });
+    return std::ranges::any_of(participants, [&](const v1::Participant& one) { return gone(one.object_id()); });
   };
-  return std::any_of(meaning.facts().begin(), meaning.facts().end(), [&](const v1::Fact& fact) {
+  return std::ranges::any_of(meaning.facts(), [&](const v1::Fact& fact) {
     return among(fact.movers()) || among(fact.targets()) || among(fact.others());
   });
 }

@@ -171,8 +171,7 @@ double Driver::LackOf(const PartialLayout& state) const {
   double lack = DisorderOf(input_, state);
   std::vector<Pose<double>> poses;
   for (const Term& term : BindCosts(input_, state).terms) {
-    const bool there =
-        std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
+    const bool there = std::ranges::all_of(term.required, [&](int object) { return state.placed[object] != 0; });
     if (!there || (term.edge < 0 && !term.hard)) continue;
     poses.clear();
     for (int object : term.cost->objects()) poses.push_back(state.layout[object]);
@@ -314,7 +313,7 @@ std::vector<int> LeadingObjects(const SolveInput& input) {
 }
 
 bool DifferVisibly(std::span<const int> objects, const Layout& a, const Layout& b) {
-  return std::any_of(objects.begin(), objects.end(), [&](int object) {
+  return std::ranges::any_of(objects, [&](int object) {
     return Distance(Center(a[object]), Center(b[object])) > kMoved_m ||
            AngleBetween(a[object].theta_rad, b[object].theta_rad) > kTurned_rad;
   });
@@ -328,7 +327,7 @@ std::vector<size_t> BestDistinct(size_t count, size_t most, const std::function<
   std::vector<size_t> kept;
   for (size_t i : order) {
     if (kept.size() == most) break;
-    if (std::all_of(kept.begin(), kept.end(), [&](size_t k) { return differ(i, k); })) kept.push_back(i);
+    if (std::ranges::all_of(kept, [&](size_t k) { return differ(i, k); })) kept.push_back(i);
   }
   return kept;
 }

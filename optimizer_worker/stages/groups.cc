@@ -57,7 +57,7 @@ class GroupFinder {
     block_.resize(parent_.size());
     for (size_t i = 0; i < block_.size(); ++i) block_[i] = static_cast<int>(i);
     for (const v1::ConstraintEdge& edge : input_.graph.edges()) {
-      const auto sides = std::count_if(edge.arguments().begin(), edge.arguments().end(), [](const auto& argument) {
+      const auto sides = std::ranges::count_if(edge.arguments(), [](const auto& argument) {
         return argument.name() == "object_side" || argument.name() == "target_side";
       });
       const std::vector<int> named = NamedObjects(edge, scene_);
@@ -141,9 +141,8 @@ class GroupFinder {
     std::map<Make, std::vector<int>> like;
     for (int object : order_) like[MakeOf(scene_.objects[object])].push_back(object);
     for (const auto& [make, objects] : like) {
-      const auto tied = std::count_if(objects.begin(), objects.end(), [&](int o) {
-        return parent_[o] >= 0 || std::count(block_.begin(), block_.end(), block_[o]) > 1;
-      });
+      const auto tied = std::ranges::count_if(
+          objects, [&](int o) { return parent_[o] >= 0 || std::count(block_.begin(), block_.end(), block_[o]) > 1; });
       if (objects.size() < kFewestAlike || 2 * static_cast<size_t>(tied) >= objects.size()) continue;
       for (int object : objects) parent_[object] = -1;
     }
@@ -184,7 +183,7 @@ class GroupFinder {
       clusters[MakeOf(scene_.objects[groups_.all[g].objects[0]])].push_back(g);
     }
     for (const auto& [make, cluster] : clusters) {
-      const bool blocks = std::any_of(cluster.begin(), cluster.end(), [&](int g) { return IsBlock(groups_.all[g]); });
+      const bool blocks = std::ranges::any_of(cluster, [&](int g) { return IsBlock(groups_.all[g]); });
       if (cluster.size() < (blocks ? 2 : kFewestAlike) && !AreParallel(cluster)) continue;
       std::map<Kit, size_t> counts;
       for (int g : cluster) ++counts[KitOf(groups_.all[g])];
@@ -219,9 +218,9 @@ class GroupFinder {
       if (edge.type() != "parallel") continue;
       std::vector<int> named = NamedObjects(edge, scene_);
       const auto is_first = [&](int object) {
-        return std::any_of(cluster.begin(), cluster.end(), [&](int g) { return groups_.all[g].objects[0] == object; });
+        return std::ranges::any_of(cluster, [&](int g) { return groups_.all[g].objects[0] == object; });
       };
-      if (std::all_of(named.begin(), named.end(), is_first)) parallel.insert(named.begin(), named.end());
+      if (std::ranges::all_of(named, is_first)) parallel.insert(named.begin(), named.end());
     }
     return parallel.size() == cluster.size();
   }
@@ -281,7 +280,7 @@ class GroupFinder {
       const std::vector<int> named = NamedObjects(input_.graph.edges(e), scene_);
       if (named.empty() || groups_.of[named[0]] < 0) continue;
       const int group = groups_.of[named[0]];
-      const bool inside = std::all_of(named.begin(), named.end(), [&](int o) { return groups_.of[o] == group; });
+      const bool inside = std::ranges::all_of(named, [&](int o) { return groups_.of[o] == group; });
       if (inside) groups_.all[group].edges.push_back(e);
     }
   }
@@ -315,7 +314,7 @@ class GroupFinder {
 int Groups::LeaderOf(const Scene& scene, int object) const {
   if (of.empty() || of[object] < 0) return object;
   const int group = of[object];
-  const auto pattern = std::find_if(patterns.begin(), patterns.end(), [&](const std::vector<int>& alike) {
+  const auto pattern = std::ranges::find_if(patterns, [&](const std::vector<int>& alike) {
     return std::find(alike.begin(), alike.end(), group) != alike.end();
   });
   const std::vector<int> together = pattern == patterns.end() ? std::vector<int>{group} : *pattern;

@@ -58,7 +58,7 @@ std::string ReasonOf(const SolveInput& input, const PartialLayout& without, cons
                      int object) {
   if (IsSolid(input.scene.objects[object])) return NoFreePlace(input, without, object);
   const auto named = [object](const Misfit& m) { return m.object == object || m.other == object; };
-  const Misfit& misfit = *std::find_if(misfits.begin(), misfits.end(), named);
+  const Misfit& misfit = *std::ranges::find_if(misfits, named);
   if (misfit.other < 0) return fmt::format("it {} by {:.2f} m wherever it is put", misfit.what, misfit.depth_m);
   const int other = misfit.object == object ? misfit.other : misfit.object;
   return fmt::format("it {} \"{}\" by {:.2f} m wherever it is put", misfit.what, input.scene.objects[other].id,
@@ -182,9 +182,8 @@ absl::StatusOr<std::vector<Branch>> SolveWithoutMisfits(const SolveInput& input,
     LeaveOutOf(input, trial);
     if (trial.left_out.size() == branches.front().left_out.size()) break;
     // For a picture nobody moves the furniture.
-    const bool floor_fits = std::none_of(trial.left_out.begin(), trial.left_out.end(), [&](const LeftOut& left) {
-      return IsSolid(input.scene.objects[left.object]);
-    });
+    const bool floor_fits = std::ranges::none_of(
+        trial.left_out, [&](const LeftOut& left) { return IsSolid(input.scene.objects[left.object]); });
     if (floor_fits) {
       branches.front() = std::move(trial);
       break;

@@ -216,8 +216,7 @@ v1::Diagnostic Note(v1::Severity severity, const char* code, std::string message
 std::vector<v1::Diagnostic> SolveDiagnostics(const SolveInput& input, const std::vector<Branch>& branches) {
   std::vector<v1::Diagnostic> diagnostics;
   const auto& outcomes = branches.front().outcomes;
-  const bool stopped =
-      std::any_of(outcomes.begin(), outcomes.end(), [](const v1::StageOutcome& o) { return o.stopped_early(); });
+  const bool stopped = std::ranges::any_of(outcomes, [](const v1::StageOutcome& o) { return o.stopped_early(); });
   if (stopped) {
     diagnostics.push_back(Note(v1::SEVERITY_NOTE, "time_limit",
                                fmt::format("the time limit of {:.3g} s ended the search: this is the best layout until "

@@ -134,9 +134,8 @@ class Packing {
     problem_.SetPlaced(object, true);
     for (const Pose<double>& pose : ExactPlaces(context, object)) {
       layout_[object] = pose;
-      const bool free = std::none_of(others.begin(), others.end(), [&](int other) {
-        return GapOf(input_.scene, object, other, layout_) < -kTouches_m;
-      });
+      const bool free = std::ranges::none_of(
+          others, [&](int other) { return GapOf(input_.scene, object, other, layout_) < -kTouches_m; });
       if (!free) continue;
       const double cost = problem_.Around(object, layout_, limit);
       if (cost < limit) choices.push_back({pose, cost});
@@ -233,9 +232,8 @@ class OverlapClusters {
   std::vector<int> Wider(std::vector<int> group, const std::vector<int>& given_up) const {
     const std::vector<int> core = group;
     for (int other : movable_) {
-      const bool near = std::any_of(core.begin(), core.end(), [&](int object) {
-        return GapOf(input_.scene, object, other, state_.layout) < kNear_m;
-      });
+      const bool near = std::ranges::any_of(
+          core, [&](int object) { return GapOf(input_.scene, object, other, state_.layout) < kNear_m; });
       if (near && !Contains(group, other) && !Contains(given_up, other)) group.push_back(other);
     }
     return WithRiders(std::move(group));

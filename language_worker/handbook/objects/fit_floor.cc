@@ -176,7 +176,7 @@ class FloorFitter {
 
   // Whether it goes with the piece that it is pulled up to, not by itself.
   bool GoesWithAnother(const SizedItem& seat) const {
-    return std::any_of(items_.begin(), items_.end(), [&](const SizedItem& host) { return IsSeatAt(seat, host); });
+    return std::ranges::any_of(items_, [&](const SizedItem& host) { return IsSeatAt(seat, host); });
   }
 
   static bool IsSeatAt(const SizedItem& seat, const SizedItem& host) {
@@ -205,8 +205,8 @@ class FloorFitter {
         return true;
       }
       // The last piece stays even when it covers more than the limit: an empty room helps nobody.
-      const auto others = std::count_if(items_.begin(), items_.end(),
-                                        [&](const SizedItem& other) { return !IsSeatAt(other, items_[victim]); });
+      const auto others =
+          std::ranges::count_if(items_, [&](const SizedItem& other) { return !IsSeatAt(other, items_[victim]); });
       if (others == 1) return DropSeatsOf(victim, 0) && EraseEmpty();
     }
     LeaveOut(items_[victim], 1, Why(items_[victim]));
@@ -254,8 +254,7 @@ class FloorFitter {
     const std::string& name = (sized.wanted != nullptr ? sized.wanted : sized.item.furniture)->name();
     if (count < 1) return;
     // Several of a kind are told once, with their number.
-    const auto told =
-        std::find_if(left_out_.begin(), left_out_.end(), [&](const LeftOut& l) { return l.name == name; });
+    const auto told = std::ranges::find_if(left_out_, [&](const LeftOut& l) { return l.name == name; });
     if (told != left_out_.end()) {
       told->count = std::min(told->count + count, told->asked);
       return;

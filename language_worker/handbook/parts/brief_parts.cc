@@ -31,7 +31,7 @@ std::vector<v1::Sentence> PlacingSentences(const v1::Object& object, const v1::C
 // Whether a list says something about an object, by its id or by its name.
 bool Mentions(const v1::ConstraintList& list, const v1::Object& object) {
   const std::string name = PlainName(object.name());
-  return std::any_of(list.sentences().begin(), list.sentences().end(), [&](const v1::Sentence& sentence) {
+  return std::ranges::any_of(list.sentences(), [&](const v1::Sentence& sentence) {
     const auto& ids = sentence.subject_ids();
     if (!ids.empty()) return std::find(ids.begin(), ids.end(), object.id()) != ids.end();
     return PlainName(sentence.text()).find(name) != std::string::npos;
@@ -40,7 +40,7 @@ bool Mentions(const v1::ConstraintList& list, const v1::Object& object) {
 
 // The usual list with the placements of the tertiaries that their lister placed in the stead of its own.
 v1::ConstraintList WithPlacements(const v1::ObjectList& objects, const v1::ConstraintList& usual) {
-  const bool placed = std::any_of(objects.objects().begin(), objects.objects().end(), [](const v1::Object& object) {
+  const bool placed = std::ranges::any_of(objects.objects(), [](const v1::Object& object) {
     return object.role() == v1::OBJECT_ROLE_TERTIARY && !object.placement().empty();
   });
   if (!placed) return usual;
@@ -126,8 +126,7 @@ std::vector<std::string> WantedZones(const v1::Brief& brief) {
 
 void AddWantedZones(const v1::Brief& brief, v1::ZonePlan& plan) {
   for (const std::string& id : WantedZones(brief)) {
-    const bool there =
-        std::any_of(plan.zones().begin(), plan.zones().end(), [&](const v1::Zone& zone) { return zone.id() == id; });
+    const bool there = std::ranges::any_of(plan.zones(), [&](const v1::Zone& zone) { return zone.id() == id; });
     if (there) continue;
     v1::Zone& zone = *plan.add_zones();
     zone.set_id(id);

@@ -249,7 +249,7 @@ class BriefReader : Reading {
     }
     used = std::move(peoples_words);
     for (const hb::Need* need : found) {
-      const bool overridden = std::any_of(found.begin(), found.end(), [&](const hb::Need* other) {
+      const bool overridden = std::ranges::any_of(found, [&](const hb::Need* other) {
         return std::find(other->overrides().begin(), other->overrides().end(), need->name()) !=
                other->overrides().end();
       });
@@ -338,8 +338,7 @@ class BriefReader : Reading {
   }
 
   bool OccursAny(const google::protobuf::RepeatedPtrField<std::string>& phrases) const {
-    return std::any_of(phrases.begin(), phrases.end(),
-                       [&](const std::string& phrase) { return Phrase(phrase).Occurs(tokens()); });
+    return std::ranges::any_of(phrases, [&](const std::string& phrase) { return Phrase(phrase).Occurs(tokens()); });
   }
 
   const BriefText text_;

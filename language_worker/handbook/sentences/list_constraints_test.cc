@@ -259,5 +259,22 @@ TEST(ListObjects, ATeenagersRoomHasAPlaceForClothesAndALargeRoomALargeRug) {
   EXPECT_LT(Find(Ask("A living room, 4 x 5 m.", 0), "area rug")->width_m(), 2.5);
 }
 
+TEST(ListObjects, ABathroomForAWheelchairHasRailsASeatAndNothingToTripOver) {
+  const Design design =
+      Ask("A bathroom, 2.2 x 2.6 m, for my old parents, with a shower and place for a wheelchair.", 0);
+  for (const char* there : {"grab rail", "shower seat", "washbasin"}) EXPECT_NE(Find(design, there), nullptr) << there;
+  for (const char* gone : {"bath mat", "vanity unit"}) EXPECT_EQ(Find(design, gone), nullptr) << gone;
+}
+
+TEST(ListObjects, EachNightstandOfAStudioFlatHasALamp) {
+  const Design design = Ask("A studio flat, 28 m2, with a double bed and two nightstands.", 0);
+  EXPECT_EQ(std::ranges::count(design.objects.objects(), "table lamp", &v1::Object::name), 2);
+}
+
+TEST(ListConstraints, PlantsStandNotBehindADoor) {
+  EXPECT_TRUE(Says(Ask("A living room, 5 x 4 m, with a floor plant.", 0),
+                   "The floor plant is at least 0.5 m away from the door."));
+}
+
 }  // namespace
 }  // namespace flair::language

@@ -84,15 +84,14 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
     if (!elsewhere) return false;
   }
   if (!condition.zones().empty() && !Includes(condition.zones(), ZoneName(*group.front()))) return false;
-  return !condition.needs_window() ||
-         std::any_of(room_.openings().begin(), room_.openings().end(),
-                     [](const auto& opening) { return opening.kind() == v1::OPENING_KIND_WINDOW; });
+  return !condition.needs_window() || std::ranges::any_of(room_.openings(), [](const auto& opening) {
+    return opening.kind() == v1::OPENING_KIND_WINDOW;
+  });
 }
 
 bool SentenceWriter::IsInZoneOf(const v1::Object& object, const std::string& name) const {
   const auto group = groups_.find(name);
-  return group != groups_.end() &&
-         std::any_of(group->second.begin(), group->second.end(), [&](const v1::Object* other) {
+  return group != groups_.end() && std::ranges::any_of(group->second, [&](const v1::Object* other) {
            return other->id() != object.id() && other->zone_id() == object.zone_id();
          });
 }
@@ -100,7 +99,7 @@ bool SentenceWriter::IsInZoneOf(const v1::Object& object, const std::string& nam
 bool SentenceWriter::HasPartnerInZone(const hb::Relation& relation, const v1::Object& object) const {
   if (object.role() == v1::OBJECT_ROLE_TERTIARY) return false;
   const std::vector<std::string> names = WithSubstitutes(relation.targets(), program_);
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return IsInZoneOf(object, name); });
+  return std::ranges::any_of(names, [&](const std::string& name) { return IsInZoneOf(object, name); });
 }
 
 bool SentenceWriter::FindTargets(const hb::Relation& relation, const v1::Object& object, Group& targets) const {
