@@ -121,6 +121,7 @@ class NounReader {
     for (std::size_t steps = 0; at > 0 && steps < kMostBack; ++steps) {
       const std::string_view word = words_.At(at - 1);
       if (TakeMeasure() || TakeFloorToCeiling()) continue;
+      if (TakeNearlyAll()) return true;
       if (word == "of" && TakeQuantity()) return true;
       const bool told =
           IsIn("inner_rooms", word) || IsIn("shop_windows", word) || IsIn("ways_in", word) || IsIn("swinging", word);
@@ -217,6 +218,20 @@ class NounReader {
       } else if (second) {
         --at;
       }
+      return true;
+    }
+    return false;
+  }
+
+  // "The short wall is nearly all window."
+  bool TakeNearlyAll() {
+    std::size_t& at = found_.begin;
+    if (found_.wish.door || found_.plural) return false;
+    for (std::size_t length = std::min<std::size_t>(at, 3); length > 0; --length) {
+      if (words_.BehindPhrase(at - length, "nearly_all") != at) continue;
+      found_.wish.width_m = kWholeWallM;
+      found_.wish.counted = found_.whole_wall = true;
+      at -= length;
       return true;
     }
     return false;

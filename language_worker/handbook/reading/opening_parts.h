@@ -26,6 +26,7 @@ struct OpeningNoun {
   bool further = false;  // "a second door": of two, when none was said to be one of several
   bool bare = false;     // neither article nor number
   bool plural = false;
+  bool whole_wall = false;         // "nearly all window"
   bool glass = false;              // "glass on three sides": an opening only where its wall is told
   std::vector<std::string> leads;  // of several doors each: "two doors, bedroom and bathroom"
   std::size_t begin = 0;

@@ -166,7 +166,7 @@ class OpeningReader {
     if (noun.any) return;
     Name(i, noun.wish);
     const bool told = !site.sides.empty() || !noun.wish.side.empty() || site.fills;
-    if (noun.glass && !told) return;
+    if (noun.glass && !noun.whole_wall && !told) return;
     if (noun.related && (!told || !site.not_read.empty())) return NoteRelated(noun);
     if (noun.none) return NoteNone(noun, site, end);
     Place(noun, site, end);

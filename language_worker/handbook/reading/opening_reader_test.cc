@@ -180,6 +180,11 @@ TEST(OpeningReader, ReadsMeasuresAndKinds) {
       {"An open doorway to the hall.", "door open"},
       {"A small high window and a large one.", "window sill1.6 small"},
       {"A wall of windows on the south.", "window@south w100"},
+      {"The south wall is nearly all window.", "window@south w100"},
+      {"One short wall is almost entirely glass.", "window@short w100"},
+      {"A roller door 3 m wide on the south wall.", "door@south w3 sliding"},
+      {"A sliding door in one of the long walls.", "door@long sliding"},
+      {"A door to the garden in one of the long walls.", "door@long w0.9 outside to:garden"},
       {"A south-facing room.", "window@south ..."},
   };
   for (const auto& [text, told] : kCases) EXPECT_EQ(Told(OpeningsIn(text)), told) << text;

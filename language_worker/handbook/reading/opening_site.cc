@@ -174,11 +174,11 @@ class SiteReader {
       std::size_t behind = 0;
       const Sides walls = WallsAt(words_, end + 1, /*alone=*/true, behind);
       of_wall = !walls.empty() || (that && !site_.sides.empty());
+      // "One of the long walls" is no part of one.
+      if (of_wall && !target.corner && !target.end_of_wall && target.sides.empty()) return false;
       if (!walls.empty()) site_.sides = walls;
       if (of_wall) end = walls.empty() ? *that : behind;
     }
-    const bool named = target.corner || target.end_of_wall || !target.sides.empty();
-    if (of_wall && !named) return false;
     if (!of_wall) {
       // The wall itself, or "a window at the north end" of a room; "a glass front with the door at its left end".
       const bool its = words_.At(at) == "its" && site_.sides.empty();
@@ -317,14 +317,14 @@ OpeningSite ReadSiteBefore(const BriefText& words, std::size_t begin) {
     OpeningSite site;
     SiteReader reader(words, start, site);
     if (!(reader.TakeMiddle() || reader.TakeWall({.bare = true})) || site.sides.empty()) continue;
-    // "On the south wall there is", "the south wall has".
+    // "On the south wall there is", "the south wall has", "the short wall is nearly all window".
     bool linked = words.Is(start, "into");
     std::size_t at = reader.end();
     for (; at < begin &&
            (words.Is(at, "there_is") || words.Is(at, "blank_walls") ||
             (words.At(at) == "and" && words.Is(at - 1, "blank_walls")) || words.Says(at, {",", ":", "-", "'s", "'"}));
          ++at) {
-      linked = linked || words.Says(at, {"has", "have", "with", ":"});
+      linked = linked || words.Says(at, {"has", "have", "is", "with", ":"});
     }
     if (!linked || at < begin) continue;
     site.end = start;

@@ -24,6 +24,11 @@ bool AreAlternatives(const BriefText& text, const Mention& one, const Mention& o
   if (other.begin <= one.end || other.begin - one.end > kMostBetween) return false;
   const std::size_t begin = text.PhraseBegin(other.begin);
   if (text.At(begin - 1) != "or") return false;
+  // "A bench, four or five tables": it is their number that is left open.
+  const auto is_number = [&](std::size_t i) {
+    return text.IsNumber(i) || (NumberWord(text.At(i)) && !text.Is(i, "articles"));
+  };
+  if (begin > 1 && is_number(begin - 2) && is_number(begin)) return false;
   for (std::size_t i = one.end; i < begin; ++i) {
     if (text.EndsSentence(i) || text.Says(i, {"and", "with"})) return false;
   }

@@ -45,6 +45,12 @@ TEST(PieceChoices, OfTwoTheFirstUnlessThereIsSpaceForTheOther) {
   EXPECT_EQ(CountOf(plain, "chaise longue"), 0);
 }
 
+TEST(PieceChoices, NumbersThatAreLeftOpenAreNoChoiceOfPieces) {
+  const BriefFacts cafe = FactsOf("A cafe of 40 sq m. A counter with a cake display, four or five tables for two.");
+  EXPECT_EQ(CountOf(cafe, "dining table"), 5);
+  EXPECT_EQ(CountOf(cafe, "pastry display"), 1);
+}
+
 TEST(PieceChoices, OnePieceMayServeAsAnother) {
   const std::string text =
       "A nursery with a crib, a rocking chair and a chest of drawers which also serves as changing table.";

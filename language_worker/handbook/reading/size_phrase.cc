@@ -190,7 +190,7 @@ class SizeReader {
     } else if (IsBehindSide(i, "length") || IsBehindSide(i, "depth") || text_.Says(end, {"long", "deep"})) {
       size.depth_m = measure->value;
     } else if (text_.Says(end, {"square", "across", "diameter", "room", "bedroom"}) || text_.At(end + 1) == "room" ||
-               text_.At(end + 1) == "diameter") {
+               text_.At(end + 1) == "diameter" || text_.BehindPhrase(end, "from_side_to_side")) {
       size.width_m = size.depth_m = measure->value;
     }
     return size;
