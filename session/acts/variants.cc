@@ -61,10 +61,12 @@ absl::StatusOr<Acted> LayoutActs::Taken(const v1::SolvedLayout& shown, v1::Solve
                                         CallContext& call) const {
   EditList edits;
   Acted taken;
+  // Of these it left out what it has no place for.
+  const IdSet known = IdsOf(variant.graph().object_list().objects());
   *variant.mutable_graph() = shown.graph();
   auto& places = *variant.mutable_placements();
   // What was taken away since is gone, and what was added since stays where it is.
-  const IdSet there = IdsOf(shown.graph().object_list().objects()), known = IdsOf(places);
+  const IdSet there = IdsOf(shown.graph().object_list().objects());
   EraseIf(places, [&](const v1::Placement& at) { return !there.contains(at.object_id()); });
   for (const v1::Placement& at : shown.placements()) {
     if (!known.contains(at.object_id())) *places.Add() = at;

@@ -41,11 +41,11 @@ function useVariants(room: OpenRoom): Variants | undefined {
   return variants?.layoutId === variantsLayoutId ? variants : undefined;
 }
 
-// What was changed by hand is in none of them, and is offered back.
+// What was moved by hand is placed otherwise in all of them, and is offered back.
 async function take(room: OpenRoom, { index }: Variant, isOneShown: boolean): Promise<void> {
   const isTaken = await room.act({ case: "takeVariant", value: { index } });
   if (isTaken && !isOneShown) {
-    room.tell("Your changes are not in this variant.", [{ label: "Back to them", run: () => void undo(room) }]);
+    room.tell("What you moved is placed anew in this variant.", [{ label: "Back to them", run: () => void undo(room) }]);
   }
 }
 
