@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who sits where: tables with their chairs, rows that look to the front, and what goes when there is no room.
+// Over 400 lines: one table of cases after the other, read from top to bottom.
 #include <gtest/gtest.h>
 
 #include <algorithm>

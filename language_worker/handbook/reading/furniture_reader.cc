@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Over 400 lines: one pass over the words of a brief, whose steps share what the earlier ones have used.
 #include "language_worker/handbook/reading/furniture_reader.h"
 
 #include <algorithm>

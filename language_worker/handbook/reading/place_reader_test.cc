@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where briefs want their pieces, in many wordings, and what they say of it that is not understood.
+// Over 400 lines: one table of cases after the other, read from top to bottom.
 #include "language_worker/handbook/reading/place_reader.h"
 
 #include <fmt/format.h>
