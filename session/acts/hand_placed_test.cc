@@ -177,5 +177,30 @@ TEST_F(HandPlacedTest, AnActThatChangesNothingAddsNoStepAndSaysSo) {
   FAIL() << "settling never comes to an end";
 }
 
+TEST_F(HandPlacedTest, WhatFollowsAPieceStaysWhereThereIsNoRoomForItBesideIt) {
+  const v1::GetDocumentResponse made = Designed("A home office that is 3.5m x 4m.", 3);
+  const std::string desk = IdOf(made.layout(), "desk"), chair = IdOf(made.layout(), "chair");
+  v1::Placement turned = PlacementOf(made.layout(), desk);
+  turned.set_theta_rad(turned.theta_rad() + M_PI);
+  const auto last = Move(made.document(), turned);
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_EQ(PlacementOf(last->layout(), chair).SerializeAsString(),
+            PlacementOf(made.layout(), chair).SerializeAsString())
+      << "it would be in the wall that the desk stands at";
+  const std::string lamp = IdOf(made.layout(), "desk lamp");
+  EXPECT_NE(PlacementOf(last->layout(), lamp).x_m(), PlacementOf(made.layout(), lamp).x_m());
+  for (const v1::Finding& one : last->layout().metrics().findings()) EXPECT_NE(one.kind(), v1::FINDING_KIND_OUTSIDE);
+  const auto undone = Act(last->document(), [](v1::ActRequest& act) { act.mutable_undo(); });
+  ASSERT_TRUE(undone.ok()) << undone.status();
+  v1::Placement off_wall = PlacementOf(made.layout(), desk);
+  off_wall.set_x_m(off_wall.x_m() +
+                   0.3 * (made.layout().graph().room().floor().vertices(2).x_m() / 2 > off_wall.x_m() ? 1 : -1));
+  const auto aside = Move(undone->document(), off_wall);
+  ASSERT_TRUE(aside.ok()) << aside.status();
+  EXPECT_NEAR(PlacementOf(aside->layout(), chair).x_m() - PlacementOf(made.layout(), chair).x_m(),
+              off_wall.x_m() - PlacementOf(made.layout(), desk).x_m(), 1e-9)
+      << "there is room for it";
+}
+
 }  // namespace
 }  // namespace flair::session

@@ -15,8 +15,7 @@ namespace flair::session {
 using Placements = std::map<std::string, v1::Placement*>;
 Placements PlacementsOf(v1::SolvedLayout& layout);
 
-// Puts objects where `placements` says. What stands on them goes along, and what is drawn up to them, as chairs to a
-// table, and what hangs above them where they move along its wall, unless it is named itself or locked.
+// Puts objects where `placements` says. What follows them goes along (following.h), unless it is named itself.
 // INVALID_ARGUMENT names the field, `path` first.
 absl::Status Place(v1::SolvedLayout& layout, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
                    std::string_view path);

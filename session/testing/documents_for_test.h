@@ -93,12 +93,12 @@ class DocumentsTest : public ::testing::Test {
     return document;
   }
 
-  // A designed bedroom, with its layout.
-  v1::GetDocumentResponse Designed() {
+  // A designed room, with its layout.
+  v1::GetDocumentResponse Designed(const std::string& brief = "A bedroom that is 4m x 5m.", int seed = 7) {
     v1::CreateDocumentRequest request;
-    request.set_request_id("a bedroom");
-    request.mutable_design()->mutable_brief()->set_text("A bedroom that is 4m x 5m.");
-    request.mutable_design()->mutable_brief()->set_seed(7);
+    request.set_request_id(brief);
+    request.mutable_design()->mutable_brief()->set_text(brief);
+    request.mutable_design()->mutable_brief()->set_seed(seed);
     const v1::Document document =
         After([&] { ASSERT_TRUE(documents_->Create(request, call_).ok()); },
               [](const v1::Document& one) { return one.job_state() == v1::JOB_STATE_SUCCEEDED; });
