@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "optimizer_worker/resolve/resolve_layout.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <sstream>
 
+#include "evaluation/metrics/measures.h"
 #include "fmt/format.h"
 #include "optimizer_worker/constraints/arguments.h"
 #include "optimizer_worker/resolve/losses.h"
@@ -34,8 +36,23 @@ absl::StatusOr<PartialLayout> StateOf(const SolveInput& input, const PlacementLi
   return state;
 }
 
+// Of what stands in the way of something that is held where it was put, what is measured as no overlap: a chair that is
+// turned has its knees under the desk still.
+std::set<std::pair<int, int>> UnderTops(const SolveInput& input, const PartialLayout& now) {
+  std::set<std::pair<int, int>> measured, under;
+  for (const v1::Finding& one : evaluation::MeasureSolids({input.scene, now.layout, now.placed}).findings) {
+    measured.insert(std::minmax(input.scene.IndexOf(one.object_id()), input.scene.IndexOf(one.partner_id())));
+  }
+  for (const auto& [object, other] : PairsInTheWay(input, now)) {
+    const auto sits = [&](int one) { return input.scene.objects[one].seat; };
+    const bool held = other >= 0 && input.pinned[object] != input.pinned[other] && (sits(object) || sits(other));
+    if (held && !measured.contains(std::minmax(object, other))) under.emplace(object, other);
+  }
+  return under;
+}
+
 Baseline MakeBaseline(const SolveInput& input, const v1::SolvedLayout& layout, const EditedProblem& problem,
-                      const PartialLayout& before, const std::vector<int>& touched) {
+                      const PartialLayout& before, const std::vector<int>& touched, const PartialLayout& now) {
   std::map<std::string_view, bool> satisfied;
   for (const v1::EdgeOutcome& outcome : layout.edge_outcomes()) {
     satisfied[outcome.edge_id()] = outcome.status() == v1::OUTCOME_STATUS_SATISFIED;
@@ -50,6 +67,7 @@ Baseline MakeBaseline(const SolveInput& input, const v1::SolvedLayout& layout, c
   PartialLayout untouched = before;
   for (int object : touched) untouched.placed[object] = 0;
   baseline.tolerated = PairsInTheWay(input, untouched);
+  baseline.tolerated.merge(UnderTops(input, now));
   baseline.reachable_share = ReachableShare(input, before);
   return baseline;
 }
@@ -109,7 +127,11 @@ absl::StatusOr<WarmResult> Search(const SolveInput& input, const WarmStart& star
   const double left_m = FindViolations(input, warm->state, start.baseline).depth_m;
   if (left_m <= kFits_m) return warm;
   ASSIGN_OR_RETURN(const WarmResult anew, SolveAnew(input));
-  return FindViolations(input, anew.state, start.baseline).depth_m < left_m ? anew : warm;
+  if (FindViolations(input, anew.state, start.baseline).depth_m >= left_m) return warm;
+  // What can goes back to where it stood.
+  WarmStart from_anew = start;
+  from_anew.state = anew.state;
+  return SearchWarm(input, from_anew);
 }
 
 std::vector<std::string> MovedIds(const SolveInput& input, const PartialLayout& before, const PartialLayout& after) {
@@ -267,7 +289,7 @@ absl::StatusOr<ResolveResult> ResolveLayout(const v1::SolvedLayout& layout, cons
   for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
     if (problem.touched.contains(input.scene.objects[i].id)) start.touched.push_back(i);
   }
-  start.baseline = MakeBaseline(input, layout, problem, before, start.touched);
+  start.baseline = MakeBaseline(input, layout, problem, before, start.touched, start.state);
   ASSIGN_OR_RETURN(start.lost_carriers, LostCarriers(input, layout));
   // The search also keeps at their walls what stands there without a call, and the ways.
   v1::LayoutGraph with_walls = problem.graph;

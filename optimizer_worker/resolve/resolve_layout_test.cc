@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "google/protobuf/text_format.h"
@@ -113,6 +115,27 @@ TEST(ResolveLayout, APieceWithoutACallStaysAtItsWall) {
     const double off_m = std::min({4 - shelf.y_m(), shelf.y_m(), shelf.x_m(), 4.5 - shelf.x_m()}) - 0.15;
     EXPECT_LT(off_m, 0.03) << move;
     EXPECT_FALSE(Tells(result, "off_wall", "")) << move;
+  }
+}
+
+TEST(ResolveLayout, WhatIsWedgedBesideAMovedPieceGoesElsewhereAndNothingElseDoes) {
+  const v1::LayoutGraph graph = Parse(
+      RoomText(4.5, 4) + "object_list {" + ObjectText("bed", "PRIMARY", "FLOOR", 1.6, 2.0) +
+      ObjectText("chest", "SECONDARY", "FLOOR", 0.8, 0.8) + ObjectText("lamp", "SECONDARY", "FLOOR", 0.4, 0.4) +
+      ObjectText("desk", "SECONDARY", "FLOOR", 1.2, 0.6) + "}" + EdgeText("e1", "against_wall", Text("object", "bed")) +
+      EdgeText("e2", "against_wall", Text("object", "lamp")) + EdgeText("e3", "against_wall", Text("object", "desk")));
+  v1::SolvedLayout layout = SolveLayout(graph, {}, NloptSolver())->layout;
+  const std::map<std::string, std::array<double, 2>> places = {
+      {"bed", {0.8, 3.0}}, {"chest", {2.4, 3.6}}, {"lamp", {3.0, 3.8}}, {"desk", {3.85, 3.7}}};
+  for (v1::Placement& placement : *layout.mutable_placements()) {
+    placement.set_x_m(places.at(placement.object_id())[0]);
+    placement.set_y_m(places.at(placement.object_id())[1]);
+    placement.set_theta_rad(kPi);
+  }
+  for (const char* move : {"move chest 2.5 3.6", "move chest 2.6 3.6", "move chest 2.6 3.4 200"}) {
+    const ResolveResult result = Edit(layout, {move});
+    EXPECT_EQ(result.moved_ids, (std::vector<std::string>{"chest", "lamp"})) << move;
+    EXPECT_LT(result.layout.metrics().deepest_overlap_m(), 1e-6) << move;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "optimizer_worker/resolve/warm_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "optimizer_worker/stages/floor_stages.h"
 #include "optimizer_worker/stages/tertiary.h"
@@ -37,6 +38,7 @@ class WarmSearch {
     BringAlong();
     PlaceNewcomers();
     RETURN_IF_ERROR(SettleFloor());
+    GiveWay();
     PutBack();
     RETURN_IF_ERROR(SettleTertiaries());
     return std::move(result_);
@@ -98,15 +100,70 @@ class WarmSearch {
     for (int object : start_.touched) {
       if (floor_[object] && !result_.state.placed[object]) stage.objects.push_back(object);
     }
-    if (stage.objects.empty()) return;
+    if (!stage.objects.empty()) result_.state = Furnished(stage, result_.state);
+  }
+  PartialLayout Furnished(const StageSpec& stage, const PartialLayout& before) {
     const absl::Time began = absl::Now();
     std::vector<RestartResult> results;
     for (int restart = 0; restart < kPlaceRestarts; ++restart) {
-      results.push_back(FurnishRestart(input_, stage, result_.state, restart));
+      results.push_back(FurnishRestart(input_, stage, before, restart));
     }
     const RestartResult& best = results[BestOf(results)];
     Record(stage, best, kPlaceRestarts, began);
-    result_.state = best.state;
+    return best.state;
+  }
+
+  // What still stands in something goes by the shortest way to where it stands free, or is placed anew: the smallest
+  // first, and first what no edit is about.
+  void GiveWay() {
+    auto trouble = Trouble(FindViolations(input_, result_.state, start_.baseline));
+    if (trouble.first == 0) return;
+    std::vector<int> colliding = FindViolations(input_, result_.state, start_.baseline).colliding;
+    std::erase_if(colliding, [&](int object) { return !floor_[object] || !result_.state.placed[object]; });
+    std::ranges::sort(colliding, {}, [&](int object) {
+      return std::pair(IsTouched(object), input_.scene.objects[object].footprint.area_m2());
+    });
+    for (int object : colliding) {
+      std::vector<PartialLayout> tries = PlacesBeside(object);
+      PartialLayout without = result_.state;
+      without.placed[object] = 0;
+      tries.push_back(Furnished({StageKind::kSecondary, -1, {object}}, without));
+      Follow(input_, result_.state, std::span(&object, 1), tries.back());
+      // Near places come first, and are taken where they end it.
+      for (PartialLayout& one : tries) {
+        const auto then = Trouble(FindViolations(input_, one, start_.baseline));
+        if (then.first >= trouble.first) continue;
+        trouble = then;
+        result_.state = std::move(one);
+        if (trouble.first == 0) return;
+      }
+    }
+  }
+
+  // The state with an object where it stands free, turned as it is: by the ways of up to kAside_m in its own
+  // directions, of the nearest few.
+  std::vector<PartialLayout> PlacesBeside(int object) const {
+    constexpr double kStep_m = 0.02, kAside_m = 0.6;
+    constexpr size_t kMost = 4;
+    std::vector<int> standing;
+    for (int i = 0; i < static_cast<int>(floor_.size()); ++i) {
+      if (result_.state.placed[i] && IsSolid(input_.scene.objects[i])) standing.push_back(i);
+    }
+    const Pose<double> from = result_.state.layout[object];
+    std::vector<PartialLayout> places;
+    for (double far_m = kStep_m; far_m <= kAside_m && places.size() < kMost; far_m += kStep_m) {
+      for (int eighth = 0; eighth < 8; ++eighth) {
+        const double angle = from.theta_rad + eighth * kPi / 4;
+        PartialLayout place = result_.state;
+        place.layout[object] = {from.x_m + far_m * std::cos(angle), from.y_m + far_m * std::sin(angle), from.theta_rad};
+        const auto left = FindViolations(input_.scene, input_.keep_out, standing, place.layout, kFits_m);
+        const auto names_it = [&](const Violation& one) { return one.object == object || one.other == object; };
+        if (std::ranges::any_of(left, names_it)) continue;
+        Follow(input_, result_.state, std::span(&object, 1), place);
+        places.push_back(std::move(place));
+      }
+    }
+    return places;
   }
 
   // The floor objects that may move and are to blame: those that collide, and those that broken edges name.

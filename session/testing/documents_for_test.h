@@ -96,7 +96,7 @@ class DocumentsTest : public ::testing::Test {
   // A designed room, with its layout.
   v1::GetDocumentResponse Designed(const std::string& brief = "A bedroom that is 4m x 5m.", int seed = 7) {
     v1::CreateDocumentRequest request;
-    request.set_request_id(brief);
+    request.set_request_id(brief + std::to_string(seed));
     request.mutable_design()->mutable_brief()->set_text(brief);
     request.mutable_design()->mutable_brief()->set_seed(seed);
     const v1::Document document =
