@@ -39,13 +39,23 @@ bool Serves(const hb::Essential& essential, const ProgramItem& item, const RoomP
          (audience && (usual->category().ends_with("table") || IsSeat(*usual)));
 }
 
+// How many of what is needed one piece makes up for: a bunk bed is a bed for each of two.
+int WorthOf(const hb::Essential& essential, const hb::Furniture& furniture, const Handbook& handbook) {
+  const hb::Furniture* usual = handbook.FindFurniture(essential.furniture(0));
+  const bool sleeps_two = furniture.category() == "bunk_bed" && usual != nullptr && usual->category() == "bed";
+  return sleeps_two ? std::max(1, PlacesOn(furniture) / std::max(1, PlacesOn(*usual))) : 1;
+}
+
 // The first of its classes, or what a theme has in its place; null when the brief wants none of them.
 const hb::Furniture* ToBring(const hb::Essential& essential, const BriefFacts& facts, const Handbook& handbook,
                              const RoomProgram& program) {
   if (facts.nothing_else) return nullptr;
   const hb::Furniture* first = handbook.FindFurniture(essential.furniture(0));
   for (const auto& [went, came] : program.substitutes) {
-    if (first != nullptr && went == first->name()) first = handbook.FindFurniture(came);
+    const auto counts_it = [&](const Wish& wish) { return wish.counted && wish.furniture->name() == came; };
+    // One bunk bed is asked for: the third child has a bed.
+    if (first == nullptr || went != first->name() || std::ranges::any_of(facts.wishes, counts_it)) continue;
+    first = handbook.FindFurniture(came);
   }
   const bool refused = std::ranges::find(facts.refusals, first) != facts.refusals.end();
   return refused ? nullptr : first;
@@ -99,7 +109,8 @@ void BringEssentials(const BriefFacts& facts, const Handbook& handbook, double a
     int missing = NeededOf(*essential);
     for (const auto* items : {&program.floor_items, &program.tertiary_items}) {
       for (const ProgramItem& item : *items) {
-        missing -= Serves(*essential, item, program, handbook) ? item.count : 0;
+        if (Serves(*essential, item, program, handbook))
+          missing -= item.count * WorthOf(*essential, *item.furniture, handbook);
       }
     }
     if (missing <= 0) continue;
@@ -121,8 +132,9 @@ void MarkEssentials(const Handbook& handbook, RoomProgram& program) {
           const bool serves = item.requested == requested && Serves(*essential, item, program, handbook);
           if (left <= 0 || !serves || IsNamed(*essential, *item.furniture, program) != named) continue;
           if (requested && !named && StockHas(*essential, item.furniture->category(), program)) continue;
-          item.essential = std::max(item.essential, std::min(left, item.count));
-          left -= item.count;
+          const int worth = WorthOf(*essential, *item.furniture, handbook);
+          item.essential = std::max(item.essential, std::min((left + worth - 1) / worth, item.count));
+          left -= item.count * worth;
         }
       }
     }
@@ -134,12 +146,15 @@ void TellMissingEssentials(const RoomProgram& program, const Handbook& handbook,
   const FurnitureIndex index(handbook);
   std::vector<v1::Diagnostic> remarks;
   for (const hb::Essential* essential : program.essentials) {
-    const auto there = std::ranges::count_if(list.objects(), [&](const v1::Object& object) {
+    int there = 0;
+    for (const v1::Object& object : list.objects()) {
       const hb::Furniture* furniture = index.Find(object.name());
       const auto item = std::ranges::find(program.floor_items, furniture, &ProgramItem::furniture);
-      return furniture != nullptr && (item == program.floor_items.end() ? Serves(*essential, *furniture, program)
-                                                                        : Serves(*essential, *item, program, handbook));
-    });
+      const bool serves =
+          furniture != nullptr && (item == program.floor_items.end() ? Serves(*essential, *furniture, program)
+                                                                     : Serves(*essential, *item, program, handbook));
+      there += serves ? WorthOf(*essential, *furniture, handbook) : 0;
+    }
     if (there >= NeededOf(*essential)) continue;
     v1::Diagnostic& remark = remarks.emplace_back();
     remark.set_severity(v1::SEVERITY_WARNING);

@@ -98,6 +98,19 @@ TEST(Essentials, KnownGapsAreClosed) {
   }
 }
 
+TEST(Essentials, ABunkBedIsABedForEachOfTwo) {
+  const auto count = [](const std::string& text, const char* category) {
+    const v1::ObjectList objects = List(text).objects;
+    return std::ranges::count_if(objects.objects(), [&](const auto& one) { return one.category() == category; });
+  };
+  const std::string two = "Children's room for a boy and a girl, 4 x 4 m, with a bunk bed and two desks.";
+  EXPECT_EQ(count(two, "bunk_bed"), 1);
+  EXPECT_EQ(count(two, "bed"), 0);
+  const std::string three = "A room for three children with a bunk bed, 4 x 4 m.";
+  EXPECT_EQ(count(three, "bunk_bed"), 1);
+  EXPECT_EQ(count(three, "bed"), 1);
+}
+
 TEST(Essentials, NothingElseThatIsLargeComesWithTwoPiecesOfTheBrief) {
   const std::pair<const char*, const char*> cases[] = {
       {"A games room with a poker table and a bar cabinet.", "billiard table"},

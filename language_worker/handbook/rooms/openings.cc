@@ -168,14 +168,15 @@ class OpeningMaker {
     // Nobody asked for one behind a piece.
     const auto has_piece = [&](std::size_t wall) { return asked_.HasPiece(static_cast<int>(wall)); };
     if (!WindowWish().counted && !std::ranges::all_of(order, has_piece)) std::erase_if(order, has_piece);
-    if (plan_.asked.one_window_wall && order.size() > 1) {
+    const bool one_wall = plan_.asked.one_window_wall || plan_.rules.one_window_wall();
+    if (one_wall && order.size() > 1) {
       std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return lengths_[a] > lengths_[b]; });
       order.resize(1);
     }
     for (const std::size_t wall : order) {
       // The first wall takes what the two others, with one window each, do not.
       const int room_for = std::max(1, static_cast<int>((lengths_[wall] - kCornerGapM) / 2.4));
-      const int others = plan_.asked.one_window_wall ? 0 : 2;
+      const int others = one_wall ? 0 : 2;
       const int count = wall == order[0] ? std::clamp(left - others, std::min(left, 1), room_for) : std::min(left, 1);
       if (count > 0) AddWindowsOn(wall, count);
       left -= count;

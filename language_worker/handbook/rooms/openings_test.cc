@@ -57,6 +57,15 @@ TEST_F(AskedOpeningsTest, LeftAndRightAreThoseOfTheDrawing) {
   }
 }
 
+TEST_F(AskedOpeningsTest, LeaveAnEndOfAMeetingRoomToItsScreen) {
+  for (int seed = 0; seed < 5; ++seed) {
+    const std::string walls = WallsOf(RoomOf("A meeting room of 7 m x 4 m.", seed));
+    EXPECT_NE(walls.find("window"), std::string::npos) << walls;
+    EXPECT_EQ(walls.find("window east"), std::string::npos) << walls;
+    EXPECT_EQ(walls.find("window west"), std::string::npos) << walls;
+  }
+}
+
 TEST_F(AskedOpeningsTest, StandInTheWallsThatAreNamed) {
   const struct {
     const char* text;

@@ -94,33 +94,46 @@ BoundCost BindOnWallAbove(const Arguments& a, const BindContext& context) {
   return MakeCost<kSeesZero>({object, target}, formula);
 }
 
-// Hangs a wall object where a floor object looks: a television before the sofa, a mirror before the chair.
+// Hangs a wall object where a floor object looks: a television before the sofa, a mirror before the chair, a screen
+// before the end of a table.
 //   cost = (on_wall) + max(|u| - w / 4, 0)^2 + max(-v, 0)^2 + (1 + f1 . f2)                                       [m2]
 //   on_wall  cost of hanging on the best wall
-//   u, v     how far right and ahead of the target the object's centre is;  w  the target's width;  f1, f2  front
-//   directions
-// Zero exactly when it hangs on a wall straight ahead of the target's middle half, looking back at it.
+//   u, v     how far along and ahead of the target's side the object's centre is;  w  the side's length;  f1, f2  the
+//            object's front direction and the side's outward one
+// Zero exactly when it hangs on a wall straight ahead of the side's middle half, looking back at it.
+Side SideLookedFrom(const Arguments& a) { return a.MaybeSide("target_side").value_or(Side::kFront); }
+
+// A point in the target's frame, along and ahead of that side.
+template <typename T>
+Vec2<T> BeforeSide(Side side, const Vec2<T>& p) {
+  const Vec2<double> ahead = LocalNormal(side);
+  return {p.x * ahead.y - p.y * ahead.x, p.x * ahead.x + p.y * ahead.y};
+}
+
 std::optional<Shortfall> OnWallFacingShortfall(const PlacedCall& call) {
   const int object = call.object(), target = call.target();
-  const Frame<double> frame = call.FrameOf(target);
-  const Vec2<double> p = frame.ToObject(call.FrameOf(object).center);
-  const double aside = std::abs(p.x) - call.FootprintOf(target).width_m / 4;
-  return Worst({{fmt::format("{} hangs {:.2f} m to the side of where {} looks", call.Name(object), std::max(0.0, aside),
-                             call.Name(target)),
-                 aside, "m"},
-                {fmt::format("{} hangs {:.2f} m behind {}", call.Name(object), -p.y, call.Name(target)), -p.y, "m"},
-                Turned(SideOf(call.Name(target), Side::kFront), call.Name(object),
-                       kPi - AngleOf(frame.front, call.FrameOf(object).front)),
-                NotHanging(call, object)});
+  const Side side = SideLookedFrom(call.arguments());
+  const Vec2<double> p = BeforeSide(side, call.FrameOf(target).ToObject(call.FrameOf(object).center));
+  const double aside = std::abs(p.x) - SideLength(call.FootprintOf(target), side) / 4;
+  const Vec2<double> outward = EdgeOf(call.FootprintOf(target), call.FrameOf(target), side).outward_normal;
+  return Worst(
+      {{fmt::format("{} hangs {:.2f} m to the side of where {} looks", call.Name(object), std::max(0.0, aside),
+                    call.Name(target)),
+        aside, "m"},
+       {fmt::format("{} hangs {:.2f} m behind {}", call.Name(object), -p.y, call.Name(target)), -p.y, "m"},
+       Turned(SideOf(call.Name(target), side), call.Name(object), kPi - AngleOf(outward, call.FrameOf(object).front)),
+       NotHanging(call, object)});
 }
 
 BoundCost BindOnWallFacing(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
-  const auto formula = [hung = FootprintOf(context, object), width_m = FootprintOf(context, target).width_m,
+  const Side side = SideLookedFrom(a);
+  const auto formula = [hung = FootprintOf(context, object), host = FootprintOf(context, target), side,
                         places = HangingWalls(context.scene, object)]<typename T>(const Frames<T, 2>& frames) {
-    const Vec2<T> p = frames[1].ToObject(frames[0].center);
-    return Hangs<T>(hung, frames, places) + SquaredOutside(p.x, -width_m / 4, width_m / 4) + SquaredHinge(-p.y) +
-           (Dot(frames[0].front, frames[1].front) + 1.0);
+    const Vec2<T> p = BeforeSide(side, frames[1].ToObject(frames[0].center));
+    const double length_m = SideLength(host, side);
+    return Hangs<T>(hung, frames, places) + SquaredOutside(p.x, -length_m / 4, length_m / 4) + SquaredHinge(-p.y) +
+           (Dot(frames[0].front, EdgeOf(host, frames[1], side).outward_normal) + 1.0);
   };
   return MakeCost({object, target}, formula);
 }
