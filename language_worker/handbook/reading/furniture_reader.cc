@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -311,6 +312,7 @@ class FurnitureReader : Reading {
       Use(seats.begin, seats.end);
     }
     if (wish.seats == 0 && TakesTheLastAsSeats(i, wish)) last_.reset();
+    if (count.said && i > 0) TellSizesApart(i, length, wish);
     const bool further = IsFurther(text, i);
     Mentioned(furniture, i, length, count);
     const std::size_t end =
@@ -368,6 +370,30 @@ class FurnitureReader : Reading {
     return true;
   }
 
+  // "Six tables for two and one big table": as many sit at each of its two sizes.
+  void TellSizesApart(std::size_t i, std::size_t length, Wish& wish) {
+    constexpr int kAtASmall = 2, kAtAUsual = 4, kAtALarge = 8;
+    const std::string& category = wish.furniture->category();
+    if (!category.ends_with("table") || SeatOf(*wish.furniture, handbook) == nullptr) return;
+    const auto says = [&](const char* list) {
+      return text.Is(i - 1, list) ||
+             std::ranges::any_of(std::views::iota(i, i + length), [&](std::size_t k) { return text.Is(k, list); });
+    };
+    const bool large = says("large_pieces");
+    const int usual = says("small") ? kAtASmall : kAtAUsual;
+    const auto there = std::ranges::find(facts.wishes, wish.furniture, &Wish::furniture);
+    if (there == facts.wishes.end()) {
+      large_table_ = large && wish.count == 1 ? wish.furniture : nullptr;
+      usual_seats_ = usual;
+    } else if (large && wish.count == 1 && wish.seats == 0 && there->count > 1) {
+      wish.seats = kAtALarge;
+      if (there->seats == 0) there->seats = usual_seats_;
+    } else if (!large && wish.count > 1 && there->seats == 0 && large_table_ == wish.furniture) {
+      there->seats = kAtALarge;
+      if (wish.seats == 0) wish.seats = usual;
+    }
+  }
+
   std::size_t AddWish(const Wish& wish, bool further) {
     const int most = MostOf(*wish.furniture), count = std::min(wish.count, most);
     if (wish.count > most) AddOnce(facts.too_many, wish.furniture);
@@ -402,7 +428,9 @@ class FurnitureReader : Reading {
   const NounBook nouns_;
   const PieceNames& names_;
   std::optional<Last> last_;
-  int people_ = 0;  // as far as they are counted
+  const hb::Furniture* large_table_ = nullptr;  // "one long table", of which there may be others
+  int usual_seats_ = 0;                         // at each of the first tables
+  int people_ = 0;                              // as far as they are counted
   std::vector<Mention> mentions_;
   std::vector<std::size_t> counts_;                     // tokens
   std::map<std::size_t, const hb::Furniture*> any_at_;  // of a token: what it names, whatever the room

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -212,6 +213,18 @@ TEST(FurnitureReader, CountsStandBeforeBehindAndInGroups) {
     EXPECT_EQ(wish->count, expected.count) << expected.text;
     EXPECT_EQ(wish->in_each, expected.in_each) << expected.text;
   }
+}
+
+TEST(FurnitureReader, TablesOfTwoSizesAreToldApart) {
+  for (const char* text :
+       {"A café with six tables for two and one big table.", "A café with one large table and six small tables.",
+        "A café, six little tables, a long table."}) {
+    const BriefFacts facts = FactsOf(text);
+    std::multiset<std::pair<int, int>> tables;
+    for (const Wish& wish : facts.wishes) tables.emplace(wish.count, wish.seats);
+    EXPECT_EQ(tables, (std::multiset<std::pair<int, int>>{{1, 8}, {6, 2}})) << text;
+  }
+  EXPECT_EQ(FactsOf("A dining room with one large table.").wishes[0].seats, 0);
 }
 
 TEST(FurnitureReader, TablesOfTwoSizesKeepTheirSeats) {
