@@ -118,6 +118,7 @@ class Editor {
     if (placement == nullptr) {
       placement = &problem_.placements.emplace_back();
       placement->set_object_id(target.object_id());
+      placement->set_z_m(target.z_m());
     }
     placement->set_x_m(target.x_m());
     placement->set_y_m(target.y_m());

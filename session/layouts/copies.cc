@@ -83,6 +83,23 @@ bool AreSame(const v1::Object& a, const v1::Object& b) {
   return a.name() == b.name() && a.kind() == b.kind() && a.width_m() == b.width_m() && a.depth_m() == b.depth_m();
 }
 
+// Where the edits put a copy, and what they add that stands on it.
+std::vector<v1::Placement*> WithRiders(v1::Placement& host, EditList& edits) {
+  std::vector<v1::Placement*> places = {&host};
+  for (const v1::LayoutEdit& edit : edits) {
+    const v1::Object& object = edit.add_object().object();
+    if (!edit.has_add_object() || object.kind() != v1::OBJECT_KIND_SURFACE || object.host_id() != host.object_id()) {
+      continue;
+    }
+    for (v1::LayoutEdit& move : edits) {
+      if (move.has_move_object() && move.move_object().object_id() == object.id()) {
+        places.push_back(move.mutable_move_object());
+      }
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 void PutCopiesBeside(const v1::SolvedLayout& layout, EditList& edits) {
@@ -119,8 +136,10 @@ void PutCopiesBeside(const v1::SolvedLayout& layout, EditList& edits) {
   if (copies.empty()) return;
   const auto put = [&](const std::vector<Copy>& some, const Vec2<double>& by) {
     for (const Copy& copy : some) {
-      copy.at->set_x_m(copy.at->x_m() + by.x);
-      copy.at->set_y_m(copy.at->y_m() + by.y);
+      for (v1::Placement* const at : WithRiders(*copy.at, edits)) {
+        at->set_x_m(at->x_m() + by.x);
+        at->set_y_m(at->y_m() + by.y);
+      }
       floor.Put(copy.object, *copy.at, {});
     }
   };

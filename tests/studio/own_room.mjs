@@ -159,7 +159,7 @@ await withStudio(async ({ page }) => {
   // Its picture can be printed on A3: 420 mm at 200 dots an inch.
   await page.getByRole('button', { name: 'Export' }).click();
   const saved = page.waitForEvent('download');
-  await page.getByRole('menuitem', { name: 'Plan as picture' }).click();
+  await page.getByRole('menuitem', { name: 'Plan as a picture' }).click();
   const png = readFileSync(await (await saved).path());
   const sides = [png.readUInt32BE(16), png.readUInt32BE(20)];
   assert.ok(Math.abs(Math.max(...sides) - (420 / 25.4) * 200) < 2, `${sides}`);

@@ -113,7 +113,7 @@ test("a piece is duplicated, locked and removed by keys", async () => {
   await page.waitForSelector(".outline.is-locked");
   // What is locked stays.
   await page.keyboard.press("Delete");
-  await page.waitForSelector(".toast");
+  await page.waitForSelector(".message");
   await page.keyboard.press("l");
   await page.waitForSelector(".outline.is-locked", { state: "detached" });
   await page.keyboard.press("Delete");

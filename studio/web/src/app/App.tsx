@@ -13,9 +13,10 @@ import { VariantStrip } from "../variants/VariantStrip";
 import { Banner } from "./Banner";
 import { FileDrop } from "./FileDrop";
 import { KeysDialog } from "./KeysDialog";
+import { MessageBar } from "./MessageBar";
 import { usePageKeys } from "./keys";
 import { Sidebar } from "./Sidebar";
-import { ToastList } from "./ToastList";
+import { Tips } from "./Tips";
 import { TopBar } from "./TopBar";
 
 const Scene = lazy(() => import("../three/Scene"));
@@ -89,7 +90,8 @@ export function App() {
         <Sidebar />
         <Middle />
       </div>
-      <ToastList />
+      <MessageBar />
+      <Tips />
       <KeysDialog />
       <FileDrop />
     </div>

@@ -71,7 +71,9 @@ function RoomTools({ room }: { room: OpenRoom }) {
         <button class={unsettled ? "button is-due" : "button"} disabled={!unsettled} onClick={() => settle(room)}
           title={unsettled ? "Let the other pieces make room for what you changed (S)" : kAllSettled}>
           <Icon name="settle" />Settle</button>
-        <button class="button is-toggle" aria-pressed={auto === "on"} title="Settle after every move"
+        <button class="button is-toggle" aria-pressed={auto === "on"} title={auto === "on"
+            ? "Auto is on: after every change the other pieces make room by themselves"
+            : "Auto is off: pieces stay just where you put them until you press Settle"}
           onClick={settings.turnAuto}>Auto</button>
       </div>
       <div class="segmented" role="group" aria-label="What is shown">

@@ -30,7 +30,8 @@ export function Inspector({ room }: { room: OpenRoom }) {
       </div>
       <FurnishCard room={room} />
       <EffectCard room={room} told={told} />
-      <SayField room={room} about={chosen.length === 1 ? only : undefined} />
+      {/* In an empty room the brief is asked for above. */}
+      {pieces.size > 0 && <SayField room={room} about={chosen.length === 1 ? only : undefined} />}
     </aside>
   );
 }

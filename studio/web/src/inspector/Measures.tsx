@@ -16,7 +16,6 @@ function measuresOf({ demand_count: demands, uses }: Note, metrics: LayoutMetric
   const held = demands?.holds ?? 0;
   const shares = (metrics: LayoutMetrics): Measure[] => [
     { words: measureWords.floor, value: percent(metrics.reachableFloorShare), share: metrics.reachableFloorShare },
-    { words: measureWords.fronts, value: percent(metrics.reachableFrontShare), share: metrics.reachableFrontShare },
   ];
   return [
     ...counted(measureWords.wishes, held, held + (demands?.missed ?? 0)),

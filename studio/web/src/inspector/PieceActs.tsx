@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
-import { duplicatePieces, lockPieces, removePieces, turnPieces } from "../state/commands";
+import { duplicatePieces, lockPieces, removePieces, turnPieces, withCarried } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece } from "../state/pieces";
 
@@ -10,7 +10,7 @@ export function PieceActs({ room, pieces }: { room: OpenRoom; pieces: readonly P
   const acts = [
     { name: isLocked ? "Unlock" : "Lock", key: "L", icon: isLocked ? "lock" : "unlock", run: lockPieces },
     { name: "Turn clockwise", key: "R", icon: "turn", run: () => turnPieces(room, pieces, -Math.PI / 2) },
-    { name: "Duplicate", key: "Ctrl D", icon: "copy", run: duplicatePieces },
+    { name: "Duplicate", key: "Ctrl D", icon: "copy", run: () => duplicatePieces(room, withCarried(room, pieces)) },
     { name: "Remove", key: "Delete", icon: "trash",
       run: () => removePieces(room, pieces.map((piece) => piece.id)) },
   ] as const;

@@ -4,7 +4,7 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { figure, parseLength } from "../app/units";
 import { headingText, parseHeading } from "../geometry/compass";
 import { boxOf } from "../geometry/polygon";
-import { sub } from "../geometry/vec";
+import { gapsOf } from "../geometry/gaps";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { footprintOf, placementOf, type Piece } from "../state/pieces";
 import { movePieces, resizePiece, turnPieces } from "../state/commands";
@@ -54,7 +54,7 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
   };
   const move = (to: Partial<typeof pose>, z = piece.z) =>
     void movePieces(room, [{ ...placementOf(piece, { ...piece.pose, ...to }), zM: z }]);
-  const gaps = sub(boxOf(footprintOf(piece, pose)).min, boxOf(room.floor.value).min);
+  const gaps = gapsOf(boxOf(footprintOf(piece, pose)), room.floor.value);
   const place = (text: string, axis: "x" | "y") => {
     const metres = parseLength(text, units);
     if (metres !== undefined) move({ [axis]: pose[axis] + metres - gaps[axis] });
@@ -80,9 +80,9 @@ export function PieceFields({ room, piece }: { room: OpenRoom; piece: Piece }) {
         resizePiece(room, piece, { pose: piece.pose, size: { width, depth: metres } }))} />
       <Field label="Height" text={figure(piece.object.heightM, units)} take={(text) => size(text, (metres) =>
         resizePiece(room, piece, { pose: piece.pose, size: piece.size }, metres))} />
-      <Field label="To west wall" title="From its western side to the room's western end" isLocked={piece.pinned}
+      <Field label="To west wall" title="From its western side to the wall west of it" isLocked={piece.pinned}
         text={figure(gaps.x, units)} take={(text) => place(text, "x")} />
-      <Field label="To south wall" title="From its southern side to the room's southern end" isLocked={piece.pinned}
+      <Field label="To south wall" title="From its southern side to the wall south of it" isLocked={piece.pinned}
         text={figure(gaps.y, units)} take={(text) => place(text, "y")} />
       <Field label="Faces" title="N, NE, E... or degrees clockwise from north, which is up on the plan; R adds 90"
         isLocked={piece.pinned} text={headingText(pose.theta)} take={turn} />

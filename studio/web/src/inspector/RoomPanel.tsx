@@ -55,6 +55,12 @@ function RoomActs({ room }: { room: OpenRoom }) {
   );
 }
 
+// What the room was made for: words of its user, no description of what stands in it now.
+function Asked({ room }: { room: OpenRoom }) {
+  const text = room.document.value.brief?.text;
+  return text ? <p class="hint asked">Asked: “{text}”</p> : null;
+}
+
 export function RoomPanel({ room }: { room: OpenRoom }) {
   const { units } = useStudio().settings;
   const explanation = room.explanation.value, note = explanation?.note ?? {};
@@ -67,6 +73,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
       </header>
       <RoomActs room={room} />
       {note.room && <p class="stands is-room">{note.room}</p>}
+      <Asked room={room} />
       {explanation && explanation.notAsAsked.length > 0 && (
         <section>
           <h3 class="eyebrow">Not as asked</h3>

@@ -18,8 +18,7 @@ export const measureWords = {
     title: "Everyday acts for which there is room: sitting down, opening doors and drawers, getting out of bed.",
   },
   wishes: { label: "Wishes met", title: "Your wishes and the designer's that hold as things stand." },
-  floor: { label: "Floor in reach", title: "How much of the free floor you can walk to from the door." },
-  fronts: { label: "Pieces in reach", title: "How many pieces you can walk up to from the door and use." },
+  floor: { label: "Floor in reach", title: "How much of the free floor you can walk to from the door, through gaps of 0.6 m or more." },
 } as const;
 
 // What a stage of a job is about.

@@ -14,7 +14,6 @@ import { PlanContext } from "./context";
 import { usePlanPointer } from "./pointer";
 import { usePlanWheel } from "./wheel";
 import { ClearanceField } from "./ClearanceField";
-import { PlanNote } from "./PlanNote";
 import { ViewTools } from "./ViewTools";
 import { usePlanDrop } from "./drop";
 
@@ -89,7 +88,6 @@ export function Plan({ room }: { room: OpenRoom }) {
         <ClearanceField />
         <Spoken room={room} />
         <ViewTools of={plan} />
-        <PlanNote />
       </div>
     </PlanContext.Provider>
   );

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Furniture that is dragged from the drawer into the room.
 import { useEffect } from "preact/hooks";
-import { ObjectKind } from "../gen/flair/v1/object_list_pb";
+import { ObjectKind, type Object$ } from "../gen/flair/v1/object_list_pb";
 import { addPiece } from "../state/commands";
 import type { PlanController } from "./controller";
 import { carried } from "../furniture/carried";
 import { offerSeat } from "../furniture/seat";
 import { restOf, snapTargets } from "./gestures/move";
+
+// The lower edge of what hangs: what comes down from a ceiling ends its height below it.
+function hungAt({ kind, elevationM, heightM }: Object$, ceilingM: number): number {
+  if (kind === ObjectKind.CEILING && elevationM === 0) return Math.max(0, ceilingM - heightM);
+  return kind === ObjectKind.WALL || kind === ObjectKind.CEILING ? elevationM : 0;
+}
 
 export function usePlanDrop(plan: PlanController, host: { current: HTMLElement | null }): void {
   useEffect(() => {
@@ -33,7 +39,7 @@ export function usePlanDrop(plan: PlanController, host: { current: HTMLElement |
       const pose = poseOf(event);
       plan.guides.value = [];
       element.focus({ preventScroll: true });
-      const z = object.kind === ObjectKind.WALL ? object.elevationM : 0;
+      const z = hungAt(object, plan.room.layout.peek()?.graph?.room?.heightM ?? 0);
       void addPiece(plan.room, object, pose, z).then((isAdded) => { if (isAdded) void offerSeat(plan.studio, plan.room); });
     };
     const onLeave = () => { plan.guides.value = []; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keys while the plan has the focus. Those of the whole page are in app/keys.ts.
 import { useEffect, useMemo } from "preact/hooks";
-import { duplicatePieces, lockPieces, removePieces, turnPieces } from "../state/commands";
+import { duplicatePieces, lockPieces, removePieces, turnPieces, withCarried } from "../state/commands";
 import { isSolid, type Piece } from "../state/pieces";
 import { editedClearance } from "./ClearanceField";
 import { shownClearances } from "./clearance_of";
@@ -43,9 +43,9 @@ function editClearance(plan: PlanController): boolean {
 function onCommand(plan: PlanController, key: string): boolean {
   const chosen = plan.chosen.peek();
   if (key === "a") plan.room.select(plan.room.pieces.peek().keys());
-  else if (key === "c" && getSelection()?.isCollapsed !== false) copied = chosen;
+  else if (key === "c" && getSelection()?.isCollapsed !== false) copied = withCarried(plan.room, chosen);
   else if (key === "v") void duplicatePieces(plan.room, copied);
-  else if (key === "d") void duplicatePieces(plan.room, chosen);
+  else if (key === "d") void duplicatePieces(plan.room, withCarried(plan.room, chosen));
   else return false;
   return true;
 }

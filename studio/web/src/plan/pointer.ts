@@ -2,6 +2,7 @@
 // From presses to gestures: what is under the pointer decides which.
 import { useMemo } from "preact/hooks";
 import { grips } from "../geometry/resize";
+import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { carrierOf } from "../state/pieces";
 import type { PlanController } from "./controller";
 import type { Gesture } from "./gesture";
@@ -18,11 +19,22 @@ function attributeOf(event: Event, name: string): string | undefined {
   return (event.target as Element).closest<SVGElement>(`[data-${name}]`)?.dataset[name];
 }
 
+// What hangs from the ceiling lets through to what stands below it; by its name it is taken everywhere.
+function belowCeiling(plan: PlanController, event: MouseEvent, id: string): string {
+  const pieces = plan.room.pieces.peek(), isHung = (one: string) => pieces.get(one)?.object.kind === ObjectKind.CEILING;
+  if (!isHung(id) || (event.target as Element).closest(".labels")) return id;
+  const stack = document.elementsFromPoint(event.clientX, event.clientY);
+  const others = stack.flatMap((element) => element.closest<SVGElement>("[data-piece]")?.dataset.piece ?? []);
+  return others.find((one) => pieces.has(one) && !isHung(one) && !pieces.get(one)!.object.walkOver) ?? id;
+}
+
 // The piece that is meant: what carries the one under the pointer, unless that one is selected or asked for by ctrl.
 function pieceAt(plan: PlanController, event: MouseEvent): string | undefined {
-  const id = attributeOf(event, "piece");
-  if (id === undefined || event.ctrlKey || event.metaKey || plan.room.selection.peek().has(id)) return id;
-  return carrierOf(plan.room.pieces.peek(), id);
+  const above = attributeOf(event, "piece");
+  const { selection, pieces } = plan.room, isAskedFor = event.ctrlKey || event.metaKey;
+  if (above === undefined || isAskedFor || selection.peek().has(above)) return above;
+  const id = belowCeiling(plan, event, above);
+  return selection.peek().has(id) ? id : carrierOf(pieces.peek(), id);
 }
 
 function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefined {

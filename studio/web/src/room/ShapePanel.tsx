@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The room as a whole, and all that it has: the way to each wall and door for those who use no mouse.
+import { useState } from "preact/hooks";
 import { Icon, type IconName } from "../app/Icon";
 import { areaText, figure, lengthText } from "../app/units";
 import { area } from "../geometry/polygon";
@@ -14,51 +15,46 @@ import { emptySketch, extentOf } from "./sketch";
 
 const icons: Record<string, IconName> = { door: "door", window: "window", socket: "socket" };
 
-// Browsers list only what begins as the field does: empty, it lists every kind. What was there comes back on leaving.
-function openList(input: HTMLInputElement): void {
-  input.value = "";
-  try {
-    input.showPicker();
-  } catch {
-    // A browser that does not know how opens the list at the first letter.
-  }
+const kAnother = "another";
+
+function focused(input: HTMLInputElement | null): void {
+  input?.focus();
+  input?.select();
 }
 
+// A kind from the list, or one's own word for it.
 function RoomType() {
-  const drawing = useDrawing(),
-    { roomType } = drawing.sketch.value;
-  const take = (input: HTMLInputElement) => {
-    const typed = input.value.trim().toLowerCase().slice(0, 60);
-    input.value = typed || roomType;
+  const drawing = useDrawing(), { roomType } = drawing.sketch.value;
+  const [isTyping, setTyping] = useState(false);
+  const known = roomTypes as readonly string[];
+  const take = (kind: string) => {
+    setTyping(false);
+    const typed = kind.trim().toLowerCase().slice(0, 60);
     if (typed && typed !== roomType)
       drawing.commit({ ...drawing.sketch.peek(), roomType: typed }, "change the kind of room");
   };
+  if (isTyping) {
+    return (
+      <label class="field">
+        <span>Kind of room</span>
+        <input defaultValue={roomType} maxLength={60} ref={focused}
+          onBlur={(event) => take(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            event.stopPropagation();
+            if (event.key === "Escape") event.currentTarget.value = roomType;
+            if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
+          }} />
+      </label>
+    );
+  }
   return (
     <label class="field">
       <span>Kind of room</span>
-      <input
-        key={roomType}
-        defaultValue={roomType}
-        placeholder={roomType}
-        list="room-types"
-        maxLength={60}
-        onClick={(event) => openList(event.currentTarget)}
-        onBlur={(event) => take(event.currentTarget)}
-        onInput={(event) => {
-          // Taken from the list, and not on the way to another word.
-          const { value } = event.currentTarget;
-          if (!(event instanceof InputEvent) && (roomTypes as string[]).includes(value)) event.currentTarget.blur();
-        }}
-        onKeyDown={(event) => {
-          event.stopPropagation();
-          if (event.key === "Enter") event.currentTarget.blur();
-        }}
-      />
-      <datalist id="room-types">
-        {roomTypes.map((one) => (
-          <option key={one} value={one} />
-        ))}
-      </datalist>
+      <select value={roomType} onKeyDown={(event) => event.stopPropagation()}
+        onChange={(event) => (event.currentTarget.value === kAnother ? setTyping(true) : take(event.currentTarget.value))}>
+        {[...new Set([roomType, ...known])].map((kind) => <option key={kind} value={kind}>{capital(kind)}</option>)}
+        <option value={kAnother}>Another...</option>
+      </select>
     </label>
   );
 }

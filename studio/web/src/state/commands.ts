@@ -8,7 +8,7 @@ import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/obj
 import type { OpenRoom } from "./open_room";
 import type { Placements } from "./judging";
 import { homeFor, orphansInWords, orphansOf, seatsAt, seatsInWords } from "./orphans";
-import { placementOf, theName, withGuests, type Piece, type Poses } from "./pieces";
+import { guestsOf, placementOf, theName, withGuests, type Piece, type Poses } from "./pieces";
 import { turnedInside } from "./turning";
 
 type Edit = MessageInitShape<typeof LayoutEditSchema>;
@@ -135,17 +135,26 @@ function atHome(room: OpenRoom, object: Object$): MessageInitShape<typeof Object
   return { ...plain(object), zoneId, hostId };
 }
 
-// The same again, a little aside.
+// Pieces and all that stands on them.
+export function withCarried(room: OpenRoom, chosen: readonly Piece[]): Piece[] {
+  const pieces = room.pieces.peek(), ids = chosen.map(({ id }) => id);
+  return [...chosen, ...guestsOf(pieces, ids).map((id) => pieces.get(id)!)];
+}
+
+// The same again, a little aside; what stands on one of them stands on its copy.
 export async function duplicatePieces(room: OpenRoom, pieces: readonly Piece[]) {
   const taken = takenIds(room);
+  const copies = new Map<string, string>();
   const ids: string[] = [];
   const edits = pieces.flatMap((piece): Edit[] => {
-    const id = freeId(taken, piece.object.id);
+    const id = freeId(taken, piece.object.id), host = copies.get(piece.object.hostId);
     taken.add(id);
-    ids.push(id);
+    copies.set(piece.id, id);
+    if (host === undefined) ids.push(id);
     const pose = { ...piece.pose, x: piece.pose.x + kCopyOffset, y: piece.pose.y - kCopyOffset };
+    const object = { ...atHome(room, piece.object), id, ...(host === undefined ? {} : { hostId: host }) };
     return [
-      { edit: { case: "addObject", value: { object: { ...atHome(room, piece.object), id } } } },
+      { edit: { case: "addObject", value: { object } } },
       { edit: { case: "moveObject", value: { ...placementOf(piece, pose), objectId: id } } },
     ];
   });

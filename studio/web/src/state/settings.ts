@@ -35,9 +35,7 @@ export class Settings {
   readonly units = remembered<Units>("units", ["m", "ft"], "m");
   readonly panes = remembered<Panes>("panes", ["plan", "split", "3d"], "plan");
   readonly autoSettle = remembered<"on" | "off">("auto-settle", ["on", "off"], "off");
-  // Whether the first line of help has done its work.
-  readonly hint = remembered<"new" | "seen">("hint", ["new", "seen"], "new");
-  readonly sidebar = remembered<"open" | "closed">("sidebar", ["open", "closed"], "open");
+  readonly sidebar = remembered<"open" | "closed">("sidebar", ["open", "closed"], innerWidth > 900 ? "open" : "closed");
 
   private readonly isSystemDark = signal(false);
 

@@ -10,6 +10,7 @@ import { sentenceOf } from "../api/problems";
 import { watchDocuments, type Connection } from "../api/watch";
 import { JobState } from "../gen/flair/v1/job_pb";
 import type { CreateDocumentRequestSchema, Document, WatchDocumentsResponse } from "../gen/flair/v1/studio_service_pb";
+import { rename } from "./commands";
 import { JobBook } from "./jobs";
 import { OpenRoom } from "./open_room";
 import { goTo, route } from "./route";
@@ -57,9 +58,18 @@ export class Studio {
     return made.document;
   }
 
-  async forget(id: string): Promise<void> {
+  async forget({ id }: Document): Promise<void> {
     await this.told(() => this.clients.studio.deleteDocument({ documentId: id }));
     this.drop(id);
+  }
+
+  // Gives a document another title, whether it is open or not.
+  async rename({ id, revision }: Document, title: string): Promise<void> {
+    const open = this.open.peek();
+    if (open?.id === id) return void (await rename(open, title));
+    const act = { case: "title", value: title } as const;
+    const answer = await this.told(() => this.clients.studio.act({ documentId: id, revision, act }));
+    if (answer?.document) this.put(answer.document);
   }
 
   // The answer of a call, or undefined after the user was told what went wrong.

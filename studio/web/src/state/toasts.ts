@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Short messages that come and go.
-import { signal } from "@preact/signals";
+// Short messages that come and go; the latest is seen, those before it wait below it.
+import { computed, signal } from "@preact/signals";
+import { capital, withStop } from "../inspector/words";
 
 // What one can do about it by a click.
 export interface ToastAct {
@@ -15,10 +16,16 @@ export interface Toast {
   readonly acts: readonly ToastAct[];
 }
 
-const kMilliseconds = { error: 9000, note: 5000, offer: 15000 };
+const kMilliseconds = { error: 12000, note: 6000, offer: 20000 };
+const kMost = 4;
+// How soon it is looked again whether somebody still reads.
+const kHeldMilliseconds = 2000;
 
 export class Toasts {
   readonly shown = signal<readonly Toast[]>([]);
+  readonly latest = computed(() => this.shown.value.at(-1));
+  // While the pointer or the focus is on them, none goes.
+  isHeld = false;
   private last = 0;
 
   error(text: string): void {
@@ -38,11 +45,19 @@ export class Toasts {
     this.shown.value = this.shown.value.filter((one) => one.id !== id);
   }
 
-  private add(kind: Toast["kind"], text: string, acts: readonly ToastAct[] = []): void {
+  private add(kind: Toast["kind"], said: string, acts: readonly ToastAct[] = []): void {
+    const text = withStop(capital(said.trim()));
     const same = this.shown.value.find((one) => one.text === text);
     if (same) this.dismiss(same.id);
     const id = ++this.last;
-    this.shown.value = [...this.shown.value.slice(-3), { id, kind, text, acts }];
-    setTimeout(() => this.dismiss(id), kMilliseconds[kind]);
+    this.shown.value = [...this.shown.value.slice(1 - kMost), { id, kind, text, acts }];
+    this.expire(id, kMilliseconds[kind]);
+  }
+
+  private expire(id: number, milliseconds: number): void {
+    setTimeout(() => {
+      if (this.isHeld) this.expire(id, kHeldMilliseconds);
+      else this.dismiss(id);
+    }, milliseconds);
   }
 }

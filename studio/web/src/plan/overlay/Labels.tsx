@@ -4,6 +4,7 @@ import { memo } from "preact/compat";
 import { boxOf } from "../../geometry/polygon";
 import { vec } from "../../geometry/vec";
 import type { PlanPart } from "../../gen/flair/v1/renderer_service_pb";
+import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
 import { footprintOf, isSolid, nameOf, type Piece } from "../../state/pieces";
 import { usePlan } from "../context";
 import { toScreen } from "../view";
@@ -13,6 +14,8 @@ const kLeading = 1.18;
 const kSmallest = 7.5;
 const kLargest = 15;
 const kPlainSize = 11.5;
+const kBelow = 13;
+const kCeilingSizeM = 0.1;
 
 interface LabelProps {
   piece: Piece;
@@ -49,8 +52,26 @@ const Label = memo(
   (a, b) => a.text === b.text,
 );
 
+// What hangs from the ceiling is taken by its name: its outline is a line above other pieces.
+const isOfCeiling = ({ object }: Piece): boolean => object.kind === ObjectKind.CEILING;
+
+// Below its outline, upright.
+function CeilingLabel({ piece }: { piece: Piece }) {
+  const { room, view } = usePlan();
+  const place = useComputed(() => {
+    const { min, max } = boxOf(footprintOf(piece, room.poseOf(piece.id) ?? piece.pose));
+    const at = toScreen(view.value, vec((min.x + max.x) / 2, min.y));
+    return `translate(${at.x.toFixed(1)} ${(at.y + kBelow).toFixed(1)})`;
+  });
+  const pixels = useComputed(() => Math.min(kCeilingSizeM * view.value.scale, kPlainSize));
+  if (pixels.value < kSmallest) return null;
+  return (
+    <text class="is-of-ceiling" transform={place} font-size={pixels} data-piece={piece.id}>{nameOf(piece.object)}</text>
+  );
+}
+
 function hasLabel(piece: Piece, part: PlanPart | undefined): boolean {
-  return part ? part.label !== "" : isSolid(piece);
+  return isOfCeiling(piece) || (part ? part.label !== "" : isSolid(piece));
 }
 
 // The name of what is pointed at, above it where nothing is written on it.
@@ -82,6 +103,7 @@ export function Labels() {
       {pieces
         .filter((piece) => hasLabel(piece, labelOf(piece)))
         .map((piece) => {
+          if (isOfCeiling(piece)) return <CeilingLabel key={[piece.id, piece.size.width, piece.size.depth].join(" ")} piece={piece} />;
           const {
             label = piece.object.name,
             labelSizeM: size = 0,
