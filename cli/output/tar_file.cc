@@ -12,8 +12,8 @@
 
 namespace flair::cli {
 
-TarFile::TarFile(std::filesystem::path path) : path_(std::move(path)), archive_(archive_write_new()) {
-  archive_write_set_format_pax_restricted(archive_);
+TarFile::TarFile(std::filesystem::path path, bool zip) : path_(std::move(path)), archive_(archive_write_new()) {
+  zip ? archive_write_set_format_zip(archive_) : archive_write_set_format_pax_restricted(archive_);
 }
 
 TarFile::~TarFile() { archive_write_free(archive_); }
@@ -47,8 +47,7 @@ absl::Status TarFile::Error() const {
   return FileError("{}: cannot be written: {}", path_.string(), why == nullptr ? "no reason given" : why);
 }
 
-absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files) {
-  TarFile file("archive");
+absl::StatusOr<std::string> BytesOf(TarFile& file, std::span<const OutputFile> files) {
   const auto append = [](archive*, void* bytes, const void* part, size_t size) -> la_ssize_t {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(part), size);
     return static_cast<la_ssize_t>(size);
@@ -58,6 +57,16 @@ absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files) {
   for (const OutputFile& one : files) RETURN_IF_ERROR(file.Add(one.name, one.content));
   RETURN_IF_ERROR(file.Close());
   return bytes;
+}
+
+absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files) {
+  TarFile file("archive");
+  return BytesOf(file, files);
+}
+
+absl::StatusOr<std::string> ZipOf(std::span<const OutputFile> files) {
+  TarFile file("archive", true);
+  return BytesOf(file, files);
 }
 
 }  // namespace flair::cli

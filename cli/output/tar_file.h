@@ -24,16 +24,19 @@ class TarFile {
   absl::Status Close();
 
  private:
+  friend absl::StatusOr<std::string> BytesOf(TarFile& file, std::span<const OutputFile> files);
   friend absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files);
+  friend absl::StatusOr<std::string> ZipOf(std::span<const OutputFile> files);
 
-  explicit TarFile(std::filesystem::path path);
+  explicit TarFile(std::filesystem::path path, bool zip = false);
   absl::Status Error() const;
 
   const std::filesystem::path path_;
   archive* const archive_;
 };
 
-// The bytes of a tar file with these.
+// The bytes of a tar file, or of a zip file, with these.
 absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files);
+absl::StatusOr<std::string> ZipOf(std::span<const OutputFile> files);
 
 }  // namespace flair::cli

@@ -265,8 +265,10 @@ absl::StatusOr<Pixels> DrawOnPixels(const Sheet& sheet, double px_per_mm, const 
                       static_cast<int>(std::lround(sheet.size_mm.height * px_per_mm)), px_per_mm, draw);
 }
 
-absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options) {
-  ASSIGN_OR_RETURN(const PlanSheet made, MakePlanSheet(layout, options));
+absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
+                                   const std::string& remark) {
+  ASSIGN_OR_RETURN(PlanSheet made, MakePlanSheet(layout, options));
+  made.plan.remark = remark;
   const Sheet& sheet = made.sheet;
   ASSIGN_OR_RETURN(const double px_per_mm, PixelsPerMm(sheet, options));
   DrawnPlan drawn;
@@ -322,8 +324,9 @@ absl::StatusOr<std::string> DrawInDocument(const Sheet& sheet, const std::string
 }
 
 absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
-                                             const DrawingMetadata& metadata) {
-  ASSIGN_OR_RETURN(const PlanSheet made, MakePlanSheet(layout, options));
+                                             const DrawingMetadata& metadata, const std::string& remark) {
+  ASSIGN_OR_RETURN(PlanSheet made, MakePlanSheet(layout, options));
+  made.plan.remark = remark;
   return DrawInDocument(made.sheet, made.plan.title, options, metadata,
                         [&](Canvas& canvas) { DrawSheet(canvas, made.plan, made.sheet); });
 }

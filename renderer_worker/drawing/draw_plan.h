@@ -36,8 +36,10 @@ struct DrawnPlan {
 inline constexpr int kDefaultSizePx = 1600;
 inline constexpr int64_t kMostPixels = 150'000'000;
 
-// The plan on its sheet of paper as pixels: `size_px` along its longer side, or so many that `dpi` holds.
-absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options);
+// The plan on its sheet of paper as pixels: `size_px` along its longer side, or so many that `dpi` holds. `remark`
+// stands in small print below the title.
+absl::StatusOr<DrawnPlan> DrawPlan(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
+                                   const std::string& remark = "");
 
 // Name and value, in order. "Title", "Description", "Software" and "Keywords" go where the format has a place for them,
 // all others as "name: value" among the keywords.
@@ -47,7 +49,7 @@ using DrawingMetadata = std::vector<std::pair<std::string, std::string>>;
 // millimetre. Letters are outlines, so that no font is needed to read it. Adds title and scale to the metadata unless
 // they are there.
 absl::StatusOr<std::string> DrawPlanDocument(const v1::SolvedLayout& layout, const v1::RenderOptions& options,
-                                             const DrawingMetadata& metadata);
+                                             const DrawingMetadata& metadata, const std::string& remark = "");
 
 // The plan without its sheet, dimensions and labels, as large as the box of pixels allows, on white: a tile of a
 // contact sheet. Sides in [16, 4096].

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -57,6 +58,19 @@ TEST(DrawPlan, SamplesDrawTheSameTwice) {
     ASSERT_TRUE(first.ok()) << name << ": " << first.status();
     ASSERT_TRUE(second.ok());
     EXPECT_EQ(first->pixels.rgb, second->pixels.rgb) << name;
+  }
+}
+
+TEST(DrawPlan, ARemarkStandsBelowTheTitleAndMovesNothingOfThePlan) {
+  const v1::SolvedLayout layout = ReadSample("l_shaped_studio");
+  const DrawnPlan plain = *DrawPlan(layout, Small()), remarked = *DrawPlan(layout, Small(), "Asked: “A studio.”");
+  ASSERT_EQ(plain.pixels.rgb.size(), remarked.pixels.rgb.size());
+  EXPECT_NE(plain.pixels.rgb, remarked.pixels.rgb);
+  // The left half is the room's.
+  const size_t row = size_t{3} * plain.pixels.width_px;
+  for (size_t at = 0; at < plain.pixels.rgb.size(); at += row) {
+    ASSERT_TRUE(std::equal(plain.pixels.rgb.begin() + at, plain.pixels.rgb.begin() + at + row / 2,
+                           remarked.pixels.rgb.begin() + at));
   }
 }
 

@@ -127,6 +127,7 @@ struct PlanEdge {
 struct Plan {
   PlanLayers layers;
   std::string title;
+  std::string remark;  // in small print below the title; may be empty
   std::string room_type;
   double height_m = 0;
   double area_m2 = 0;

@@ -136,7 +136,11 @@ double DrawTitle(Canvas& canvas, const Plan& plan, const Box& box) {
       fmt::format("{:.2f} × {:.2f} m   ·   {:.1f} m²", plan.bounds_m.width(), plan.bounds_m.height(), plan.area_m2);
   if (plan.height_m > 0) facts += fmt::format("   ·   {:.2f} m high", plan.height_m);
   DrawText(canvas, {facts, {.size_mm = 3.3, .colour = kPanelSoft}, box.width()}, {box.x0, y});
-  return y + 6.5;
+  y += 6.5;
+  if (plan.remark.empty()) return y;
+  const TextBlock remark{plan.remark, {.size_mm = 2.9, .colour = kPanelSoft, .line_spacing = 1.08}, box.width(), 5};
+  DrawText(canvas, remark, {box.x0, y});
+  return y + Measure(canvas, remark).height + 2;
 }
 
 void DrawTitleBlock(Canvas& canvas, const Plan& plan, const Sheet& sheet, const Box& box) {

@@ -93,8 +93,9 @@ double DotsPerInch(const DrawnPlan& plan) {
 absl::Status FillWithPixels(const v1::RenderRequest& request, ImageWriter& writer, runtime::CallContext& call,
                             v1::Preview& preview) {
   const PrepareBeside prepare(writer);
-  ASSIGN_OR_RETURN(DrawnPlan plan, request.beside().empty() ? DrawPlan(request.solved_layout(), request.options())
-                                                            : DrawComparison(request));
+  ASSIGN_OR_RETURN(DrawnPlan plan, request.beside().empty()
+                                       ? DrawPlan(request.solved_layout(), request.options(), request.remark())
+                                       : DrawComparison(request));
   RETURN_IF_ERROR(call.CheckAlive());
   ImageMetadata metadata = MetadataOf(request, plan.title);
   metadata.emplace_back("flair:scale", fmt::format("1:{} at {}", plan.scale, plan.paper));
@@ -108,9 +109,10 @@ absl::Status FillWithPixels(const v1::RenderRequest& request, ImageWriter& write
 // Pages have no pixels: their width and height stay 0.
 absl::Status FillWithDocument(const v1::RenderRequest& request, v1::Preview& preview) {
   const ImageMetadata metadata = MetadataOf(request, TitleOf(request.solved_layout()));
-  ASSIGN_OR_RETURN(std::string file, request.beside().empty()
-                                         ? DrawPlanDocument(request.solved_layout(), request.options(), metadata)
-                                         : DrawComparisonDocument(request, metadata));
+  ASSIGN_OR_RETURN(std::string file,
+                   request.beside().empty()
+                       ? DrawPlanDocument(request.solved_layout(), request.options(), metadata, request.remark())
+                       : DrawComparisonDocument(request, metadata));
   preview.set_image(std::move(file));
   return absl::OkStatus();
 }

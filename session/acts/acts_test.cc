@@ -144,6 +144,7 @@ TEST_F(ActsTest, APictureThatIsDroppedOnAWallFacesIntoTheRoom) {
       v1::Placement& at = *act.mutable_edit()->add_edits()->mutable_move_object();
       at.set_x_m(drop.x_m);
       at.set_y_m(drop.y_m);
+      at.set_z_m(1.3);
     });
     ASSERT_TRUE(added.ok()) << added.status();
     document = added->document();
@@ -152,6 +153,7 @@ TEST_F(ActsTest, APictureThatIsDroppedOnAWallFacesIntoTheRoom) {
     EXPECT_NEAR(std::remainder(hangs.theta_rad() - drop.faces_rad, 2 * kPi), 0, 1e-9) << drop.x_m << " " << drop.y_m;
     const double depth = std::min({hangs.x_m(), 4 - hangs.x_m(), hangs.y_m(), 5 - hangs.y_m()});
     EXPECT_NEAR(depth, 0.02, 1e-9);
+    EXPECT_EQ(hangs.z_m(), 1.3);
   }
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document's layout with all that led to it, as one file.
+// A document's layout with all that led to it.
 #include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "cli/output/artifact_text.h"
-#include "cli/output/tar_file.h"
 #include "fmt/format.h"
 #include "orchestrator/store/artifact_id.h"
 #include "session/documents/documents.h"
@@ -18,8 +17,6 @@ namespace {
 using cli::OutputFile;
 using runtime::CallContext;
 
-// It travels as one message.
-constexpr size_t kMostArchiveBytes = size_t{16} << 20;
 // A document of 500 states, and the stages before it.
 constexpr size_t kMostArtifacts = 600;
 
@@ -47,7 +44,8 @@ void AddFiles(const v1::Artifact& artifact, std::set<std::string>& names, std::v
 
 }  // namespace
 
-absl::StatusOr<std::string> Documents::ArchiveOf(const Layout& shown, CallContext& call) {
+absl::StatusOr<std::vector<OutputFile>> Documents::ArtifactFilesOf(const Layout& shown, size_t most,
+                                                                   CallContext& call) {
   // The nearest first.
   std::vector<v1::Artifact> found = {*shown};
   std::set<std::string> seen = {shown->id()};
@@ -61,7 +59,7 @@ absl::StatusOr<std::string> Documents::ArchiveOf(const Layout& shown, CallContex
       if (!artifact.ok()) continue;
       bytes += artifact->ByteSizeLong();
       // There will be no room for it: it only leads on.
-      if (artifact->has_solved_layout() && bytes > kMostArchiveBytes) artifact->clear_content();
+      if (artifact->has_solved_layout() && bytes > most) artifact->clear_content();
       found.push_back(*std::move(artifact));
     }
   }
@@ -71,9 +69,9 @@ absl::StatusOr<std::string> Documents::ArchiveOf(const Layout& shown, CallContex
   });
   std::vector<OutputFile> files;
   std::set<std::string> names;
-  size_t left = kMostArchiveBytes;
+  size_t left = most;
   for (const v1::Artifact& artifact : found) AddFiles(artifact, names, files, left);
-  return cli::TarOf(files);
+  return files;
 }
 
 }  // namespace flair::session

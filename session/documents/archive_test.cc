@@ -19,7 +19,7 @@ using ::testing::UnorderedElementsAre;
 std::map<std::string, std::string> FilesIn(const std::string& tar) {
   std::map<std::string, std::string> files;
   const std::unique_ptr<archive, decltype(&archive_read_free)> read(archive_read_new(), archive_read_free);
-  archive_read_support_format_tar(read.get());
+  archive_read_support_format_all(read.get());
   EXPECT_EQ(archive_read_open_memory(read.get(), tar.data(), tar.size()), ARCHIVE_OK);
   archive_entry* entry = nullptr;
   while (archive_read_next_header(read.get(), &entry) == ARCHIVE_OK) {
@@ -106,6 +106,22 @@ TEST_F(DocumentsTest, AnArchiveLeavesOutWhatIsGone) {
   ASSERT_TRUE(stub->DeleteJob(&context, gone, &response).ok());
   EXPECT_THAT(FilesIn(Export(made.document().id(), v1::DOCUMENT_FORMAT_ARTIFACTS_TAR)),
               UnorderedElementsAre(Key("layout.pb"), Key("layout.json")));
+}
+
+TEST_F(DocumentsTest, EverythingIsOneArchiveWithPicturesListAndArtifacts) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::map<std::string, std::string> files =
+      FilesIn(Export(made.document().id(), v1::DOCUMENT_FORMAT_EVERYTHING_ZIP));
+  std::vector<std::string> names;
+  for (const auto& [name, content] : files) {
+    names.push_back(name);
+    EXPECT_NE(content, "") << name;
+  }
+  EXPECT_THAT(names, IsSupersetOf({"plan.png", "plan.svg", "plan.pdf", "view-from-above.png", "view-at-eye-level.png",
+                                   "report.md", "furniture.csv", "room-to-open-again.json", "artifacts/layout.pb",
+                                   "artifacts/brief.json"}));
+  EXPECT_EQ(files.at("room-to-open-again.json"), Export(made.document().id(), v1::DOCUMENT_FORMAT_LAYOUT_JSON));
+  EXPECT_TRUE(files.at("plan.pdf").starts_with("%PDF"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What documents begin with: a brief, a job, a file, an empty room.
+// What documents begin with: a brief, a job, a file, an empty room, another document; and how they come back.
 #include <algorithm>
 #include <random>
 #include <utility>
@@ -29,6 +29,37 @@ void Documents::SetVariants(Record& record, v1::Artifact& artifact) {
   const auto count = std::ranges::count_if(artifact.solved_layout().runner_ups(), cli::IsComplete);
   record.mutable_document()->set_variant_count(static_cast<int>(count));
   record.set_variants_layout_id(count > 0 ? orchestrator::ComputeArtifactId(artifact) : "");
+}
+
+absl::StatusOr<v1::Document> Documents::CopyOf(const std::string& id, Record copy) {
+  ASSIGN_OR_RETURN(const Record original, store_->Get(id));
+  RETURN_IF_ERROR(Shown(original).status());
+  v1::Document document = DocumentOf(original);
+  document.set_title(TitleOf("Copy of " + document.title()));
+  document.set_id(copy.document().id());
+  document.set_revision(1);
+  *document.mutable_create_time() = *document.mutable_update_time() = copy.document().create_time();
+  // A job that has not ended furnishes the original alone.
+  if (IsRunning(document.job_state())) {
+    document.clear_job_id();
+    document.clear_job_state();
+  }
+  *copy.mutable_document() = std::move(document);
+  *copy.mutable_states() = original.states();
+  copy.set_position(original.position());
+  copy.set_variants_layout_id(original.variants_layout_id());
+  RETURN_IF_ERROR(store_->SaveCopy(copy, id));
+  Tell(copy);
+  return DocumentOf(copy);
+}
+
+absl::StatusOr<v1::RestoreDocumentResponse> Documents::Restore(const v1::RestoreDocumentRequest& request) {
+  ASSIGN_OR_RETURN(const Record record, store_->Restore(request.document_id()));
+  if (IsRunning(record.document().job_state())) GoOn(record);
+  Tell(record);
+  v1::RestoreDocumentResponse response;
+  *response.mutable_document() = DocumentOf(record);
+  return response;
 }
 
 absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDocumentRequest& request,
@@ -76,6 +107,10 @@ absl::StatusOr<v1::CreateDocumentResponse> Documents::Create(const v1::CreateDoc
     case v1::CreateDocumentRequest::kRoom:
       *artifact.mutable_room() = request.room();
       break;
+    case v1::CreateDocumentRequest::kDocumentId: {
+      ASSIGN_OR_RETURN(*response.mutable_document(), CopyOf(request.document_id(), std::move(record)));
+      return response;
+    }
     default:
       return absl::InvalidArgumentError("source: is not set; say what the document begins with");
   }

@@ -149,10 +149,14 @@ absl::Status Documents::Commit(Record& record, std::span<const SealedArtifact> a
   document.set_revision(document.revision() + 1);
   *document.mutable_update_time() = NowProto();
   RETURN_IF_ERROR(store_->Save(record, added));
+  Tell(record);
+  return absl::OkStatus();
+}
+
+void Documents::Tell(const Record& record) {
   v1::WatchDocumentsResponse event;
   *event.mutable_document() = DocumentOf(record);
   events_.Tell(event);
-  return absl::OkStatus();
 }
 
 absl::Status Documents::PushState(Record& record, v1::Artifact artifact, LayoutState state) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "absl/status/statusor.h"
+#include "cli/output/output_folder.h"
 #include "flair/store/v1/document_record.pb.h"
 #include "flair/v1/studio_service.pb.h"
 #include "session/acts/layout_acts.h"
@@ -57,6 +58,7 @@ class Documents {
                                                     runtime::CallContext& call);
   absl::StatusOr<v1::GetDocumentResponse> Get(const v1::GetDocumentRequest& request);
   absl::StatusOr<v1::DeleteDocumentResponse> Delete(const v1::DeleteDocumentRequest& request);
+  absl::StatusOr<v1::RestoreDocumentResponse> Restore(const v1::RestoreDocumentRequest& request);
   absl::StatusOr<v1::ActResponse> Act(const v1::ActRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::FindVariantsResponse> FindVariants(const v1::FindVariantsRequest& request,
                                                         runtime::CallContext& call);
@@ -117,8 +119,19 @@ class Documents {
   absl::StatusOr<v1::ActResponse> Furnish(Record record, const v1::ActRequest& request, runtime::CallContext& call);
   // What is shown now, its graph only where that differs from the one of `before`.
   absl::StatusOr<v1::ActResponse> Answer(const Record& record, const Layout& before, const Acted& acted = {});
-  // A tar archive of the layout and of what led to it, as far as it is still stored; of bounded size.
-  absl::StatusOr<std::string> ArchiveOf(const Layout& shown, runtime::CallContext& call);
+  // Tells those who watch.
+  void Tell(const Record& record);
+  // A new document that is as another one.
+  absl::StatusOr<v1::Document> CopyOf(const std::string& id, Record copy);
+  // What a format other than an archive holds.
+  absl::StatusOr<std::string> ContentOf(const Record& record, const Layout& layout, v1::DocumentFormat format,
+                                        const v1::RenderOptions& options, runtime::CallContext& call);
+  // The layout and what led to it, as far as it is still stored; not more than so many bytes.
+  absl::StatusOr<std::vector<cli::OutputFile>> ArtifactFilesOf(const Layout& shown, size_t most,
+                                                               runtime::CallContext& call);
+  // Files of every format, and the artifacts.
+  absl::StatusOr<std::vector<cli::OutputFile>> EveryFileOf(const Record& record, const Layout& layout,
+                                                           runtime::CallContext& call);
 
   // Starts a job for the document and follows it.
   absl::Status StartJob(Record& record, const v1::JobSpec& spec, const std::string& request_id,

@@ -56,6 +56,9 @@ inline v1::Document DocumentOf(const store::v1::DocumentRecord& record) {
   return document;
 }
 
+// What the renderer is asked to draw. It wants a piece: an empty room gets one that stands nowhere, which is left out.
+v1::SolvedLayout Drawable(const v1::SolvedLayout& layout);
+
 inline v1::Artifact ArtifactOf(v1::SolvedLayout layout, const v1::Producer& producer, const std::string& made_from) {
   v1::Artifact artifact;
   if (!made_from.empty()) artifact.add_made_from_ids(made_from);

@@ -36,6 +36,12 @@ CREATE TABLE layouts (
 );
 )sql"};
 
+// Of this connection alone, and gone with it.
+constexpr char kBin[] = R"sql(
+CREATE TEMP TABLE deleted_documents AS SELECT * FROM documents WHERE FALSE;
+CREATE TEMP TABLE deleted_layouts AS SELECT * FROM layouts WHERE FALSE;
+)sql";
+
 absl::StatusOr<DocumentRecord> ReadRecord(const Statement& row) {
   DocumentRecord record;
   if (!record.ParseFromString(row.Text(0))) return orchestrator::Damaged("documents.db", "a document cannot be read");
@@ -62,6 +68,7 @@ std::set<std::string> NamedLayouts(const DocumentRecord& record) {
 absl::StatusOr<std::unique_ptr<DocumentStore>> DocumentStore::Open(const std::string& folder) {
   RETURN_IF_ERROR(orchestrator::ArtifactFiles::MakeFolder(folder));
   ASSIGN_OR_RETURN(std::unique_ptr<Database> database, Database::Open(folder + "/documents.db", kSchema));
+  RETURN_IF_ERROR(database->Execute(kBin));
   return std::unique_ptr<DocumentStore>(new DocumentStore(std::move(database)));
 }
 
@@ -130,20 +137,47 @@ absl::Status DocumentStore::Save(const DocumentRecord& record, std::span<const S
     RETURN_IF_ERROR(database_->Run("INSERT OR IGNORE INTO layouts (document_id, artifact_id, bytes) VALUES (?, ?, ?)",
                                    document.id(), artifact.ref.id(), orchestrator::Blob{artifact.bytes}));
   }
+  RETURN_IF_ERROR(Put(record));
+  return transaction.Commit();
+}
+
+absl::Status DocumentStore::Put(const DocumentRecord& record) {
+  const v1::Document& document = record.document();
   const std::string bytes = runtime::CanonicalBytes(record);
   const int64_t time_us = google::protobuf::util::TimeUtil::TimestampToMicroseconds(document.update_time());
-  RETURN_IF_ERROR(database_->Run(
+  return database_->Run(
       "INSERT OR REPLACE INTO documents (id, request_id, revision, update_time_us, record) VALUES (?, ?, ?, ?, ?)",
-      document.id(), record.request_id(), document.revision(), time_us, orchestrator::Blob{bytes}));
+      document.id(), record.request_id(), document.revision(), time_us, orchestrator::Blob{bytes});
+}
+
+absl::Status DocumentStore::SaveCopy(const DocumentRecord& record, const std::string& of_id) {
+  ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*database_));
+  RETURN_IF_ERROR(
+      database_->Run("INSERT INTO layouts (document_id, artifact_id, bytes) SELECT ?, artifact_id, bytes FROM layouts "
+                     "WHERE document_id = ?",
+                     record.document().id(), of_id));
+  RETURN_IF_ERROR(Put(record));
   return transaction.Commit();
 }
 
 absl::Status DocumentStore::Delete(const std::string& id) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*database_));
+  RETURN_IF_ERROR(database_->Run("INSERT INTO deleted_documents SELECT * FROM documents WHERE id = ?", id));
+  RETURN_IF_ERROR(database_->Run("INSERT INTO deleted_layouts SELECT * FROM layouts WHERE document_id = ?", id));
   ASSIGN_OR_RETURN(const int64_t count, database_->RunAndCount("DELETE FROM documents WHERE id = ?", id));
   if (count == 0) return NoDocument(id);
   RETURN_IF_ERROR(database_->Run("DELETE FROM layouts WHERE document_id = ?", id));
   return transaction.Commit();
+}
+
+absl::StatusOr<DocumentRecord> DocumentStore::Restore(const std::string& id) {
+  ASSIGN_OR_RETURN(Transaction transaction, Transaction::Begin(*database_));
+  RETURN_IF_ERROR(database_->Run("INSERT INTO documents SELECT * FROM deleted_documents WHERE id = ?", id));
+  RETURN_IF_ERROR(database_->Run("INSERT INTO layouts SELECT * FROM deleted_layouts WHERE document_id = ?", id));
+  RETURN_IF_ERROR(database_->Run("DELETE FROM deleted_documents WHERE id = ?", id));
+  RETURN_IF_ERROR(database_->Run("DELETE FROM deleted_layouts WHERE document_id = ?", id));
+  RETURN_IF_ERROR(transaction.Commit());
+  return Get(id);
 }
 
 }  // namespace flair::session

@@ -39,11 +39,17 @@ class DocumentStore {
   // record of revision 1 is a new document.
   absl::Status Save(const store::v1::DocumentRecord& record, std::span<const orchestrator::SealedArtifact> added);
 
+  // A new document with the layouts of another one; all or nothing.
+  absl::Status SaveCopy(const store::v1::DocumentRecord& record, const std::string& of_id);
+
+  // What is deleted can be put back as it was until this store is closed; NOT_FOUND when nothing is called so.
   absl::Status Delete(const std::string& id);
+  absl::StatusOr<store::v1::DocumentRecord> Restore(const std::string& id);
 
  private:
   explicit DocumentStore(std::unique_ptr<orchestrator::Database> database) : database_(std::move(database)) {}
   absl::Status Replace(const store::v1::DocumentRecord& record);
+  absl::Status Put(const store::v1::DocumentRecord& record);
 
   const std::unique_ptr<orchestrator::Database> database_;
 };

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What documents look like: reasons, drawings, files, and furniture to choose from. Nothing here changes one.
+// What documents look like: reasons, drawings, and furniture to choose from. Nothing here changes one.
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
 #include <set>
 
-#include "absl/strings/ascii.h"
 #include "absl/strings/numbers.h"
-#include "cli/output/artifact_text.h"
 #include "fmt/format.h"
 #include "room/validation/validate.h"
 #include "session/documents/documents.h"
@@ -22,46 +20,8 @@ using runtime::CallContext;
 
 constexpr size_t kMostOffers = 200;
 
-// What a document is called as a file: "a-bedroom-for-two". A long one ends with a whole word.
-std::string FileStemOf(const std::string& title) {
-  constexpr size_t kMost = 60;
-  std::string stem;
-  for (const char c : title) {
-    const char low = absl::ascii_tolower(static_cast<unsigned char>(c));
-    if (absl::ascii_isalnum(static_cast<unsigned char>(low))) {
-      stem += low;
-    } else if (!stem.empty() && stem.back() != '-') {
-      stem += '-';
-    }
-  }
-  if (const size_t end = stem.rfind('-', kMost); stem.size() > kMost) {
-    stem.resize(end == std::string::npos ? kMost : end);
-  }
-  while (stem.ends_with('-')) stem.pop_back();
-  return stem.empty() ? "room" : stem;
-}
+}  // namespace
 
-struct Format {
-  v1::DocumentFormat format;
-  const char* ending;
-  const char* media_type;
-  v1::PreviewView view = v1::PREVIEW_VIEW_UNSPECIFIED;
-  v1::PreviewFormat preview = v1::PREVIEW_FORMAT_UNSPECIFIED;
-};
-constexpr Format kFormats[] = {
-    {v1::DOCUMENT_FORMAT_PLAN_PNG, ".png", "image/png", v1::PREVIEW_VIEW_PLAN, v1::PREVIEW_FORMAT_PNG},
-    {v1::DOCUMENT_FORMAT_PLAN_SVG, ".svg", "image/svg+xml", v1::PREVIEW_VIEW_PLAN, v1::PREVIEW_FORMAT_SVG},
-    {v1::DOCUMENT_FORMAT_PLAN_PDF, ".pdf", "application/pdf", v1::PREVIEW_VIEW_PLAN, v1::PREVIEW_FORMAT_PDF},
-    {v1::DOCUMENT_FORMAT_BIRDSEYE_PNG, "-birdseye.png", "image/png", v1::PREVIEW_VIEW_BIRDSEYE, v1::PREVIEW_FORMAT_PNG},
-    {v1::DOCUMENT_FORMAT_PERSPECTIVE_PNG, "-perspective.png", "image/png", v1::PREVIEW_VIEW_PERSPECTIVE,
-     v1::PREVIEW_FORMAT_PNG},
-    {v1::DOCUMENT_FORMAT_SCENE_GLB, ".glb", "model/gltf-binary"},
-    {v1::DOCUMENT_FORMAT_REPORT, ".md", "text/markdown; charset=utf-8"},
-    {v1::DOCUMENT_FORMAT_LAYOUT_PB, ".pb", "application/x-protobuf"},
-    {v1::DOCUMENT_FORMAT_LAYOUT_JSON, ".json", "application/json"},
-    {v1::DOCUMENT_FORMAT_ARTIFACTS_TAR, ".tar", "application/x-tar"}};
-
-// What the renderer is asked to draw. It wants a piece: an empty room gets one that stands nowhere, which is left out.
 v1::SolvedLayout Drawable(const v1::SolvedLayout& layout) {
   v1::SolvedLayout drawable = layout;
   drawable.clear_runner_ups();
@@ -77,17 +37,6 @@ v1::SolvedLayout Drawable(const v1::SolvedLayout& layout) {
     (nothing.*set)(0.1);
   return drawable;
 }
-
-template <typename Request>
-void SetOrigin(const v1::Artifact& layout, const v1::Document& document, Request& request) {
-  *request.mutable_solved_layout() = Drawable(layout.solved_layout());
-  request.set_job_id(layout.id());
-  if (!document.has_brief()) return;
-  request.set_brief_text(document.brief().text());
-  request.set_brief_seed(document.brief().seed());
-}
-
-}  // namespace
 
 absl::StatusOr<v1::JudgeResponse> Documents::Judge(const v1::JudgeRequest& request, CallContext& call) {
   ASSIGN_OR_RETURN(const Record record, GetAt(request.document_id(), request.revision()));
@@ -129,45 +78,6 @@ absl::StatusOr<v1::DrawDocumentResponse> Documents::Draw(const v1::DrawDocumentR
   v1::DrawDocumentResponse response;
   response.set_revision(record.document().revision());
   response.mutable_parts()->Swap(drawn.mutable_parts());
-  return response;
-}
-
-absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDocumentRequest& request,
-                                                             CallContext& call) {
-  const auto* const format = std::ranges::find(kFormats, request.format(), &Format::format);
-  if (format == std::end(kFormats)) {
-    return InvalidArgument("format: {}; is none that a document has", static_cast<int>(request.format()));
-  }
-  ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
-  ASSIGN_OR_RETURN(const Layout layout, Shown(record));
-  v1::ExportDocumentResponse response;
-  response.set_file_name(FileStemOf(DocumentOf(record).title()) + format->ending);
-  response.set_media_type(format->media_type);
-  if (format->view != v1::PREVIEW_VIEW_UNSPECIFIED) {
-    v1::RenderRequest render;
-    SetOrigin(*layout, DocumentOf(record), render);
-    *render.mutable_options() = request.options();
-    render.mutable_options()->set_view(format->view);
-    render.mutable_options()->set_format(format->preview);
-    ASSIGN_OR_RETURN(v1::RenderResponse drawn, stages_.Render(std::move(render), call));
-    response.mutable_content()->swap(*drawn.mutable_preview()->mutable_image());
-  } else if (format->format == v1::DOCUMENT_FORMAT_SCENE_GLB) {
-    v1::ExportSceneRequest scene;
-    SetOrigin(*layout, DocumentOf(record), scene);
-    scene.set_format(v1::SCENE_FORMAT_GLB);
-    ASSIGN_OR_RETURN(v1::ExportSceneResponse made, stages_.ExportScene(std::move(scene), call));
-    response.mutable_content()->swap(*made.mutable_scene());
-  } else if (format->format == v1::DOCUMENT_FORMAT_REPORT) {
-    ASSIGN_OR_RETURN(const v1::ConstraintCatalog catalog, stages_.Catalog(call));
-    ASSIGN_OR_RETURN(const std::string text, parts_.note_text(layout->solved_layout(), catalog));
-    response.set_content(text);
-  } else if (format->format == v1::DOCUMENT_FORMAT_LAYOUT_PB) {
-    response.set_content(cli::ArtifactBytes(*layout));
-  } else if (format->format == v1::DOCUMENT_FORMAT_ARTIFACTS_TAR) {
-    ASSIGN_OR_RETURN(*response.mutable_content(), ArchiveOf(layout, call));
-  } else {
-    response.set_content(cli::ToJson(*layout));
-  }
   return response;
 }
 

@@ -88,6 +88,9 @@ class StudioService final : public runtime::Service {
     Unary<v1::DeleteDocumentRequest>(
         "DeleteDocument",
         [&documents](const v1::DeleteDocumentRequest& request, CallContext&) { return documents.Delete(request); });
+    Unary<v1::RestoreDocumentRequest>(
+        "RestoreDocument",
+        [&documents](const v1::RestoreDocumentRequest& request, CallContext&) { return documents.Restore(request); });
     Unary<v1::GetModelRequest>("GetModel", [&documents](const v1::GetModelRequest&, CallContext&) {
       return absl::StatusOr<v1::GetModelResponse>(documents.GetModel());
     });

@@ -24,7 +24,7 @@ class StudioPage : public ::testing::Test {
   static void Play(const std::string& script) {
     static const NpmFolder npm(
         "studio", Source(),
-        {"package.json", "package-lock.json", "studio.mjs", "edit.mjs", "own_room.mjs", "batches.mjs"});
+        {"package.json", "package-lock.json", "studio.mjs", "edit.mjs", "own_room.mjs", "batches.mjs", "rooms.mjs"});
     const Finished played = npm.Run({"FLAIR=" + ProgramPath("flair").string(), "node", (npm.path() / script).string()});
     EXPECT_EQ(played.exit_code, 0) << played.out << played.err;
   }
@@ -33,6 +33,8 @@ class StudioPage : public ::testing::Test {
 TEST_F(StudioPage, ARoomIsDesignedEditedExplainedAndUndone) { Play("edit.mjs"); }
 
 TEST_F(StudioPage, AnOwnRoomIsDrawnFurnishedAndChanged) { Play("own_room.mjs"); }
+
+TEST_F(StudioPage, RoomsAreNamedCopiedDeletedPutBackAndSaved) { Play("rooms.mjs"); }
 
 TEST_F(StudioPage, BatchesAreLookedAtAndAVariantIsTaken) { Play("batches.mjs"); }
 

@@ -51,6 +51,7 @@ export function DocumentEntry({ document, now }: { document: Document; now: Date
       </a>
       <Menu label={`More about ${title}`} items={[
         { label: "Rename", run: () => setNaming(true) },
+        { label: "Copy", run: () => void studio.copy(document) },
         "line",
         { label: "Delete", isDangerous: true, run: () => void studio.forget(document) },
       ]}><Icon name="more" /></Menu>

@@ -5,6 +5,25 @@ import { useStudio } from "../state/studio";
 import { DocumentEntry } from "./DocumentEntry";
 import { Icon } from "./Icon";
 
+// What can still be put back.
+function Deleted() {
+  const studio = useStudio(), deleted = studio.deleted.value;
+  if (deleted.length === 0) return null;
+  return (
+    <details class="deleted">
+      <summary>{`${deleted.length} deleted`}</summary>
+      <ul>
+        {deleted.map((one) => (
+          <li key={one.id}>
+            <span class="document-title">{one.title || "Untitled room"}</span>
+            <button class="link-button" onClick={() => void studio.putBack(one)}>Put back</button>
+          </li>
+        ))}
+      </ul>
+    </details>
+  );
+}
+
 export function Documents() {
   const studio = useStudio();
   const [now, setNow] = useState(() => new Date());
@@ -29,6 +48,7 @@ export function Documents() {
       </button>
       {documents.length === 0 && studio.isListed.value && <p class="hint">Rooms that you make are listed here.</p>}
       <ul class="documents">{documents.map((one) => <DocumentEntry key={one.id} document={one} now={now} />)}</ul>
+      <Deleted />
     </>
   );
 }

@@ -16,6 +16,7 @@ interface Export {
 }
 
 const kTraced = "The picture is made; that takes some seconds.";
+const kPacked = "Plans, views, model and lists are made; that takes some seconds.";
 
 const formats: Array<Export | "line"> = [
   { format: DocumentFormat.PLAN_PDF, label: "Plan to print", hint: "PDF" },
@@ -26,8 +27,11 @@ const formats: Array<Export | "line"> = [
   { format: DocumentFormat.PERSPECTIVE_PNG, label: "View at eye level", hint: "PNG", slow: kTraced },
   { format: DocumentFormat.SCENE_GLB, label: "Model for 3D programs", hint: "GLB" },
   "line",
+  { format: DocumentFormat.FURNITURE_CSV, label: "List of furniture, for spreadsheets", hint: "CSV" },
   { format: DocumentFormat.REPORT, label: "Report: every piece and why", hint: "MD" },
   { format: DocumentFormat.LAYOUT_JSON, label: "This room, to open again", hint: "JSON" },
+  "line",
+  { format: DocumentFormat.EVERYTHING_ZIP, label: "Everything in one archive", hint: "ZIP", slow: kPacked },
 ];
 
 // A sheet of A3 can be printed from its pixels.

@@ -35,6 +35,7 @@ const furniture: Array<[string, string, string, number, number, number]> = [
 
 export function fakeTransport(): Transport {
   const rooms = new Map<string, FakeRoom>();
+  const bin = new Map<string, FakeRoom>();
   const listeners = new Set<(event: WatchDocumentsResponse["event"]) => void>();
   const tell = (event: WatchDocumentsResponse["event"]) => listeners.forEach((listener) => listener(event));
   const told = (room: FakeRoom) => tell({ case: "document", value: clone(DocumentSchema, room.document) });
@@ -70,6 +71,10 @@ export function fakeTransport(): Transport {
         documents: [...rooms.values()].reverse().map((room) => clone(DocumentSchema, room.document)),
       }),
       createDocument: ({ source }) => {
+        if (source.case === "documentId") {
+          const { document, layout } = roomOf(source.value);
+          return { document: clone(DocumentSchema, add(new FakeRoom(`Copy of ${document.title}`, layout!)).document) };
+        }
         if (source.case === "file") {
           const { content } = fromJson(ArtifactSchema, JSON.parse(new TextDecoder().decode(source.value)), {
             ignoreUnknownFields: true,
@@ -96,9 +101,16 @@ export function fakeTransport(): Transport {
         return { document: clone(DocumentSchema, room.document), layout: room.layout && room.copy() };
       },
       deleteDocument: ({ documentId }) => {
+        bin.set(documentId, roomOf(documentId));
         rooms.delete(documentId);
         tell({ case: "deletedDocumentId", value: documentId });
         return {};
+      },
+      restoreDocument: ({ documentId }) => {
+        const room = bin.get(documentId);
+        if (room) add(room);
+        bin.delete(documentId);
+        return { document: clone(DocumentSchema, roomOf(documentId).document) };
       },
       act: async (request) => {
         const room = roomOf(request.documentId);

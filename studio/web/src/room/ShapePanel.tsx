@@ -91,7 +91,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
             <li key={wall.key}>
               <button
                 class="piece-row"
-                aria-label={`${capital(nameOfWall(drawing, wall.key))}, ${lengthText(wall.length, units)}`}
+                aria-label={`${capital(nameOfWall(drawing, wall.key))} ${lengthText(wall.length, units)}`}
                 onClick={() => drawing.select({ kind: "wall", key: wall.key })}
                 onPointerEnter={() => {
                   drawing.hovered.value = { kind: "wall", key: wall.key };
@@ -100,7 +100,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
                   drawing.hovered.value = undefined;
                 }}
               >
-                {capital(nameOfWall(drawing, wall.key))}
+                {capital(nameOfWall(drawing, wall.key))}{" "}
                 <span class="hint">{figure(wall.length, units)}</span>
               </button>
             </li>
@@ -115,7 +115,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
               <li key={one.id}>
                 <button
                   class="piece-row"
-                  aria-label={`${capital(spokenFixture(one.id))}, ${nameOfWall(drawing, one.wall)}`}
+                  aria-label={`${capital(spokenFixture(one.id))} ${nameOfWall(drawing, one.wall)}`}
                   onClick={() => drawing.select({ kind: "fixture", id: one.id })}
                   onPointerEnter={() => {
                     drawing.hovered.value = { kind: "fixture", id: one.id };
@@ -127,7 +127,7 @@ export function ShapePanel({ isNew }: { isNew: boolean }) {
                   <span class="with-icon">
                     <Icon name={icons[one.kind]!} size={14} />
                     {capital(spokenFixture(one.id))}
-                  </span>
+                  </span>{" "}
                   <span class="hint">{nameOfWall(drawing, one.wall)}</span>
                 </button>
               </li>

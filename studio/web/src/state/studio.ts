@@ -19,11 +19,18 @@ import { Toasts } from "./toasts";
 
 export type Source = NonNullable<MessageInitShape<typeof CreateDocumentRequestSchema>["source"]>;
 
+const kTitleLetters = 60;
+
+const shortened = (title: string): string =>
+  title.length > kTitleLetters ? `${title.slice(0, kTitleLetters - 1).trimEnd()}…` : title || "Untitled room";
+
 export class Studio {
   readonly settings = new Settings();
   readonly toasts = new Toasts();
   readonly jobs = new JobBook();
   readonly documents = signal<readonly Document[]>([]);
+  // What was deleted since the page was opened, latest first: it can be put back until the server ends.
+  readonly deleted = signal<readonly Document[]>([]);
   readonly isListed = signal(false);
   readonly open = signal<OpenRoom | undefined>(undefined);
   readonly connection = signal<Connection>("connecting");
@@ -58,9 +65,25 @@ export class Studio {
     return made.document;
   }
 
-  async forget({ id }: Document): Promise<void> {
-    await this.told(() => this.clients.studio.deleteDocument({ documentId: id }));
+  // Deletes a document, and offers it back.
+  async forget(document: Document): Promise<void> {
+    const { id, title } = document, wasOpen = this.open.peek()?.id === id;
+    if (!(await this.told(() => this.clients.studio.deleteDocument({ documentId: id })))) return;
     this.drop(id);
+    this.toasts.offer(`“${shortened(title)}” is deleted.`,
+      [{ label: "Put it back", run: () => void this.putBack(document, wasOpen) }]);
+  }
+
+  async putBack({ id }: Document, isShown = false): Promise<void> {
+    const answer = await this.told(() => this.clients.studio.restoreDocument({ documentId: id }));
+    if (answer?.document) this.put(answer.document);
+    else this.deleted.value = this.deleted.value.filter((one) => one.id !== id);
+    if (answer && isShown) goTo({ page: "document", id });
+  }
+
+  // A new document that is as another one, and is then open.
+  copy({ id }: Document): Promise<Document | undefined> {
+    return this.create({ case: "documentId", value: id });
   }
 
   // Gives a document another title, whether it is open or not.
@@ -133,9 +156,12 @@ export class Studio {
     if (known && known.revision > document.revision) return;
     const others = this.documents.value.filter((one) => one.id !== document.id);
     this.documents.value = [document, ...others];
+    this.deleted.value = this.deleted.value.filter((one) => one.id !== document.id);
   }
 
   private drop(id: string): void {
+    const gone = this.documents.value.filter((one) => one.id === id);
+    if (gone.length > 0) this.deleted.value = [...gone, ...this.deleted.value];
     this.documents.value = this.documents.value.filter((one) => one.id !== id);
     if (this.open.peek()?.id === id) goTo({ page: "start" });
   }

@@ -2,7 +2,8 @@
 import { useComputed } from "@preact/signals";
 import { memo } from "preact/compat";
 import { boxOf } from "../../geometry/polygon";
-import { vec } from "../../geometry/vec";
+import type { Pose } from "../../geometry/footprint";
+import { vec, type Vec } from "../../geometry/vec";
 import type { PlanPart } from "../../gen/flair/v1/renderer_service_pb";
 import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
 import { footprintOf, isSolid, nameOf, type Piece } from "../../state/pieces";
@@ -14,7 +15,9 @@ const kLeading = 1.18;
 const kSmallest = 7.5;
 const kLargest = 15;
 const kPlainSize = 11.5;
-const kBelow = 13;
+// From the middle of letters to their foot, pixels.
+const kLowered = 4;
+const kBeyondM = 0.09;
 const kCeilingSizeM = 0.1;
 
 interface LabelProps {
@@ -55,13 +58,31 @@ const Label = memo(
 // What hangs from the ceiling is taken by its name: its outline is a line above other pieces.
 const isOfCeiling = ({ object }: Piece): boolean => object.kind === ObjectKind.CEILING;
 
-// Below its outline, upright.
-function CeilingLabel({ piece }: { piece: Piece }) {
+// Where its name may stand, from its middle in halves of its height: below it, above it, within it.
+const kRows = [-1, 1, -0.5, 0.5];
+// How near to each other names are not read, metres.
+const kAside = 0.5;
+const kRow = 0.13;
+
+function anchorOf(piece: Piece, pose: Pose, row: number): Vec {
+  const { min, max } = boxOf(footprintOf(piece, pose)), middle = (min.y + max.y) / 2;
+  return vec((min.x + max.x) / 2, middle + (row * (max.y - min.y)) / 2 + (Math.abs(row) < 1 ? 0 : Math.sign(row) * kBeyondM));
+}
+
+// The first row in which no other name stands.
+function freeRow(piece: Piece, others: readonly Vec[]): number {
+  const isFree = (row: number) => {
+    const at = anchorOf(piece, piece.pose, row);
+    return others.every((one) => Math.abs(one.x - at.x) > kAside || Math.abs(one.y - at.y) > kRow);
+  };
+  return kRows.find(isFree) ?? kRows[0]!;
+}
+
+function CeilingLabel({ piece, row }: { piece: Piece; row: number }) {
   const { room, view } = usePlan();
   const place = useComputed(() => {
-    const { min, max } = boxOf(footprintOf(piece, room.poseOf(piece.id) ?? piece.pose));
-    const at = toScreen(view.value, vec((min.x + max.x) / 2, min.y));
-    return `translate(${at.x.toFixed(1)} ${(at.y + kBelow).toFixed(1)})`;
+    const at = toScreen(view.value, anchorOf(piece, room.poseOf(piece.id) ?? piece.pose, row));
+    return `translate(${at.x.toFixed(1)} ${(at.y + kLowered).toFixed(1)})`;
   });
   const pixels = useComputed(() => Math.min(kCeilingSizeM * view.value.scale, kPlainSize));
   if (pixels.value < kSmallest) return null;
@@ -98,12 +119,19 @@ export function Labels() {
     return part && kFolded.test(part.label) ? [[kindOf(piece), part] as const] : [];
   }));
   const labelOf = (piece: Piece) => shared.get(kindOf(piece)) ?? parts.get(piece.id);
+  const anchors = pieces.filter((piece) => !isOfCeiling(piece) && hasLabel(piece, labelOf(piece))).map((piece) => {
+    const { labelXM = 0, labelYM = 0 } = labelOf(piece) ?? {};
+    return vec(piece.pose.x + labelXM, piece.pose.y - labelYM);
+  });
   return (
     <g class="labels" pointer-events="none">
       {pieces
         .filter((piece) => hasLabel(piece, labelOf(piece)))
         .map((piece) => {
-          if (isOfCeiling(piece)) return <CeilingLabel key={[piece.id, piece.size.width, piece.size.depth].join(" ")} piece={piece} />;
+          if (isOfCeiling(piece)) {
+            const row = freeRow(piece, anchors), { width, depth } = piece.size;
+            return <CeilingLabel key={[piece.id, width, depth, row].join(" ")} piece={piece} row={row} />;
+          }
           const {
             label = piece.object.name,
             labelSizeM: size = 0,
