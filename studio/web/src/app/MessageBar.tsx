@@ -16,15 +16,13 @@ function hintOf({ pieces, selection }: OpenRoom): string {
 
 function Message({ studio: { toasts }, toast }: { studio: Studio; toast: Toast }) {
   const { id, kind, text, acts } = toast, others = toasts.shown.value.length - 1;
-  const hold = (isHeld: boolean) => () => { toasts.isHeld = isHeld; };
   const leave = (run = () => {}) => {
     toasts.isHeld = false;
     toasts.dismiss(id);
     run();
   };
   return (
-    <div class={`message is-${kind}`} onPointerEnter={hold(true)} onPointerLeave={hold(false)}
-      onFocusIn={hold(true)} onFocusOut={hold(false)}>
+    <div class={`message is-${kind}`}>
       <Icon name={kind === "error" ? "warning" : "check"} />
       <span class="message-text" title={text.length > 150 ? text : undefined}>{text}</span>
       {acts.map(({ label, run }) => (
@@ -38,9 +36,11 @@ function Message({ studio: { toasts }, toast }: { studio: Studio; toast: Toast }
 
 export function MessageBar() {
   const studio = useStudio();
+  const hold = (isHeld: boolean) => () => { studio.toasts.isHeld = isHeld; };
   const latest = studio.toasts.latest.value, room = route.value.page === "document" ? studio.open.value : undefined;
   return (
-    <footer class={latest ? `message-bar is-${latest.kind}` : "message-bar"}>
+    <footer class={latest ? `message-bar is-${latest.kind}` : "message-bar"} onPointerEnter={hold(true)}
+      onPointerLeave={hold(false)} onFocusIn={hold(true)} onFocusOut={hold(false)}>
       <div role="status" aria-live="polite">{latest && <Message key={latest.id} studio={studio} toast={latest} />}</div>
       {!latest && room && <p class="message-hint">{hintOf(room)}</p>}
       {!latest && <p class="message-keys"><kbd>?</kbd> all keys</p>}

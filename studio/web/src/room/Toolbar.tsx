@@ -22,11 +22,12 @@ export function Toolbar() {
             <button
               key={tool}
               aria-pressed={drawing.tool.value === tool}
+              aria-label={label}
               title={`${label} (${key})`}
               onClick={() => drawing.take(tool)}
             >
               <Icon name={icon} />
-              {label}
+              <span>{label}</span>
             </button>
           ))}
         </div>

@@ -57,3 +57,15 @@ test("the chair of a desk that goes is told", () => {
   assert.equal(seatsInWords(seats), "The office chair stood at what is gone.");
   assert.deepEqual(seatsAt(room, ["desk", "office_chair"]), []);
 });
+
+test("so are the chairs on every side of a table", () => {
+  const chair = (id: string) => ({ ...top(id, "chair", 0.9), name: "chair", widthM: 0.5, depthM: 0.5, seat: true });
+  const room = piecesOf(create(SolvedLayoutSchema, {
+    graph: { objectList: { objects: [
+      { ...top("table", "dining_table", 0.75), widthM: 1.5, depthM: 0.9 }, chair("chair_1"), chair("chair_2"), chair("chair_3"),
+    ] } },
+    placements: [{ objectId: "table", xM: 2, yM: 2 }, { objectId: "chair_1", xM: 2, yM: 2.65 },
+      { objectId: "chair_2", xM: 0.95, yM: 2 }, { objectId: "chair_3", xM: 2, yM: 3.5 }],
+  }));
+  assert.equal(seatsInWords(seatsAt(room, ["table"])), "Chair 1 and chair 2 stood at what is gone.");
+});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stood on a piece that is gone, and which other piece could carry it.
-import { contains, toRoom, type Pose } from "../geometry/footprint";
+import { contains, type Pose } from "../geometry/footprint";
 import { distance, vec } from "../geometry/vec";
 import { capital } from "../inspector/words";
 import satOn from "./sat_on.json";
@@ -24,16 +24,17 @@ export function orphansOf(pieces: Pieces, removed: readonly string[]): Piece[] {
   return guestsOf(pieces, removed).map((id) => pieces.get(id)!);
 }
 
-const kDrawnUp = 0.7;
+// How far from what one sits at the middle of a seat is that is drawn up to it.
+const kDrawnUp = 0.45;
 
 // Seats that are drawn up to what one sits at, when that is removed and they are not.
 export function seatsAt(pieces: Pieces, removed: readonly string[]): Piece[] {
-  const places = removed.flatMap((id) => {
-    const { object, pose, size } = pieces.get(id)!;
-    return object.satAt ? [toRoom(pose, vec(0, size.depth / 2))] : [];
-  });
-  return [...pieces.values()].filter((piece) => piece.object.seat && !removed.includes(piece.id) && !piece.pinned &&
-    places.some((place) => distance(place, vec(piece.pose.x, piece.pose.y)) < kDrawnUp));
+  const places = removed.map((id) => pieces.get(id)!)
+    .filter(({ object }) => object.satAt || object.category.endsWith("table"));
+  const isAt = (seat: Piece) => places.some(({ pose, size }) =>
+    contains(pose, { width: size.width + 2 * kDrawnUp, depth: size.depth + 2 * kDrawnUp }, vec(seat.pose.x, seat.pose.y)));
+  return [...pieces.values()].filter((piece) =>
+    piece.object.seat && !removed.includes(piece.id) && !piece.pinned && isAt(piece));
 }
 
 export interface Home {
