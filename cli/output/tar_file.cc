@@ -47,7 +47,8 @@ absl::Status TarFile::Error() const {
   return FileError("{}: cannot be written: {}", path_.string(), why == nullptr ? "no reason given" : why);
 }
 
-absl::StatusOr<std::string> BytesOf(TarFile& file, std::span<const OutputFile> files) {
+absl::StatusOr<std::string> ArchiveOf(std::span<const OutputFile> files, bool zip) {
+  TarFile file("archive", zip);
   const auto append = [](archive*, void* bytes, const void* part, size_t size) -> la_ssize_t {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(part), size);
     return static_cast<la_ssize_t>(size);
@@ -57,16 +58,6 @@ absl::StatusOr<std::string> BytesOf(TarFile& file, std::span<const OutputFile> f
   for (const OutputFile& one : files) RETURN_IF_ERROR(file.Add(one.name, one.content));
   RETURN_IF_ERROR(file.Close());
   return bytes;
-}
-
-absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files) {
-  TarFile file("archive");
-  return BytesOf(file, files);
-}
-
-absl::StatusOr<std::string> ZipOf(std::span<const OutputFile> files) {
-  TarFile file("archive", true);
-  return BytesOf(file, files);
 }
 
 }  // namespace flair::cli

@@ -24,9 +24,7 @@ class TarFile {
   absl::Status Close();
 
  private:
-  friend absl::StatusOr<std::string> BytesOf(TarFile& file, std::span<const OutputFile> files);
-  friend absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files);
-  friend absl::StatusOr<std::string> ZipOf(std::span<const OutputFile> files);
+  friend absl::StatusOr<std::string> ArchiveOf(std::span<const OutputFile> files, bool zip);
 
   explicit TarFile(std::filesystem::path path, bool zip = false);
   absl::Status Error() const;
@@ -35,8 +33,7 @@ class TarFile {
   archive* const archive_;
 };
 
-// The bytes of a tar file, or of a zip file, with these.
-absl::StatusOr<std::string> TarOf(std::span<const OutputFile> files);
-absl::StatusOr<std::string> ZipOf(std::span<const OutputFile> files);
+// The bytes of a tar or a zip file with these.
+absl::StatusOr<std::string> ArchiveOf(std::span<const OutputFile> files, bool zip);
 
 }  // namespace flair::cli

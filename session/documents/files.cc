@@ -139,11 +139,11 @@ absl::StatusOr<std::string> Documents::ContentOf(const Record& record, const Lay
       return cli::ToJson(*layout);
     case v1::DOCUMENT_FORMAT_ARTIFACTS_TAR: {
       ASSIGN_OR_RETURN(const std::vector<OutputFile> files, ArtifactFilesOf(layout, kMostArchiveBytes, call));
-      return cli::TarOf(files);
+      return cli::ArchiveOf(files, false);
     }
     default: {
       ASSIGN_OR_RETURN(const std::vector<OutputFile> files, EveryFileOf(record, layout, call));
-      return cli::ZipOf(files);
+      return cli::ArchiveOf(files, true);
     }
   }
 }
