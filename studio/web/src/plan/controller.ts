@@ -12,6 +12,9 @@ import type { Studio } from "../state/studio";
 import type { Gesture } from "./gesture";
 import { fitted, toRoom, type View } from "./view";
 
+// Walls, and how long they are beside them.
+const kLeastMargin = 46;
+
 export class PlanController {
   readonly view = signal<View>({ scale: 80, left: 0, top: 0 });
   readonly width = signal(0);
@@ -47,7 +50,7 @@ export class PlanController {
     const floor = this.room.floor.peek();
     if (floor.length === 0 || this.width.peek() === 0) return;
     const narrow = Math.min(this.width.peek(), this.height.peek());
-    this.view.value = fitted(floor, this.width.peek(), this.height.peek(), Math.min(72, narrow * 0.09));
+    this.view.value = fitted(floor, this.width.peek(), this.height.peek(), Math.min(72, Math.max(kLeastMargin, narrow * 0.09)));
     this.isViewOwn = false;
   }
 
