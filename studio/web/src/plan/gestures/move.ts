@@ -9,6 +9,7 @@ import { footprintOf, guestsOf, isSolid, theName, type Piece, type Poses } from 
 import { capital } from "../../inspector/words";
 import type { PlanController } from "../controller";
 import { kDragStart, kSnapPixels, type Gesture } from "../gesture";
+import { isForWall, keptInside, pushedBack } from "../walls";
 
 // Several pieces by the box around them.
 function movingOf(pieces: readonly Piece[], by: Vec): Moving {
@@ -36,7 +37,8 @@ export function restOf(
   if (hung) return hung;
   const wanted = isBackedUp ? turnedToWall(pose, size, floor, within) : pose;
   const { by, guides } = snapped({ polygon: corners(wanted, size), theta: wanted.theta }, floor, targets, within);
-  return { pose: moved(wanted, by), guides };
+  const snap = moved(wanted, by);
+  return { pose: kind === ObjectKind.FLOOR ? keptInside(snap, size, floor) : snap, guides };
 }
 
 // Drags the selected pieces; alt lets them go anywhere, shift keeps to one axis. A press without a move is a click.
@@ -49,8 +51,9 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
   const chosen = plan.chosen.peek();
   const movable = chosen.filter((piece) => !piece.pinned);
   const targets = snapTargets(plan, movable);
+  const edges = plan.room.layout.peek()?.graph?.edges ?? [];
   const isBackedUp = movable.length === 1 && isSolid(movable[0]!)
-    && isBacked(movable[0]!.pose, movable[0]!.size, plan.room.floor.peek());
+    && (isForWall(edges, movable[0]!.id) || isBacked(movable[0]!.pose, movable[0]!.size, plan.room.floor.peek()));
   let poses: Poses | undefined;
 
   function byOf(event: PointerEvent): Vec {
@@ -78,6 +81,8 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
         const within = kSnapPixels / plan.view.peek().scale;
         const snap = snapped(movingOf(movable, by), plan.room.floor.peek(), targets, within);
         by = add(by, snap.by);
+        const onFloor = movable.filter(isSolid).map((piece) => footprintOf(piece, moved(piece.pose, by)));
+        if (onFloor.length > 0) by = add(by, pushedBack(onFloor, plan.room.floor.peek()));
         plan.guides.value = snap.guides;
       }
       poses = new Map(movable.map((piece) => [piece.id, moved(piece.pose, by)]));
