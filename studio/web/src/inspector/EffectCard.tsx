@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
 import type { OpenRoom } from "../state/open_room";
+import { capital } from "./words";
 
-// What the last act has cost or brought elsewhere, until it is closed or the next act; what the panel above tells (`told`)
-// is not told again. It lies over the end of the panel, so that nothing above it moves.
-export function EffectCard({ room, told }: { room: OpenRoom; told(sentenceId: string): boolean }) {
+const words = { lost: "No longer: ", further: "Further from: " };
+
+// What the last act has cost or brought elsewhere, until it is closed or the next act: first what got worse, the worst
+// first. It lies over the end of the panel, so that nothing above it moves.
+export function EffectCard({ room }: { room: OpenRoom }) {
   const effect = room.effect.value;
-  const lost = effect?.lost.filter(({ sentenceId }) => !told(sentenceId)) ?? [];
-  if (!effect || effect.gained.length + lost.length === 0) return null;
+  if (!effect || effect.gained.length + effect.worse.length === 0) return null;
   return (
     <section class="effect" aria-label="What the last change did">
       <header>
@@ -23,10 +25,10 @@ export function EffectCard({ room, told }: { room: OpenRoom; told(sentenceId: st
         </button>
       </header>
       <ul>
-        {lost.map(({ text }) => (
+        {effect.worse.map(({ text, how }) => (
           <li key={text} class="is-lost">
             <Icon name="cross" size={13} />
-            <span>No longer: {room.spoken(text)}</span>
+            <span>{how === "fault" ? capital(room.spoken(text)) : `${words[how]}${room.spoken(text)}`}</span>
           </li>
         ))}
         {effect.gained.map(({ text }) => (

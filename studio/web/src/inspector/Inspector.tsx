@@ -4,7 +4,6 @@ import { useRef } from "preact/hooks";
 import type { OpenRoom } from "../state/open_room";
 import { EffectCard } from "./EffectCard";
 import { FurnishCard } from "./FurnishCard";
-import { objectIn } from "./note";
 import { PiecePanel } from "./PiecePanel";
 import { RoomPanel } from "./RoomPanel";
 import { SayField } from "./SayField";
@@ -17,10 +16,6 @@ export function Inspector({ room }: { room: OpenRoom }) {
   const pieces = room.pieces.value;
   const chosen = [...room.selection.value].flatMap((id) => pieces.get(id) ?? []);
   const [only] = chosen;
-  // The room's panel lists every wish that does not hold, a piece's those about it.
-  const told = (sentenceId: string) => chosen.length === 0 ||
-    (chosen.length === 1 && objectIn(room.explanation.value?.note, only!.id)?.demands?.some(
-      (demand) => demand.sentence_id === sentenceId) === true);
   return (
     <aside class="inspector" aria-label="Inspector">
       <div class="inspector-body" tabIndex={-1} ref={body}>
@@ -29,7 +24,7 @@ export function Inspector({ room }: { room: OpenRoom }) {
         {chosen.length > 1 && <SeveralPanel room={room} pieces={chosen} />}
       </div>
       <FurnishCard room={room} />
-      <EffectCard room={room} told={told} />
+      <EffectCard room={room} />
       {/* In an empty room the brief is asked for above. */}
       {pieces.size > 0 && <SayField room={room} about={chosen.length === 1 ? only : undefined} />}
     </aside>

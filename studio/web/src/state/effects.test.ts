@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { create } from "@bufbuild/protobuf";
+import { FindingKind, LayoutMetricsSchema } from "../gen/flair/v1/layout_metrics_pb";
 import { OutcomeStatus, SolvedLayoutSchema } from "../gen/flair/v1/solved_layout_pb";
 import { effectOf } from "./effects";
 
@@ -37,6 +38,7 @@ test("sentences that came to hold and that ceased to are told apart", () => {
   assert.deepEqual(effect, {
     gained: [{ sentenceId: "s1", text: "One." }],
     lost: [{ sentenceId: "s2", text: "Two." }],
+    worse: [{ sentenceId: "s2", text: "Two.", how: "lost" }],
   });
 });
 
@@ -45,5 +47,23 @@ test("what is dropped is neither", () => {
     layout(SATISFIED, SATISFIED, VIOLATED, SATISFIED),
     layout(SATISFIED, SATISFIED, DROPPED, DROPPED),
   );
-  assert.deepEqual(effect, { gained: [], lost: [] });
+  assert.deepEqual(effect, { gained: [], lost: [], worse: [] });
+});
+
+test("what got worse is told, the worst first", () => {
+  const before = layout(VIOLATED, SATISFIED, SATISFIED, SATISFIED), after = layout(VIOLATED, SATISFIED, VIOLATED, VIOLATED);
+  before.edgeOutcomes[0]!.missedBy = 0.3, after.edgeOutcomes[0]!.missedBy = 0.5;
+  for (const { graph } of [before, after]) graph!.edges[3]!.weight = 4;
+  const overlap = (amount: number) => create(LayoutMetricsSchema, {
+    findings: [{ kind: FindingKind.OVERLAP, objectId: "bed", partnerId: "desk", amount, message: `by ${amount} m` }],
+  });
+  after.metrics = overlap(0.2);
+  assert.deepEqual(effectOf(before, after).worse, [
+    { sentenceId: "", text: "by 0.2 m", how: "fault" },
+    { sentenceId: "s3", text: "Three.", how: "lost" },
+    { sentenceId: "s2", text: "Two.", how: "lost" },
+    { sentenceId: "s1", text: "One.", how: "further" },
+  ]);
+  before.metrics = overlap(0.2);
+  assert.equal(effectOf(before, after).worse.length, 3);
 });

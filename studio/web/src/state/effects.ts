@@ -1,34 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an act has brought about beside what it was for: sentences that hold since then, and those that no longer do.
+// What an act has brought about beside what it was for: what holds since then, and what is worse, the worst first.
+import { FindingKind } from "../gen/flair/v1/layout_metrics_pb";
 import { OutcomeStatus, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 
 export interface Change {
+  // Empty for what is wrong with the room whatever is wished.
   readonly sentenceId: string;
   readonly text: string;
 }
 
 export interface Effect {
   readonly gained: readonly Change[];
+  // What does not hold any more.
   readonly lost: readonly Change[];
+  // All that is worse, with what did not hold before and is further from it now.
+  readonly worse: ReadonlyArray<Change & { how: "fault" | "lost" | "further" }>;
 }
 
-// Sentence id -> whether all its constraints hold; those that come from no sentence are left out.
-function verdicts(layout: SolvedLayout): Map<string, boolean> {
-  const sentences = new Map(layout.graph?.edges.map((edge) => [edge.id, edge.sentenceId]));
-  const held = new Map<string, boolean>();
-  for (const { edgeId, status } of layout.edgeOutcomes) {
-    const id = sentences.get(edgeId);
-    if (!id || status === OutcomeStatus.DROPPED) continue;
-    held.set(id, (held.get(id) ?? true) && status === OutcomeStatus.SATISFIED);
+interface Verdict {
+  readonly holds: boolean;
+  readonly weight: number;
+  // By how much it is missed at most, where one number says it.
+  readonly missedBy: number;
+}
+
+// Less is to be seen by nobody.
+const kSeen = 0.02;
+
+// By sentence; those of which all constraints are dropped, and constraints of no sentence, are left out.
+function verdicts(layout: SolvedLayout): Map<string, Verdict> {
+  const edges = new Map(layout.graph?.edges.map((edge) => [edge.id, edge]));
+  const found = new Map<string, Verdict>();
+  for (const { edgeId, status, missedBy } of layout.edgeOutcomes) {
+    const edge = edges.get(edgeId), id = edge?.sentenceId;
+    if (!edge || !id || status === OutcomeStatus.DROPPED) continue;
+    const other = found.get(id), holds = status === OutcomeStatus.SATISFIED;
+    found.set(id, {
+      holds: holds && (other?.holds ?? true),
+      weight: Math.max(edge.weight, other?.weight ?? 0),
+      missedBy: Math.max(holds ? 0 : missedBy ?? 0, other?.missedBy ?? 0),
+    });
   }
-  return held;
+  return found;
+}
+
+// What is wrong whatever is wished, by what and of whom.
+function faultsOf(layout: SolvedLayout) {
+  const faults = layout.metrics?.findings.filter(({ kind }) => kind !== FindingKind.USE_NOT_MET) ?? [];
+  return new Map(faults.map((one) => [`${one.kind} ${[one.objectId, one.partnerId].sort().join(" ")}`, one]));
 }
 
 export function effectOf(before: SolvedLayout | undefined, after: SolvedLayout): Effect {
-  if (!before) return { gained: [], lost: [] };
+  if (!before) return { gained: [], lost: [], worse: [] };
   const texts = new Map(after.graph?.constraintList?.sentences.map((one) => [one.id, one.text]));
-  const was = verdicts(before);
-  const changed = (to: boolean) => [...verdicts(after)].filter(([id, holds]) => holds === to && was.get(id) === !to)
-    .map(([id]): Change => ({ sentenceId: id, text: texts.get(id) ?? id }));
-  return { gained: changed(true), lost: changed(false) };
+  const was = verdicts(before), is = [...verdicts(after)];
+  const change = (id: string): Change => ({ sentenceId: id, text: texts.get(id) ?? id });
+  const heaviest = (list: typeof is) => list.sort(([, a], [, b]) => b.weight - a.weight || b.missedBy - a.missedBy)
+    .map(([id]) => change(id));
+  const gained = is.filter(([id, { holds }]) => holds && was.get(id)?.holds === false).map(([id]) => change(id));
+  const lost = heaviest(is.filter(([id, { holds }]) => !holds && was.get(id)?.holds === true));
+  const further = heaviest(is.filter(([id, { holds, missedBy }]) => {
+    const then = was.get(id);
+    return !holds && then?.holds === false && missedBy > then.missedBy + kSeen;
+  }));
+  const known = faultsOf(before);
+  const faults = [...faultsOf(after)].filter(([key, one]) => (one.amount ?? 0) > (known.get(key)?.amount ?? 0) + kSeen)
+    .map(([, one]) => one).sort((a, b) => (b.amount ?? 0) - (a.amount ?? 0));
+  return {
+    gained,
+    lost,
+    worse: [
+      ...faults.map(({ message }) => ({ sentenceId: "", text: message, how: "fault" as const })),
+      ...lost.map((one) => ({ ...one, how: "lost" as const })),
+      ...further.map((one) => ({ ...one, how: "further" as const })),
+    ],
+  };
 }
