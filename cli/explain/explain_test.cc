@@ -58,6 +58,8 @@ TEST(CallWords, FillsInValuesAndDefaults) {
   EXPECT_EQ(words("away_from", "object=desk target=bed min_distance_m=0.5"), "keeps at least 0.50 m from the bed");
   EXPECT_EQ(words("against_wall", "object=bed"), "has its back flush on a wall");
   EXPECT_EQ(words("against_wall", "object=bed side=left wall=north"), "has its left flush on the north wall");
+  EXPECT_EQ(words("against_wall", "object=bed wall=north|east"),
+            "has its back flush on the north wall or the east wall");
   EXPECT_EQ(words("against_wall", "object=nobody"), "meets against_wall");
   EXPECT_EQ(words("levitate", "object=bed"), "meets levitate");
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "absl/strings/ascii.h"
+#include "absl/strings/str_join.h"
 #include "cli/explain/layout_note.h"
 #include "cli/output/text.h"
 #include "english/words.h"
@@ -201,7 +202,9 @@ std::string ValueInWords(const v1::ParameterSpec& spec, const Arguments& argumen
       return feature.starts_with("the ") ? feature.substr(4) : feature;
     }
     case v1::PARAMETER_KIND_WALL:
-      return WallName(scene.room, scene.room.walls[static_cast<size_t>(arguments.MaybeWall(name))]);
+      return absl::StrJoin(arguments.Walls(name), " or ", [&](std::string* out, int wall) {
+        out->append(WallName(scene.room, scene.room.walls[static_cast<size_t>(wall)]));
+      });
     case v1::PARAMETER_KIND_SIDE:
       return std::string(SideName(arguments.OneSide(name)));
     case v1::PARAMETER_KIND_SIDES: {

@@ -11,9 +11,10 @@ namespace flair::english {
 
 bool IsOfKind(RefKind kind, std::string_view name) {
   static const std::map<std::string_view, RefKind> kKinds = {
-      {"wall", RefKind::kWall},   {"feature", RefKind::kFeature}, {"ceiling", RefKind::kCeiling},
-      {"room", RefKind::kRoom},   {"floor", RefKind::kFloor},     {"zone", RefKind::kZone},
-      {"vague", RefKind::kVague}, {"pronoun", RefKind::kPronoun}, {"group", RefKind::kGroup}};
+      {"wall", RefKind::kWall},       {"corner", RefKind::kCorner}, {"feature", RefKind::kFeature},
+      {"ceiling", RefKind::kCeiling}, {"room", RefKind::kRoom},     {"floor", RefKind::kFloor},
+      {"zone", RefKind::kZone},       {"vague", RefKind::kVague},   {"pronoun", RefKind::kPronoun},
+      {"group", RefKind::kGroup}};
   const auto wanted = kKinds.find(name);
   return wanted != kKinds.end() && wanted->second == kind;
 }

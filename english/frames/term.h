@@ -21,6 +21,7 @@ enum class RefKind {
   kZone,     // "the seating area"
   kFeature,  // doors, windows, sockets
   kWall,
+  kCorner,  // of the room: "the north-east corner"
   kCeiling,
   kRoom,
   kFloor,
@@ -42,9 +43,11 @@ struct Reference {
   bool chosen = false;
   // The candidates bear just this name; the weaker ones then count only under a heading of theirs.
   bool full = false;
-  // Feature kind, wall name, zone id, group, topic or the absent thing's name.
+  // Feature kind, wall name ("wall_2|wall_4" for either), zone id, group, topic or the absent thing's name.
   std::string name;
-  // Of a door or window the id of the one that is meant; empty for any.
+  // A wall or corner that the room has not.
+  bool missing = false;
+  // Of a door or window the id of the one that is meant; empty for any. Of a corner its other wall.
   std::string opening;
   // A side word of the lexicon ("front", "long_one"...), empty when no side is named.
   std::string side;

@@ -230,8 +230,16 @@ absl::StatusOr<Arguments::Value> Arguments::ResolveOne(const ParameterSpec& spec
     resolved.sides.push_back(side);
     return resolved;
   }
-  ASSIGN_OR_RETURN(const int index, IndexOfText(spec, value.text(), scene));
-  resolved.indices.push_back(index);
+  // "wall_2|wall_4": either.
+  std::istringstream names(spec.kind() == v1::PARAMETER_KIND_WALL ? value.text() : "");
+  for (std::string name; std::getline(names, name, '|');) {
+    ASSIGN_OR_RETURN(const int wall, IndexOfText(spec, name, scene));
+    resolved.indices.push_back(wall);
+  }
+  if (resolved.indices.empty()) {
+    ASSIGN_OR_RETURN(const int index, IndexOfText(spec, value.text(), scene));
+    resolved.indices.push_back(index);
+  }
   return resolved;
 }
 
@@ -281,7 +289,10 @@ std::optional<Side> Arguments::MaybeSide(std::string_view name) const {
   return value != nullptr ? std::optional<Side>(value->sides[0]) : std::nullopt;
 }
 
-int Arguments::MaybeWall(std::string_view name) const { return MaybeObject(name); }
+std::vector<int> Arguments::Walls(std::string_view name) const {
+  const Value* value = Find(name);
+  return value != nullptr ? value->indices : std::vector<int>();
+}
 
 int Arguments::MaybeObject(std::string_view name) const {
   const Value* value = Find(name);

@@ -50,9 +50,11 @@ class Arguments {
   // For those that may stay unset.
   bool Has(std::string_view name) const { return Find(name) != nullptr; }
   std::optional<Side> MaybeSide(std::string_view name) const;
+  // Any of which it may be; none when unset.
+  std::vector<int> Walls(std::string_view name) const;
   // -1 when unset.
-  int MaybeWall(std::string_view name) const;
   int MaybeObject(std::string_view name) const;
+  double NumberOr(std::string_view name, double otherwise) const { return Has(name) ? Number(name) : otherwise; }
 
   // All objects named in any argument, in call order.
   std::vector<int> AllObjects() const;

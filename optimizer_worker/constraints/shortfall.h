@@ -66,13 +66,14 @@ class PlacedCall {
   double GapBetween(int a, int b) const { return Gap<double>(BoxOf(a), BoxOf(b)); }
   // Root of the call's cost, a length: for calls whose parts say no more.
   double CostRoot() const;
-  // The wall of least `cost(wall)`, or the one that the call names.
+  // The wall of least `cost(wall)`, of those that the call names if it does.
   template <typename WallCost>
   const Wall& BestWall(const WallCost& cost) const {
     const std::vector<Wall>& walls = scene().room.walls;
-    const int named = arguments_.Has("wall") ? arguments_.MaybeWall("wall") : -1;
-    if (named >= 0) return walls[static_cast<size_t>(named)];
-    return *std::ranges::min_element(walls, [&](const Wall& a, const Wall& b) { return cost(a) < cost(b); });
+    std::vector<int> named = arguments_.Walls("wall");
+    for (int i = 0; named.empty() && i < static_cast<int>(walls.size()); ++i) named.push_back(i);
+    const auto cost_of = [&](int wall) { return cost(walls[static_cast<size_t>(wall)]); };
+    return walls[static_cast<size_t>(*std::ranges::min_element(named, {}, cost_of))];
   }
   // Gap from the object, or its side when the call names one, to the nearest feature of the call's kind.
   double NearestFeatureGap() const;

@@ -91,6 +91,8 @@ class Composer {
   bool AddSides(const std::vector<std::string>& sides);
   // Says why a part of the sentence gives no call.
   void Refuse(std::string_view code, const std::string& message);
+  // That the room has no such wall or corner.
+  void RefuseMissing(const Reference& reference);
   // Whether nothing worse was said against the sentence than that it was not understood, and taking that back.
   bool OnlyUnknown() const;
   void ForgetUnknown() { refusals_.clear(); }
@@ -115,6 +117,7 @@ class Composer {
   const std::vector<v1::Diagnostic>& refusals() const { return refusals_; }
   const std::vector<v1::Diagnostic>& notes() const { return notes_; }
   v1::SentenceScope scope() const { return sentence_.scope(); }
+  bool IsSaid() const { return sentence_.origin() == v1::SENTENCE_ORIGIN_BRIEF; }
   // The feature that a fact of this sentence related to last: "near a socket without blocking it".
   std::string last_feature;
   // Whether a rug has been placed by this sentence; it lies in one place only.

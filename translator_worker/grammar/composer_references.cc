@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fmt/format.h"
+#include "room/conversion/conversion.h"
 #include "translator_worker/grammar/composer.h"
 
 namespace flair::translator {
@@ -49,6 +50,12 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
     target.opening = reference.opening;
     switch (reference.kind) {
       case RefKind::kWall:
+      case RefKind::kCorner:
+        if (reference.missing) {
+          RefuseMissing(reference);
+          continue;
+        }
+        break;
       case RefKind::kCeiling:
       case RefKind::kRoom:
       case RefKind::kFloor:
@@ -74,6 +81,16 @@ std::vector<Target> Composer::Targets(const Mention& mention, const std::vector<
     if (mention.either && first_of_either) break;
   }
   return result;
+}
+
+void Composer::RefuseMissing(const Reference& reference) {
+  const std::string_view what = reference.kind == RefKind::kCorner ? "corner" : "wall";
+  std::string names;
+  if (const absl::StatusOr<Room> room = RoomFromProto(request_.room()); room.ok()) {
+    for (const Wall& wall : room->walls) names += (names.empty() ? "" : ", ") + WallName(*room, wall);
+  }
+  Refuse("names_absent_feature",
+         fmt::format("the room has no such {}{}{}", what, names.empty() ? "" : "; its walls are ", names));
 }
 
 void Composer::PairUp(const std::vector<Placed>& movers, const std::vector<Placed>& targets) {

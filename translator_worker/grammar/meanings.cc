@@ -160,6 +160,14 @@ class Fact {
     return match_.b != nullptr ? match_.b->references.front().name : "";
   }
 
+  // The wall that a mention names, empty for any.
+  std::string WallOf(const Mention* mention) {
+    if (mention == nullptr) return "";
+    const Reference& reference = mention->references.front();
+    if (reference.missing) composer_.RefuseMissing(reference);
+    return reference.kind == RefKind::kWall || reference.kind == RefKind::kCorner ? reference.name : "";
+  }
+
   const Placed* PlacedOf(const std::string& value, const Pair& pair) const {
     return value.front() == 'A' ? pair.mover : pair.object;
   }
@@ -169,6 +177,8 @@ class Fact {
     if (value == "last") return composer_.last_feature;
     if (value == "subject") return composer_.subjects().empty() ? "" : composer_.id(composer_.subjects().front());
     if (value == "B.name") return NameFor(pair);
+    if (value == "B.wall") return WallOf(match_.b);
+    if (value == "C.wall") return WallOf(match_.c);
     if (value == "B.opening") return pair.target != nullptr ? pair.target->opening : "";
     const bool of_pair = value == "A" || value == "B" || value.starts_with("A.") || value.starts_with("B.");
     if (!of_pair) return value;
@@ -216,6 +226,7 @@ class Fact {
     if (subject == "subject") return OfPlaced(test, First(composer_.subjects()));
     if (subject == "pair") return !composer_.pair_targets().empty();
     if (subject == "detail") return test.about == 0 ? !detail_.empty() : Has(test.values, detail_);
+    if (subject == "said") return composer_.IsSaid();
     if (subject == "scope") return Has(test.values, ScopeName());
     if (subject == "calls") return composer_.calls_before() > 0;
     if (subject == "feature") return !composer_.last_feature.empty();

@@ -13,7 +13,8 @@
 //   nothing         it is there: A, B, C, D (the figure), mover, target, topic, subject, pair, detail; calls: an
 //   earlier
 //                   fact of the sentence made some; feature: one was named before; laid: a rug is; several movers;
-//                   same object; own: the target moves itself, or nothing does; opposed sides
+//                   same object; own: the target moves itself, or nothing does; opposed sides;
+//                   said: a person says the sentence
 //   :kind|kind      of that kind: for slots a sort of frames.h or one of MentionIs, for D one of DistanceIs, for movers
 //                   and targets one of PlacedIs or a list of english/data, for targets also a RefKind
 //   =name|name      of that name: slots, target, scope, detail; a target without a name after "=": of any name
@@ -21,9 +22,9 @@
 //
 // The value of an argument is A or B (id of mover and target, or what the target is called), A.side (the one side that
 // is named), A.sides, A.open (sides that are to be got at), A.first, B.opposite, B.zone, C.sides, D (the figure),
-// B.opening (id of the door or window that is meant), least, most, limit (most, unless exact), a number, detail,
-// subject, last (feature), or is meant as it is written. "a/b" is b
-// where a is empty. Without a value the argument is left out, after "=!" the call.
+// B.opening (id of the door or window that is meant), B.wall and C.wall (the wall that the slot names), least, most,
+// limit (most, unless exact), a number, detail, subject, last (feature), or is meant as it is written. "a/b" is b where
+// a is empty. Without a value the argument is left out, after "=!" the call.
 #pragma once
 
 #include <map>

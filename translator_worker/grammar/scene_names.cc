@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "absl/strings/str_join.h"
-#include "english/words.h"
 #include "english/lexicon.h"
+#include "english/words.h"
 
 namespace flair::translator {
 namespace {
@@ -128,7 +128,7 @@ void SceneNames::Add(const std::vector<std::string>& words, int object, int rank
 
 SceneNames::Found SceneNames::Find(const std::vector<Token>& tokens, size_t at) const {
   Found best = FindObject(tokens, at);
-  for (const Found& other : {FindInZone(tokens, at), FindZone(tokens, at), FindWall(tokens, at),
+  for (const Found& other : {FindInZone(tokens, at), FindZone(tokens, at), FindWall(tokens, at), FindCorner(tokens, at),
                              FindOpening(tokens, at)}) {
     if (other.length > best.length) best = other;
   }

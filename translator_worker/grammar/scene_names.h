@@ -56,6 +56,7 @@ class SceneNames : public english::Names {
   // "The eating area" of a zone "dining": another word for the same use.
   Found FindZoneByUse(const std::vector<Token>& tokens, size_t at) const;
   Found FindWall(const std::vector<Token>& tokens, size_t at) const;
+  Found FindCorner(const std::vector<Token>& tokens, size_t at) const;
   // "Door 2", "window_1", "the north window" where the wall has one only.
   Found FindOpening(const std::vector<Token>& tokens, size_t at) const;
 

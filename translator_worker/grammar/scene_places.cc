@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of SceneNames that finds zones and walls.
+// The part of SceneNames that finds zones, doors and windows.
 #include <algorithm>
-#include <cmath>
 
-#include "english/words.h"
 #include "english/lexicon.h"
+#include "english/words.h"
 #include "translator_worker/grammar/scene_names.h"
 
 namespace flair::translator {
@@ -27,13 +26,6 @@ bool IsAreaWord(const std::vector<Token>& tokens, size_t at) {
   if (tokens[at].IsWord("space")) return at > 2 && tokens[at - 2].IsWord("the") && !tokens[at - 3].IsWord("of");
   return Lexicon::Get().Find(tokens, at, 1).word_class == english::v1::WORD_CLASS_AREA || tokens[at].IsWord("spot") ||
          tokens[at].IsWord("furniture") || tokens[at].IsWord("nook");
-}
-
-double WallLength(const v1::Room& room, int wall) {
-  const auto& vertices = room.floor().vertices();
-  const auto& a = vertices[wall];
-  const auto& b = vertices[(wall + 1) % vertices.size()];
-  return std::hypot(b.x_m() - a.x_m(), b.y_m() - a.y_m());
 }
 
 }  // namespace
@@ -88,37 +80,6 @@ SceneNames::Found SceneNames::FindZoneByUse(const std::vector<Token>& tokens, si
     found.reference.name = zone.id();
     found.length = area ? 2 : 1;
     return found;
-  }
-  return {};
-}
-
-SceneNames::Found SceneNames::FindWall(const std::vector<Token>& tokens, size_t at) const {
-  const auto make = [](const std::string& wall, size_t length) {
-    Found found;
-    found.reference.kind = RefKind::kWall;
-    found.reference.name = wall;
-    found.length = length;
-    return found;
-  };
-  const auto word = [&](size_t offset, std::string_view text) {
-    return at + offset < tokens.size() && tokens[at + offset].IsWord(text);
-  };
-  for (const v1::Wall& wall : room_.walls()) {
-    const std::vector<std::string> words = NameWords(wall.name());
-    bool same = !words.empty() && at + words.size() <= tokens.size();
-    for (size_t i = 0; same && i < words.size(); ++i) same = tokens[at + i].text == words[i];
-    if (!same) continue;
-    if (words.front() == "wall") return make(wall.name(), words.size());
-    if (word(words.size(), "wall")) return make(wall.name(), words.size() + 1);
-  }
-  if ((word(0, "longest") || word(0, "shortest")) && word(1, "wall") && room_.walls_size() > 0 &&
-      room_.walls_size() == room_.floor().vertices_size()) {
-    int best = 0;
-    for (int i = 1; i < room_.walls_size(); ++i) {
-      const double longer = WallLength(room_, i) - WallLength(room_, best);
-      if (word(0, "longest") ? longer > 1e-9 : longer < -1e-9) best = i;
-    }
-    return make(room_.walls(best).name(), 2);
   }
   return {};
 }

@@ -106,13 +106,13 @@ TEST(Groups, AClassroomHasRowsOfDesksThatLookToTheTeacher) {
   ASSERT_GE(across, 4);
   const int rows = (24 + across - 1) / across;
   EXPECT_EQ(plan.Count("school chair", "first_row"), across) << "everyone sits in the row of the desk";
-  EXPECT_EQ(plan.Sentences("is 1 m in front of the"), 2 * (rows - 1))
+  EXPECT_EQ(plan.Sentences("is at most 1 m in front of the"), 2 * (rows - 1))
       << "every row behind the one before, at both ends";
   EXPECT_EQ(plan.Sentences("faces the teacher desk"), rows + 1) << "every row, and whoever teaches";
   EXPECT_EQ(plan.Sentences("The left side of the"), 12) << "two side by side, then a way";
   EXPECT_EQ(plan.Sentences("desks stand in a row 0.75 m apart"), rows * (across / 2 - 1)) << "the row goes on";
   EXPECT_EQ(plan.Sentences("faces the same way as the first school desk"), 1) << "whoever teaches";
-  EXPECT_EQ(plan.Sentences("The teacher desk is 2 m in front of the "), 1) << "of the middle of the first row";
+  EXPECT_EQ(plan.Sentences("The teacher desk is at most 2 m in front of the "), 1) << "of the middle of the first row";
 }
 
 TEST(Groups, ManyDesksStandInIslands) {
@@ -360,8 +360,8 @@ TEST(Groups, ManyEasyChairsLeaveRoomForLegsAboutALowTable) {
 TEST(Groups, RowsOfABriefAreStraightInEveryKindOfRoom) {
   const Plan plan = PlanFor("Meditation room with 16 cushions in rows facing a low altar, 9 x 6 m.");
   EXPECT_EQ(plan.Sentences("The floor cushions stand in a row 0.3 m apart."), 4);
-  EXPECT_EQ(plan.Sentences("is 1.2 m in front of the"), 3) << "row behind row";
-  EXPECT_EQ(plan.Sentences("The altar is 2.4 m in front of the"), 1) << "of the middle of the first row";
+  EXPECT_EQ(plan.Sentences("is at most 1.2 m in front of the"), 3) << "row behind row";
+  EXPECT_EQ(plan.Sentences("The altar is at most 2.4 m in front of the"), 1) << "of the middle of the first row";
   EXPECT_EQ(plan.Sentences("faces the altar"), 0) << "outer ones would turn out of their row";
 }
 

@@ -119,7 +119,7 @@ std::vector<v1::Sentence> PlaceWriter::WriteAbout(const Place& place, Group subj
   const bool ahead = PlaceNames(place, "faces the {target}") && place.which < 0 && writer_.StandsInRows(subjects);
   if (ahead) relation.set_pairing(hb::PAIRING_FRONT_ROW);
   if (ahead && writer_.StandsInOwnRows(subjects) && IsFloorPiece(*place.target))
-    relation.set_text("The {target} is 2.4 m in front of the {object}.");
+    relation.set_text("The {target} is at most 2.4 m in front of the {object}.");
   Slots further;
   if (place.length_m > 0) further["length"] = {fmt::format("{:.3g} m", place.length_m), {}};
   if (PlaceNames(place, "{wall}")) {

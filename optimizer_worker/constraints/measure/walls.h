@@ -67,10 +67,12 @@ inline Side SideTowards(const Vec2<double>& front, const Wall& wall) {
   return aside > 0 ? Side::kLeft : Side::kRight;
 }
 
-// The walls that a constraint may use: the one that was named, or all.
-inline std::vector<Wall> WallsToUse(const Room& room, int wall) {
-  if (wall >= 0) return {room.walls[static_cast<size_t>(wall)]};
-  return room.walls;
+// The walls that a constraint may use: those that were named, or all.
+inline std::vector<Wall> WallsToUse(const Room& room, const std::vector<int>& named) {
+  if (named.empty()) return room.walls;
+  std::vector<Wall> walls;
+  for (const int wall : named) walls.push_back(room.walls[static_cast<size_t>(wall)]);
+  return walls;
 }
 
 // How far something is outside of where it belongs: a rectangle beyond its carrier, a point beyond its zone.

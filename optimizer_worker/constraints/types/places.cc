@@ -76,9 +76,13 @@ BoundCost BindBetween(const Arguments& a, const BindContext& context) {
 //   gap   air between the target's front and the nearest corner of the object, along the target's front direction
 //   u     lateral offset of the object's centre from the target's middle line
 //   play  a quarter of what the narrower can move within the wider, |w_1 - w_2| / 8
-// Zero exactly when the object stands before the target's middle, at distance_m or down to half of it, square to it (a
-// half turn is the same). The released io_infront asks for one point, counts a side shift like a distance and jumps
-// where headings wrap (SEMANTICS.md section 4).
+// Zero exactly when the object stands before the target's middle, at distance_m or down to min_distance_m, half of it
+// when left out, square to it (a half turn is the same). The released io_infront asks for one point, counts a side
+// shift like a distance and jumps where headings wrap (SEMANTICS.md section 4).
+double LeastBefore(const Arguments& a) {
+  return std::min(a.NumberOr("min_distance_m", a.Number("distance_m") / 2), a.Number("distance_m"));
+}
+
 std::optional<Shortfall> InFrontOfShortfall(const PlacedCall& call) {
   const int object = call.object(), target = call.target();
   const Frame<double> frame = call.FrameOf(target);
@@ -90,7 +94,8 @@ std::optional<Shortfall> InFrontOfShortfall(const PlacedCall& call) {
   gap -= call.FootprintOf(target).depth_m / 2;
   const std::string front = SideOf(call.Name(target), Side::kFront);
   std::vector<Shortfall> misses = {
-      TooFar(call.Name(object), front, gap, most), TooNear(call.Name(object), front, gap, most / 2),
+      TooFar(call.Name(object), front, gap, most),
+      TooNear(call.Name(object), front, gap, LeastBefore(call.arguments())),
       OffBy(call.Name(object), "the middle of " + front, std::max(0.0, std::abs(lateral) - play))};
   if (call.arguments().Flag("parallel")) {
     const double angle = AngleOf(call.FrameOf(object).front, frame.front);
@@ -102,7 +107,7 @@ std::optional<Shortfall> InFrontOfShortfall(const PlacedCall& call) {
 BoundCost BindInFrontOf(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
   const Footprint first = FootprintOf(context, object), second = FootprintOf(context, target);
-  const auto formula = [=, distance_m = a.Number("distance_m"),
+  const auto formula = [=, distance_m = a.Number("distance_m"), least_m = LeastBefore(a),
                         parallel = a.Flag("parallel")]<typename T>(const Frames<T, 2>& frames) {
     const Box<T> box(first, frames[0]);
     const Frame<double> target_value = ValueOf(frames[1]);
@@ -113,7 +118,7 @@ BoundCost BindInFrontOf(const Arguments& a, const BindContext& context) {
     const T gap = frames[1].ToObject(box.vertex(nearest)).y - second.depth_m / 2;
     const T lateral = frames[1].ToObject(frames[0].center).x;
     const double play = std::abs(first.width_m - second.width_m) / 8;
-    T sum = SquaredOutside(gap, distance_m / 2, distance_m) + SquaredOutside(lateral, -play, play);
+    T sum = SquaredOutside(gap, least_m, distance_m) + SquaredOutside(lateral, -play, play);
     if (parallel) sum += Square(Cross(frames[0].front, frames[1].front));
     return sum;
   };

@@ -39,12 +39,12 @@ std::optional<Shortfall> AgainstWallShortfall(const PlacedCall& call) {
 
 BoundCost BindAgainstWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  const auto formula =
-      [footprint = FootprintOf(context, object), side = a.OneSide("side"),
-       walls = WallsToUse(context.scene.room, a.MaybeWall("wall"))]<typename T>(const Frames<T, 1>& frames) {
-        return LeastOf<T>(walls, frames,
-                          [&](const Wall& wall, const auto& f) { return SideOnWall(footprint, f[0], side, wall); });
-      };
+  const auto formula = [footprint = FootprintOf(context, object), side = a.OneSide("side"),
+                        walls =
+                            WallsToUse(context.scene.room, a.Walls("wall"))]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(walls, frames,
+                      [&](const Wall& wall, const auto& f) { return SideOnWall(footprint, f[0], side, wall); });
+  };
   return MakeCost<kSeesZero>({object}, formula);
 }
 
@@ -65,13 +65,13 @@ std::optional<Shortfall> CenteredOnWallShortfall(const PlacedCall& call) {
 
 BoundCost BindCenteredOnWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
-  const auto formula =
-      [footprint = FootprintOf(context, object),
-       walls = WallsToUse(context.scene.room, a.MaybeWall("wall"))]<typename T>(const Frames<T, 1>& frames) {
-        return LeastOf<T>(walls, frames, [&](const Wall& wall, const auto& f) {
-          return SideOnWall(footprint, f[0], Side::kBack, wall) + Square(wall.Offset(f[0].center) - wall.length_m / 2);
-        });
-      };
+  const auto formula = [footprint = FootprintOf(context, object),
+                        walls =
+                            WallsToUse(context.scene.room, a.Walls("wall"))]<typename T>(const Frames<T, 1>& frames) {
+    return LeastOf<T>(walls, frames, [&](const Wall& wall, const auto& f) {
+      return SideOnWall(footprint, f[0], Side::kBack, wall) + Square(wall.Offset(f[0].center) - wall.length_m / 2);
+    });
+  };
   return MakeCost<kSeesZero>({object}, formula);
 }
 
@@ -105,7 +105,12 @@ std::vector<std::pair<Wall, Wall>> CornerWalls(const Room& room) {
 BoundCost BindInCorner(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   std::vector<RoomCorner> corners;
+  const std::vector<Wall> walls = WallsToUse(context.scene.room, a.Walls("wall"));
+  const auto is_named = [&](const Wall& wall) {
+    return std::ranges::find(walls, wall.name, &Wall::name) != walls.end();
+  };
   for (const auto& [before, after] : CornerWalls(context.scene.room)) {
+    if (!is_named(before) && !is_named(after)) continue;
     corners.push_back({before.end, before, true});
     corners.push_back({before.end, after, false});
   }
@@ -155,7 +160,7 @@ BoundCost BindNearWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   const auto formula =
       [footprint = FootprintOf(context, object), side = a.OneSide("side"), most_m = a.Number("max_distance_m"),
-       walls = WallsToUse(context.scene.room, a.MaybeWall("wall"))]<typename T>(const Frames<T, 1>& frames) {
+       walls = WallsToUse(context.scene.room, a.Walls("wall"))]<typename T>(const Frames<T, 1>& frames) {
         return LeastOf<T>(walls, frames, [&](const Wall& wall, const auto& f) {
           constexpr double kCos45 = 0.70710678118654757;
           const auto middle = MiddleOf(footprint, f[0], side);
@@ -180,7 +185,7 @@ std::optional<Shortfall> NotAgainstWallShortfall(const PlacedCall& call) {
       side ? Box<double>::Before(call.FootprintOf(object), call.FrameOf(object), *side, 0) : call.BoxOf(object);
   const std::string what = side ? SideOf(call.Name(object), *side) : call.Name(object);
   std::vector<Shortfall> misses;
-  for (const Wall& wall : call.scene().room.walls) {
+  for (const Wall& wall : WallsToUse(call.scene().room, call.arguments().Walls("wall"))) {
     const ConvexPiece piece(Segment{wall.start, wall.end});
     misses.push_back(TooNear(what, WallName(call.scene().room, wall), Gap<double>(box, piece),
                              call.arguments().Number("min_distance_m")));
@@ -191,11 +196,12 @@ std::optional<Shortfall> NotAgainstWallShortfall(const PlacedCall& call) {
 BoundCost BindNotAgainstWall(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object");
   const Room& room = context.scene.room;
+  const std::vector<Wall> walls = WallsToUse(room, a.Walls("wall"));
   // The walls as pieces, for rooms whose walls' lines do not bound them.
   std::vector<ConvexPiece> pieces;
-  for (const Wall& wall : room.walls) pieces.emplace_back(Segment{wall.start, wall.end});
+  for (const Wall& wall : walls) pieces.emplace_back(Segment{wall.start, wall.end});
   const auto formula = [footprint = FootprintOf(context, object), side = a.MaybeSide("side"),
-                        min_m = a.Number("min_distance_m"), walls = room.walls, convex = IsConvex(room.floor),
+                        min_m = a.Number("min_distance_m"), walls, convex = IsConvex(room.floor),
                         pieces]<typename T>(const Frames<T, 1>& frames) {
     T sum(0.0);
     if (!convex && !side.has_value()) {

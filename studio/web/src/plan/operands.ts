@@ -103,8 +103,9 @@ export function linksOf(
     return at ? [link(id, between(own, footprintOf(other, at)))] : [];
   });
   const texts = textsOf(edge);
-  const toRoom = [...texts.values()].flatMap((word) => {
-    const ways = segmentsOf(room, word).map(({ id, a, b }) => ({ id, way: shortest(own, a, b) }));
+  // "wall_2|wall_4" is either wall.
+  const toRoom = [...texts.values()].flatMap((words) => {
+    const ways = words.split("|").flatMap((word) => segmentsOf(room, word)).map(({ id, a, b }) => ({ id, way: shortest(own, a, b) }));
     if (ways.length === 0) return [];
     const nearest = ways.reduce((best, one) => (distance(...one.way) < distance(...best.way) ? one : best));
     return [link(nearest.id, nearest.way)];
