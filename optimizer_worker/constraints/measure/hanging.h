@@ -110,10 +110,19 @@ struct NearestWall {
 // What counts as the same distance from two walls.
 inline constexpr double kSameDistance_m = 0.02;
 
+// How much more than 45 degrees the back of a seat looks away from a wall, as 1 - cos: what hangs there is not above
+// it.
+template <typename T>
+T TurnedFrom(const Frame<T>& seat, const Wall& wall) {
+  return Positive(TurnToWall(seat, Side::kBack, wall) - (1 - std::sqrt(0.5)));
+}
+
+// `is_seat`: only of those behind it.
 inline NearestWall NearestWallTo(const Footprint& footprint, const Frame<double>& frame,
-                                 const std::vector<HangingWall>& places) {
+                                 const std::vector<HangingWall>& places, bool is_seat = false) {
   NearestWall nearest;
   for (const auto& [wall, blocked] : places) {
+    if (is_seat && TurnedFrom(frame, wall) > 0) continue;
     // A wall that runs elsewhere is not a neighbour.
     const double offset = wall.Offset(frame.center);
     if (offset < 0 || offset > wall.length_m) continue;

@@ -70,24 +70,38 @@ BoundCost BindOnWall(const Arguments& a, const BindContext& context) {
 //   on_wall   cost of hanging on that wall, off its openings
 //   m_1, m_2  middles of the two along the wall;  p, p_min  as in on_wall_near
 //   play      0 for the only thing above the target, else what it can move above it: several share the place
-// Zero exactly when it hangs on the wall that the target stands at, above its middle.
+// A seat's own walls are those behind it: on others the square of measure/hanging.h's turn is added. Zero exactly when
+// it hangs on the wall that the target stands at, above its middle.
 std::optional<Shortfall> OnWallAboveShortfall(const PlacedCall& call) {
-  return Worst(OffBeside(call, 0, 0.15, "the middle of"));
+  std::vector<Shortfall> misses = OffBeside(call, 0, 0.15, "the middle of");
+  const Wall& wall = call.BestWall([&](const Wall& w) {
+    return SideOnWall(call.FootprintOf(call.object()), call.FrameOf(call.object()), Side::kBack, w);
+  });
+  const Frame<double> target = call.FrameOf(call.target());
+  if (call.scene().objects[static_cast<size_t>(call.target())].seat) {
+    misses.push_back(
+        Turned(SideOf(call.Name(call.target()), Side::kBack),
+               fmt::format("{}, where {} hangs", WallName(call.scene().room, wall), call.Name(call.object())),
+               AngleOf(-target.front, -wall.inward_normal), kPi / 4));
+  }
+  return Worst(misses);
 }
 
 BoundCost BindOnWallAbove(const Arguments& a, const BindContext& context) {
   const int object = a.Object("object"), target = a.Object("target");
+  const bool is_seat = context.scene.objects[static_cast<size_t>(target)].seat;
   const bool shares = context.linked != nullptr && context.linked->CountAbove(target) > 1;
   const Footprint hung = FootprintOf(context, object), host = FootprintOf(context, target);
   const auto formula = [=, places = HangingWalls(context.scene, object)]<typename T>(const Frames<T, 2>& frames) {
-    const NearestWall nearest = NearestWallTo(host, ValueOf(frames[1]), places);
+    const NearestWall nearest = NearestWallTo(host, ValueOf(frames[1]), places, is_seat);
     return LeastOf<T>(places, frames, [&](const HangingWall& place, const auto& f) {
       using S = std::decay_t<decltype(f[0].center.x)>;
       constexpr double kAtWall_m = 0.15;
       const WallView<S> view(host, f[1], place.wall);
       const S beside = Magnitude(place.wall.Offset(f[0].center) - view.Middle());
       const S play = shares ? Positive(0.5 * (view.Length() - hung.width_m)) : S(0.0);
-      return HangsOn(hung, f[0], place) + SquaredHinge(beside - play) +
+      const S turned = is_seat ? TurnedFrom(f[1], place.wall) : S(0.0);
+      return HangsOn(hung, f[0], place) + SquaredHinge(beside - play) + Square(turned) +
              SquaredNotItsWall(host, f[1], view.distance, nearest, kAtWall_m);
     });
   };

@@ -241,17 +241,19 @@ BoundCost BindAccessible(const Arguments& a, const BindContext& context) {
 
 // Keeps an object in the middle of the room.
 //   cost = min(hx^2, hy^2), or hx^2 + hy^2 with both                                                         [m2]
-//   hx, hy  distance of the centre outside the middle third of the room's bounding box, east-west and north-south
-// Zero exactly when the centre is in the middle third along one axis (or both). The released ind_central multiplies hx
+//   hx, hy  distance of the centre outside the middle third of the room's bounding box, east-west and north-south; with
+//   both outside its middle sixth, or what is within 0.25 m of the middle in larger rooms
+// Zero exactly when the centre is there along one axis (or both). The released ind_central multiplies hx
 // and hy, so that it is flat along either third, and adds a heading term that whole-room alignment has already.
 BoundCost BindCentral(const Arguments& a, const BindContext& context) {
   const BoundingBox box = BoundsOf(context.scene.room.floor);
   const bool both = a.Flag("both");
-  // What is in the middle of a room on both axes is seen to be so.
-  const double beside = both ? 5.0 / 12 : 1.0 / 3;
   const auto formula = [=]<typename T>(const Frames<T, 1>& frames) {
-    const auto outside = [beside](const T& x, double low, double high) {
-      return SquaredOutside(x, low + (high - low) * beside, high - (high - low) * beside);
+    const auto outside = [both](const T& x, double low, double high) {
+      // What is in the middle of a room on both axes is seen to be so, in large rooms as well.
+      constexpr double kSeen_m = 0.25;
+      const double beside = both ? std::min((high - low) / 12, kSeen_m) : (high - low) / 6;
+      return SquaredOutside(x, (low + high) / 2 - beside, (low + high) / 2 + beside);
     };
     const T across = outside(frames[0].center.x, box.min.x, box.max.x);
     const T along = outside(frames[0].center.y, box.min.y, box.max.y);

@@ -73,10 +73,11 @@ BoundCost BindOnTopCenter(const Arguments& a, const BindContext&) {
 // Sets a thing on one corner of another.
 //   cost = overhang^2 + max(p_u - s_u u, 0)^2 + max(p_v - s_v v, 0)^2 + (1 - cos(theta_1 - theta_2))            [m2]
 //   u, v      its centre in the host's frame;  s_u, s_v  signs of the corner
-//   p_u, p_v  a third of the way from the middle to where it is flush with the host's sides
+//   p_u, p_v  half the way from the middle to where it is flush with the host's sides; on small hosts the way counts as
+//             much as 4 cm, since the middle of an edge is seen to be none of its corners
 //   overhang  of its corners over the host's edges (measure/walls.h); of its centre when it is too large to fit
-// Zero exactly when it stands wholly on the host, its centre well in that quarter, facing the same way. The released
-// on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
+// Zero exactly when it stands wholly on the host, its centre in the outer half of that quarter, facing the same way.
+// The released on_top_corner pulls to the point half way to the corner and forgets things that do not touch the host.
 Vec2<double> SignsOf(Corner corner) {
   const bool right = corner == Corner::kBackRight || corner == Corner::kFrontRight;
   const bool front = corner == Corner::kFrontLeft || corner == Corner::kFrontRight;
@@ -95,13 +96,17 @@ BoundCost BindOnTopCorner(const Arguments& a, const BindContext& context) {
   const Footprint small = FootprintOf(context, object), large = FootprintOf(context, host);
   const bool fits = small.width_m <= large.width_m && small.depth_m <= large.depth_m;
   const Vec2<double> signs = SignsOf(a.OneCorner("corner"));
-  const double across = std::max(0.0, large.width_m - small.width_m) / 6;
-  const double ahead = std::max(0.0, large.depth_m - small.depth_m) / 6;
+  const double across = std::max(0.0, large.width_m - small.width_m) / 4;
+  const double ahead = std::max(0.0, large.depth_m - small.depth_m) / 4;
+  const auto scale = [](double way_m) {
+    constexpr double kNoWay_m = 0.005, kLeast_m = 0.04;
+    return way_m < kNoWay_m ? 1 : std::max(1.0, kLeast_m / way_m);
+  };
   const auto formula = [=]<typename T>(const Frames<T, 2>& frames) {
     const Vec2<T> p = frames[1].ToObject(frames[0].center);
     const T overhang = SquaredSticksOut(fits ? small : Footprint{}, frames[0], large, frames[1]);
-    return overhang + SquaredHinge(across - signs.x * p.x) + SquaredHinge(ahead - signs.y * p.y) +
-           Turn(frames[0].front, frames[1].front);
+    return overhang + SquaredHinge(scale(across) * (across - signs.x * p.x)) +
+           SquaredHinge(scale(ahead) * (ahead - signs.y * p.y)) + Turn(frames[0].front, frames[1].front);
   };
   return MakeCost<kOnlyRelative>({object, host}, formula);
 }
@@ -115,17 +120,26 @@ BoundCost BindRugUnderCenter(const Arguments& a, const BindContext&) {
   return CentersMeet(a.Object("rug"), a.Object("object"));
 }
 
-// Lays a rug half under an object and half before it.
-//   cost = |c_rug - m|^2 + (1 - cos^2 a)                                                                       [m2]
-//   m  middle of the object's front;  a  angle between the rug's longer side and the object's back edge
-// Zero exactly when the rug is centred on the front edge, its longer side along it; a half turn is the same. The
+// Lays a rug partly under an object and at least half before it.
+//   cost = u^2 + out(v, [0, max(d / 2 - 0.15, 0)])^2 + (1 - cos^2 a)                                           [m2]
+//   u, v  of the rug's centre beside and before the middle of the object's front;  d  the rug's shorter side
+//   a     angle between the rug's longer side and the object's back edge
+// Zero exactly when the rug is centred before the object, from half of it to 0.15 m of it under the front edge, its
+// longer side along it; a half turn is the same: so it may lie under the table before a sofa as well. The
 // released rug_under_central_forward compares directed edges by arccos without clipping (SEMANTICS.md section 6).
+double ReachUnder(const Footprint& rug) {
+  constexpr double kLeastUnder_m = 0.15;
+  return std::max(0.0, std::min(rug.width_m, rug.depth_m) / 2 - kLeastUnder_m);
+}
+
 std::optional<Shortfall> RugUnderForwardShortfall(const PlacedCall& call) {
   const int rug = call.arguments().Object("rug"), object = call.object();
-  const Vec2<double> front = MiddleOf(call.FootprintOf(object), call.FrameOf(object), Side::kFront);
-  if (const std::optional<Shortfall> off = Worst(
-          {OffBy(call.Name(rug), SideOf(call.Name(object), Side::kFront), Norm(call.FrameOf(rug).center - front))})) {
-    return off;
+  const Vec2<double> p = call.FrameOf(object).ToObject(call.FrameOf(rug).center);
+  const double before = p.y - call.FootprintOf(object).depth_m / 2;
+  const double off = std::hypot(p.x, std::max({0.0, -before, before - ReachUnder(call.FootprintOf(rug))}));
+  const std::string front = SideOf(call.Name(object), Side::kFront);
+  if (const std::optional<Shortfall> miss = Worst({OffBy(call.Name(rug), "lying partly under " + front, off)})) {
+    return miss;
   }
   return Worst({OffBy(call.Name(rug), "lying along " + call.Name(object), call.CostRoot())});
 }
@@ -134,10 +148,11 @@ BoundCost BindRugUnderForward(const Arguments& a, const BindContext& context) {
   const int rug = a.Object("rug"), object = a.Object("object");
   const Footprint& shape = FootprintOf(context, rug);
   const bool wide = shape.width_m >= shape.depth_m;
-  const auto formula = [wide, footprint = FootprintOf(context, object)]<typename T>(const Frames<T, 2>& frames) {
+  const double front_m = FootprintOf(context, object).depth_m / 2, reach_m = ReachUnder(shape);
+  const auto formula = [=]<typename T>(const Frames<T, 2>& frames) {
     const Vec2<T>& along = wide ? frames[0].right : frames[0].front;
-    return SquaredNorm(frames[0].center - MiddleOf(footprint, frames[1], Side::kFront)) +
-           Square(Cross(along, frames[1].right));
+    const Vec2<T> p = frames[1].ToObject(frames[0].center);
+    return Square(p.x) + SquaredOutside(p.y, front_m, front_m + reach_m) + Square(Cross(along, frames[1].right));
   };
   return MakeCost<kOnlyRelative>({rug, object}, formula);
 }
