@@ -171,6 +171,11 @@ class NoteMaker {
       AddWords(calls_.Clarified(layout_.graph().edges(e)), demand);
       Append(calls_.Subjects(layout_.graph().edges(e)), subjects);
     }
+    for (const v1::Diagnostic& remark : layout_.graph().diagnostics()) {
+      if (edges.empty() || remark.code() != "partial" || remark.subject_id() != sentence.id()) continue;
+      const size_t quoted = remark.message().find("\": ");
+      AddWords("only in part: " + remark.message().substr(quoted == std::string::npos ? 0 : quoted + 3), demand);
+    }
     // Who the sentence says it is about knows better than a call that may be written either way round.
     const int first = sentence.subject_ids_size() > 0 ? scene_.IndexOf(sentence.subject_ids(0)) : -1;
     if (first >= 0 && subjects.size() <= 1) subjects = {first};

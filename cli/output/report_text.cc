@@ -9,6 +9,8 @@
 #include "cli/output/text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "room/conversion/conversion.h"
+#include "room/scene/scene.h"
 #include "worker_runtime/text/counted.h"
 
 namespace flair::cli {
@@ -83,7 +85,9 @@ std::string ReasonFor(const std::string& id, const v1::ConstraintList& constrain
 std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& style,
                        const v1::ConstraintList& sentences) {
   std::vector<std::vector<std::string>> rows;
+  const absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
   for (const v1::Object& object : layout.graph().object_list().objects()) {
+    const std::string name = scene.ok() ? NameForPeople(*scene, static_cast<int>(rows.size())) : object.name();
     std::string finish;
     const auto look = std::ranges::find(style.objects(), object.id(), &v1::ObjectStyle::subject_id);
     if (look != style.objects().end()) {
@@ -94,7 +98,7 @@ std::string ObjectText(const v1::SolvedLayout& layout, const v1::StyleSheet& sty
     std::string reason = ReasonFor(object.id(), sentences);
     if (reason.empty() && why.empty()) reason = object.description();
     if (!reason.empty()) why += (why.empty() ? "" : "; ") + reason;
-    rows.push_back({object.id(), object.zone_id(),
+    rows.push_back({name.starts_with("the ") ? name.substr(4) : name, object.zone_id(),
                     fmt::format("{:.2f} x {:.2f} x {:.2f}", object.width_m(), object.depth_m(), object.height_m()),
                     finish, why});
   }

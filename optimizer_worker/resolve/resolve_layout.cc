@@ -95,7 +95,7 @@ std::vector<LeftOut> WithoutCarrier(const std::map<int, Object>& lost_carriers, 
   for (const auto& [object, carrier] : lost_carriers) {
     if (state.placed[object]) continue;
     left_out.push_back(
-        {object, fmt::format("it stood on \"{}\", which is gone, and nothing like it has a free place", carrier.id)});
+        {object, fmt::format("it stood on the {}, which is gone, and nothing like it has a free place", carrier.name)});
   }
   return left_out;
 }

@@ -262,7 +262,7 @@ TEST(ResolveLayout, BooksWithoutAnotherShelfOrTableAreLeftOutAndNamed) {
   bool named = false;
   for (const v1::Diagnostic& diagnostic : result.layout.diagnostics()) {
     named |= diagnostic.code() == "left_out" && diagnostic.subject_id() == "books" &&
-             diagnostic.message().find("\"bookshelf\", which is gone") != std::string::npos;
+             diagnostic.message().find("the bookshelf, which is gone") != std::string::npos;
   }
   EXPECT_TRUE(named) << result.layout.ShortDebugString();
 }

@@ -37,8 +37,9 @@ bool IsPlaced(const Term& term, const PartialLayout& state) {
   return std::all_of(term.required.begin(), term.required.end(), [&](int object) { return state.placed[object] != 0; });
 }
 
-std::string SizeOf(const Object& object) {
-  return fmt::format("\"{}\" ({:.2f} m x {:.2f} m)", object.id, object.footprint.width_m, object.footprint.depth_m);
+std::string SizeOf(const Scene& scene, int object) {
+  const Footprint& size = scene.objects[object].footprint;
+  return fmt::format("{} ({:.2f} m x {:.2f} m)", NameForPeople(scene, object), size.width_m, size.depth_m);
 }
 
 // `no_free_place` says it of the misfit's object.
@@ -47,9 +48,9 @@ v1::Diagnostic Describe(const SolveInput& input, const Misfit& misfit, const std
   v1::Diagnostic diagnostic;
   diagnostic.set_severity(v1::SEVERITY_WARNING);
   diagnostic.set_subject_id(scene.objects[misfit.object].id);
-  const std::string whom = misfit.other >= 0 ? " " + SizeOf(scene.objects[misfit.other]) : "";
+  const std::string whom = misfit.other >= 0 ? " " + SizeOf(scene, misfit.other) : "";
   const std::string fact =
-      fmt::format("{} {}{} by {:.2f} m", SizeOf(scene.objects[misfit.object]), misfit.what, whom, misfit.depth_m);
+      fmt::format("{} {}{} by {:.2f} m", SizeOf(scene, misfit.object), misfit.what, whom, misfit.depth_m);
   if (input.pinned[misfit.object] && (misfit.other < 0 || input.pinned[misfit.other])) {
     diagnostic.set_code("pinned_collides");
     diagnostic.set_message(fact + ": it is held there; move it or let it move");
@@ -61,12 +62,12 @@ v1::Diagnostic Describe(const SolveInput& input, const Misfit& misfit, const std
   return diagnostic;
 }
 
-v1::Diagnostic NotPlaced(const Object& object) {
+v1::Diagnostic NotPlaced(const Scene& scene, int object) {
   v1::Diagnostic diagnostic;
   diagnostic.set_severity(v1::SEVERITY_ERROR);
   diagnostic.set_code("not_placed");
-  diagnostic.set_subject_id(object.id);
-  diagnostic.set_message(fmt::format("\"{}\" was not placed", object.id));
+  diagnostic.set_subject_id(scene.objects[object].id);
+  diagnostic.set_message(NameForPeople(scene, object) + " was not placed");
   return diagnostic;
 }
 
@@ -115,7 +116,7 @@ std::vector<v1::Diagnostic> FitDiagnostics(const SolveInput& input, const SceneC
                                            const PartialLayout& state) {
   std::vector<v1::Diagnostic> diagnostics;
   for (size_t i = 0; i < input.scene.objects.size(); ++i) {
-    if (!state.placed[i]) diagnostics.push_back(NotPlaced(input.scene.objects[i]));
+    if (!state.placed[i]) diagnostics.push_back(NotPlaced(input.scene, i));
   }
   // Of an object that is in the way of many the free places are looked for once.
   std::map<int, std::string> no_free_place;

@@ -61,7 +61,7 @@ std::string ReasonOf(const SolveInput& input, const PartialLayout& without, cons
   const Misfit& misfit = *std::ranges::find_if(misfits, named);
   if (misfit.other < 0) return fmt::format("it {} by {:.2f} m wherever it is put", misfit.what, misfit.depth_m);
   const int other = misfit.object == object ? misfit.other : misfit.object;
-  return fmt::format("it {} \"{}\" by {:.2f} m wherever it is put", misfit.what, input.scene.objects[other].id,
+  return fmt::format("it {} {} by {:.2f} m wherever it is put", misfit.what, NameForPeople(input.scene, other),
                      misfit.depth_m);
 }
 
@@ -75,7 +75,7 @@ void TakeOut(Branch& branch, int object, std::string reason) {
 void TakeOutRiders(const SolveInput& input, int carrier, Branch& branch) {
   for (int i = 0; i < static_cast<int>(input.scene.objects.size()); ++i) {
     if (input.scene.objects[i].host != carrier || !branch.state.placed[i] || input.pinned[i]) continue;
-    TakeOut(branch, i, fmt::format("it belongs to \"{}\", which is left out", input.scene.objects[carrier].id));
+    TakeOut(branch, i, fmt::format("it belongs to {}, which is left out", NameForPeople(input.scene, carrier)));
     TakeOutRiders(input, i, branch);
   }
 }
@@ -324,7 +324,7 @@ bool TakeOutBadSpares(const SolveInput& input, const std::vector<char>& spare, B
     if (mover < 0 || !spare[mover] || !branch.state.placed[mover]) continue;
     for (int object : NamedObjects(edge, input.scene)) {
       if (object == mover || branch.state.placed[object] || !branch.state.placed[mover]) continue;
-      TakeOut(branch, mover, fmt::format("it belongs to \"{}\", which is left out", input.scene.objects[object].id));
+      TakeOut(branch, mover, fmt::format("it belongs to {}, which is left out", NameForPeople(input.scene, object)));
       TakeOutRiders(input, mover, branch);
     }
   }

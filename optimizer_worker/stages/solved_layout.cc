@@ -96,7 +96,7 @@ std::vector<v1::EdgeOutcome> EdgeOutcomes(const SolveInput& input, const SceneCo
     v1::EdgeOutcome& outcome = outcomes[term.edge];
     const int missing = MissingObject(term, state);
     if (missing >= 0) {
-      outcome.set_reason(fmt::format("object \"{}\" is not placed", input.scene.objects[missing].id));
+      outcome.set_reason(NameForPeople(input.scene, missing) + " is not placed");
       continue;
     }
     const double cost = CostOf(term, state.layout);
@@ -159,6 +159,7 @@ template <typename Message>
 void ExplainLeftOut(const SolveInput& input, const Branch& branch, Message& message) {
   for (const LeftOut& left : branch.left_out) {
     const Object& object = input.scene.objects[left.object];
+    const std::string name = NameForPeople(input.scene, left.object);
     for (v1::Diagnostic& diagnostic : *message.mutable_diagnostics()) {
       if (diagnostic.code() != "not_placed" || diagnostic.subject_id() != object.id) continue;
       const v1::Object& listed = input.graph.object_list().objects(left.object);
@@ -166,15 +167,15 @@ void ExplainLeftOut(const SolveInput& input, const Branch& branch, Message& mess
                               : listed.spare()   ? v1::SEVERITY_NOTE
                                                  : v1::SEVERITY_WARNING);
       diagnostic.set_code("left_out");
-      diagnostic.set_message(fmt::format("\"{}\" ({:.2f} m x {:.2f} m) is left out: {}", object.id,
-                                         object.footprint.width_m, object.footprint.depth_m, left.reason));
+      diagnostic.set_message(fmt::format("{} ({:.2f} m x {:.2f} m) is left out: {}", name, object.footprint.width_m,
+                                         object.footprint.depth_m, left.reason));
     }
     for (int e = 0; e < input.graph.edges_size(); ++e) {
       const std::vector<int> named = NamedObjects(input.graph.edges(e), input.scene);
       v1::EdgeOutcome& outcome = *message.mutable_edge_outcomes(e);
       const bool names_it = std::find(named.begin(), named.end(), left.object) != named.end();
       if (!names_it || outcome.status() != v1::OUTCOME_STATUS_DROPPED) continue;
-      outcome.set_reason(fmt::format("\"{}\" is left out: {}", object.id, left.reason));
+      outcome.set_reason(fmt::format("{} is left out: {}", name, left.reason));
     }
   }
 }

@@ -165,9 +165,10 @@ std::vector<int> Composer::Choose(const Reference& reference, const std::vector<
   // "They face the table" of a zone with a main table and a side table.
   if (!one_name()) keep([&](int index) { return object(index).role() == v1::OBJECT_ROLE_PRIMARY; });
   if (one_name()) return candidates;
-  std::vector<std::string> ids;
-  for (const int index : candidates) ids.push_back(object(index).id());
-  Refuse("ambiguous_object", fmt::format("\"{}\" may be {}; say which", reference.name, absl::StrJoin(ids, ", ")));
+  std::vector<std::string> names;
+  for (const int index : candidates) names.push_back(object(index).name());
+  Refuse("ambiguous_object",
+         fmt::format("\"{}\" may be the {}; say which", reference.name, absl::StrJoin(names, ", the ")));
   return {};
 }
 

@@ -100,7 +100,7 @@ std::vector<std::string> SidesOf(Composer& composer, const Placed& placed) {
   const auto open = [&](Sides taken) {
     composer.Note("side_left_open",
                   fmt::format("{} of several sides of {} {} meant; {} taken", taken.size() == 1 ? "one" : "two",
-                              object.id(), taken.size() == 1 ? "is" : "are", fmt::join(taken, " and ")));
+                              object.name(), taken.size() == 1 ? "is" : "are", fmt::join(taken, " and ")));
     return taken;
   };
   if (word == "sides") return lateral;
