@@ -126,6 +126,7 @@ TEST(ReadBrief, AWordForFewMakesNoNeed) {
   for (const auto& [text, need] :
        {std::pair("A laundry with a place to iron and a door to the garden.", "ironing"),
         {"A student room, a bed and somewhere to eat that isn't my desk.", "eating here, too"},
+        {"A bedroom with a work corner.", "working here, too"},
         {"A music room. A parent should be able to sit and wait.", "waiting here, too"},
         {"A music room. I have three metres of sheet music to store.", "sheet music to keep"},
         {"A cafe with a corner for kids.", "a corner for children"},
@@ -133,7 +134,14 @@ TEST(ReadBrief, AWordForFewMakesNoNeed) {
         {"A conservatory, somewhere for my geraniums to spend the winter.", "plants to winter"}}) {
     const BriefFacts facts = FactsOf(text);
     EXPECT_TRUE(std::ranges::any_of(facts.needs, [&](const hb::Need* one) { return one->name() == need; })) << text;
+    EXPECT_THAT(facts.unheard, testing::Not(testing::Contains(testing::HasSubstr("corner")))) << text;
   }
+}
+
+TEST(ReadBrief, ALivingRoomToEatInHasATableForAllWhoEat) {
+  const BriefFacts facts = FactsOf("A living room where four people can also eat.");
+  EXPECT_EQ(facts.archetype->name(), "living dining room");
+  EXPECT_EQ(facts.people, 4);
 }
 
 TEST(ReadBrief, AGamesRoomIsAGameRoom) {
