@@ -24,11 +24,15 @@ function wishesOf(note: Note): Wish[] {
 const choices = { missed: "Do not hold", holds: "Hold", all: "All" } as const;
 type Choice = keyof typeof choices;
 
-const isOf = (choice: Choice, { demand }: Wish): boolean => choice === "all" || demand.fate === choice;
+// What was dropped or not understood does not hold either.
+const isOf = (choice: Choice, { demand }: Wish): boolean =>
+  choice === "all" || (demand.fate === "holds") === (choice === "holds");
 
 function Rows({ room, wishes, choice }: { room: OpenRoom; wishes: readonly Wish[]; choice: Choice }) {
-  // One that is missed stays in the list while it is looked at, also when it comes to hold.
-  const shown = useKept(wishes, keyOf, (wish) => isOf(choice, wish));
+  // One that comes to hold leaves the missed ones, but not from under the pointer that weighs it.
+  const inHand = room.pointedAt.value?.sentence_id;
+  const shown = useKept(wishes, keyOf, (wish) => isOf(choice, wish),
+    ({ demand }) => inHand !== undefined && demand.sentence_id === inHand);
   if (shown.length === 0) return <p class="hint">{choice === "missed" ? "Every wish holds." : "None."}</p>;
   return (
     <ul class="sentences">
