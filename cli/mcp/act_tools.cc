@@ -55,6 +55,8 @@ Json ActedJson(const v1::GetDocumentResponse& before, const v1::ActResponse& aft
     if (diagnostic.code() == "edge_removed" || known.contains(diagnostic.message())) continue;
     if (json["remarks"].size() < kMostRemarks) json["remarks"].push_back(diagnostic.message());
   }
+  if (!after.answer().empty()) json["answer"] = after.answer();
+  if (!after.left_over().empty()) json["left_over"] = after.left_over();
   AddHistory(after.document(), json);
   return json;
 }

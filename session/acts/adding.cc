@@ -94,16 +94,21 @@ absl::StatusOr<v1::LayoutGraph> LayoutActs::SaidOf(const IdSet& added, const v1:
   ASSIGN_OR_RETURN(const v1::ConstraintList list,
                    sentences_of_(graph.room(), graph.zone_plan(), request.object_list()));
   FreeIds ids(graph.constraint_list().sentences(), "new_");
-  IdSet texts;
-  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) texts.insert(sentence.text());
+  // "The chairs surround the table" is said of more chairs than before.
+  std::map<std::string, std::string> known_by_text, said_before;
+  for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
+    known_by_text.emplace(sentence.text(), sentence.id());
+  }
   for (const v1::Sentence& sentence : list.sentences()) {
     const bool of_added =
         std::ranges::any_of(sentence.subject_ids(), [&](const std::string& id) { return added.contains(id); });
-    if (!of_added || texts.contains(sentence.text())) continue;
+    if (!of_added) continue;
     v1::Sentence& one = *request.mutable_constraint_list()->add_sentences();
     one = sentence;
     one.set_id(ids.Next());
     one.clear_made_from_ids();
+    const auto before = known_by_text.find(one.text());
+    if (before != known_by_text.end()) said_before.emplace(one.id(), before->second);
   }
   if (request.constraint_list().sentences().empty()) return said;
   ASSIGN_OR_RETURN(*request.mutable_catalog(), stages_.Catalog(call));
@@ -112,8 +117,14 @@ absl::StatusOr<v1::LayoutGraph> LayoutActs::SaidOf(const IdSet& added, const v1:
   for (const v1::ConstraintEdge& edge : translated.layout_graph().edges()) {
     const IdSet named = ObjectsOf(edge, graph);
     if (std::ranges::none_of(named, [&](const std::string& id) { return added.contains(id); })) continue;
-    *said.add_edges() = edge;
-    used.insert(edge.sentence_id());
+    v1::ConstraintEdge& about = *said.add_edges();
+    about = edge;
+    const auto before = said_before.find(edge.sentence_id());
+    if (before != said_before.end()) {
+      about.set_sentence_id(before->second);
+    } else {
+      used.insert(edge.sentence_id());
+    }
   }
   for (const v1::Sentence& sentence : request.constraint_list().sentences()) {
     if (used.contains(sentence.id())) *said.mutable_constraint_list()->add_sentences() = sentence;
@@ -126,7 +137,15 @@ absl::StatusOr<v1::LayoutGraph> LayoutActs::LetDesignerSpeak(const IdSet& added,
                                                              CallContext& call) const {
   ASSIGN_OR_RETURN(v1::LayoutGraph said, SaidOf(added, shown, with, call));
   LendSentences(said, *shown.mutable_graph());
-  for (const v1::Sentence& sentence : said.constraint_list().sentences()) aim.sentence_ids.insert(sentence.id());
+  for (const v1::ConstraintEdge& edge : said.edges()) aim.sentence_ids.insert(edge.sentence_id());
+  for (const v1::ConstraintEdge& old : shown.graph().edges()) {
+    const IdSet named = ObjectsOf(old, with.graph());
+    const bool is_grown = named.size() > 1 && std::ranges::any_of(said.edges(), [&](const v1::ConstraintEdge& edge) {
+                            return edge.sentence_id() == old.sentence_id() && edge.type() == old.type() &&
+                                   std::ranges::includes(ObjectsOf(edge, with.graph()), named);
+                          });
+    if (is_grown) edits.Add()->set_remove_edge_id(old.id());
+  }
   FreeIds ids(shown.graph().edges(), "n");
   for (const v1::ConstraintEdge& edge : said.edges()) {
     v1::ConstraintEdge& one = *edits.Add()->mutable_add_edge();

@@ -2,6 +2,7 @@
 // What acts make of a layout. Nothing here is stored, and no act has a history: see documents.h.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "flair/v1/studio_service.pb.h"
 #include "session/layouts/lists.h"
 #include "session/sentences/said.h"
+#include "session/sentences/spoken.h"
 #include "session/stages.h"
 #include "worker_runtime/bootstrap/call_context.h"
 
@@ -47,6 +49,10 @@ struct Acted {
   EditList pending;
   // As Standing.by_hand.
   ObjectIds by_hand;
+  // What a sentence has done, in plain English, and what of its words was not done.
+  std::string answer, left_over;
+  // Pieces that a sentence has added.
+  ObjectIds added_ids;
 };
 
 // What an act is for: what is to hold afterwards.
@@ -115,6 +121,24 @@ class LayoutActs {
   absl::StatusOr<Acted> Clear(const Standing& standing, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Settle(const Standing& standing, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Say(const Standing& standing, const v1::SaySentence& say, runtime::CallContext& call) const;
+  // Wishes for what a translator reads, and for new pieces; `places`: more such sentences.
+  absl::StatusOr<Acted> SayWishes(const Standing& standing, const v1::SaySentence& say,
+                                  const std::vector<WishedSentence>& places, runtime::CallContext& call) const;
+  // A clause that asks for a change of pieces that are there, and how it is done by its kind.
+  absl::StatusOr<Acted> DoSpoken(const Standing& standing, Spoken spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> RemoveSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> ResizeSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> ReplaceSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> LockSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> SwapSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> MoveSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  absl::StatusOr<Acted> TurnSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  // As Move; where that leaves faults, others give way if they can.
+  absl::StatusOr<Acted> MovedAndSettled(const Standing& standing, const v1::MoveObjects& move,
+                                        runtime::CallContext& call) const;
+  // Solves from there, these pieces as well.
+  absl::StatusOr<Acted> SolvedFrom(const Standing& standing, const v1::MoveObjects& move,
+                                   runtime::CallContext& call) const;
   // What a translator makes of what is said; `with`: what is shown with the pieces that are new.
   absl::StatusOr<v1::LayoutGraph> Understood(const v1::SaySentence& say, const Said& said,
                                              const v1::SolvedLayout& shown, const v1::SolvedLayout& with,
@@ -148,6 +172,8 @@ class LayoutActs {
   Stages& stages_;
   const SentencesOf sentences_of_;
   const Catalogue catalogue_;
+  // So that examples are others each time.
+  mutable std::atomic<unsigned> turn_ = 0;
 };
 
 }  // namespace flair::session

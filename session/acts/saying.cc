@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of the room in English: wishes for its pieces, and for pieces that it has not.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
+#include "absl/strings/str_join.h"
 #include "fmt/format.h"
 #include "optimizer_worker/resolve/resolve_layout.h"
 #include "room/validation/validate.h"
 #include "session/acts/layout_acts.h"
+#include "session/layouts/comparing.h"
+#include "session/sentences/answers.h"
 #include "session/sentences/names.h"
 #include "session/sentences/said.h"
 #include "session/sentences/sentences.h"
@@ -80,6 +84,50 @@ void DropOvertaken(const IdSet& now, Acted& acted) {
   }
 }
 
+// Free space must not undo what pieces are for: a chair does not turn from its table to have room behind it.
+constexpr std::string_view kFreeSpace = "accessible";
+
+double WeightBesideUses(const v1::ConstraintEdge& space, const v1::LayoutGraph& graph) {
+  constexpr double kLess = 0.25;
+  const IdSet uses = UsesOf(graph), named = ObjectsOf(space, graph);
+  double least = INFINITY;
+  for (const v1::ConstraintEdge& edge : graph.edges()) {
+    if (!uses.contains(edge.sentence_id())) continue;
+    const IdSet used = ObjectsOf(edge, graph);
+    const bool shared = std::ranges::any_of(used, [&](const std::string& id) { return named.contains(id); });
+    if (shared) least = std::min(least, kLess * edge.weight());
+  }
+  return least;
+}
+
+// "Added a floor plant. Now the floor plant is in the corner."
+std::string AnswerTo(const Said& said, const v1::SolvedLayout& before, const Acted& acted, const IdSet& about) {
+  std::vector<std::string> texts;
+  const ObjectIds added(said.added_ids.begin(), said.added_ids.end());
+  if (added.size() == 1) {
+    texts.push_back(fmt::format("Added {}.", WithArticle(NameOf(acted.layout, added.front()))));
+  } else if (!added.empty()) {
+    texts.push_back(fmt::format("Added {}.", TheOnes(acted.layout, added)));
+  }
+  const IdSet here = IdsOf(acted.layout.graph().constraint_list().sentences());
+  std::vector<std::string> holding;
+  for (const v1::Sentence& sentence : said.shown.sentences()) {
+    if (!here.contains(sentence.id()) || !WhyUnmet(acted.layout, {sentence.id()}).empty()) continue;
+    std::string text(absl::StripTrailingAsciiWhitespace(sentence.text()));
+    while (!text.empty() && text.back() == '.') text.pop_back();
+    const std::string the = "The ";
+    if (text.starts_with(the)) text[0] = 't';
+    holding.push_back(std::move(text));
+  }
+  if (!holding.empty()) {
+    const bool so_already = added.empty() && acted.moved_ids.empty();
+    texts.push_back(fmt::format("{}{}.", so_already ? "It is so already: " : "Done: ", Listed(holding, "and")));
+  }
+  if (texts.empty()) return "";
+  return absl::StrJoin(texts, " ") + MovedToo(acted.layout, acted.moved_ids, about) +
+         AtACost(before, acted.layout, about);
+}
+
 }  // namespace
 
 absl::StatusOr<v1::LayoutGraph> LayoutActs::Understood(const v1::SaySentence& say, const Said& said,
@@ -116,34 +164,49 @@ absl::Status LayoutActs::TellUnmet(const v1::ConstraintList& said, Acted& acted,
   return absl::OkStatus();
 }
 
-absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySentence& say, CallContext& call) const {
+absl::StatusOr<Acted> LayoutActs::SayWishes(const Standing& standing, const v1::SaySentence& say,
+                                            const std::vector<WishedSentence>& places, CallContext& call) const {
   const std::string text(absl::StripAsciiWhitespace(say.text()));
-  if (text.empty() || text.size() > 400) {
-    return InvalidArgument("say.text: {} characters; sentences of 1 to 400", text.size());
-  }
   const v1::LayoutGraph& graph = standing.shown.graph();
   const auto has = [&](const std::string& name) {
     const std::optional<v1::Object> known = catalogue_.find(name);
     return HasOne(graph, name) || (known.has_value() && HasOne(graph, known->name()));
   };
-  const Wishes wishes = ReadWishes(text, catalogue_.find, has);
+  // Another one of what is there is like it.
+  const auto find = [&](const std::string& name) -> std::optional<v1::Object> {
+    const v1::Object* const like = AnotherOf(graph, name, catalogue_.find);
+    if (like == nullptr) return catalogue_.find(name);
+    v1::Object copy = *like;
+    copy.clear_id();
+    copy.clear_host_id();
+    copy.clear_placement();
+    return copy;
+  };
+  Wishes wishes = ReadWishes(text, find, has);
+  wishes.sentences.insert(wishes.sentences.end(), places.begin(), places.end());
   const Said said = Written(wishes, standing.shown);
   v1::SolvedLayout shown = standing.shown, with = shown;
   ASSIGN_OR_RETURN(optimizer::EditedProblem with_pieces, optimizer::ApplyEdits(shown, said.adds));
   with.mutable_graph()->Swap(&with_pieces.graph);
   ASSIGN_OR_RETURN(const v1::LayoutGraph understood, Understood(say, said, shown, with, call));
 
-  std::vector<std::string> refusals;
+  std::vector<std::string> refusals, left_over;
   for (const std::string& name : wishes.unknown) {
     refusals.push_back(fmt::format("I know no \"{}\"; the furniture list has {}", name, catalogue_.some));
   }
-  Aim aim;
+  // Who adds a piece has not asked to move the others.
+  Aim aim{{}, {}, !understood.edges().empty()};
   for (const v1::ConstraintEdge& edge : understood.edges()) aim.sentence_ids.insert(edge.sentence_id());
   const IdSet meaning = aim.sentence_ids;
   IdSet words;
   for (const v1::Sentence& sentence : said.shown.sentences()) {
     if (!meaning.contains(sentence.id())) {
-      refusals.push_back(Refusal(sentence, understood, catalogue_));
+      const std::string word = UnknownWord(sentence.text(), with, catalogue_.find);
+      const std::string examples = fmt::format(
+          "{}; {}", word.empty() ? "" : fmt::format(": I do not know \"{}\"", word), Examples(standing.shown, turn_++));
+      std::string refusal = Refusal(sentence, understood, catalogue_, examples);
+      if (std::ranges::find(refusals, refusal) == refusals.end()) refusals.push_back(std::move(refusal));
+      left_over.push_back(sentence.text());
       continue;
     }
     words.insert(Plain(sentence.text()));
@@ -159,6 +222,7 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
     v1::ConstraintEdge& one = *edits.Add()->mutable_add_edge();
     one = edge;
     one.set_id(ids.Next());
+    if (edge.type() == kFreeSpace) one.set_weight(std::min(one.weight(), WeightBesideUses(edge, with.graph())));
     aim.object_ids.insert(SubjectOf(edge, with.graph()));
   }
   // Who says something of a piece that was placed by hand wants it to move.
@@ -169,8 +233,24 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   absl::StatusOr<v1::LayoutGraph> designers;
   if (!said.adds.empty()) designers = LetDesignerSpeak(said.added_ids, with, shown, edits, aim, call);
   ASSIGN_OR_RETURN(Acted acted, Tried({shown, standing.settled, standing.pending, by_hand}, edits, aim, call));
+  // Where it was asked for it would stand in something else or outside: then elsewhere, and that is told.
+  if (HasMoreFaults(acted.layout, standing.shown) && !said.adds.empty() && !understood.edges().empty()) {
+    constexpr double kLittle = 0.2;
+    EditList easier = edits;
+    for (v1::LayoutEdit& edit : easier) {
+      if (meaning.contains(edit.add_edge().sentence_id())) edit.mutable_add_edge()->set_weight(kLittle);
+    }
+    ASSIGN_OR_RETURN(Acted elsewhere, Tried({shown, standing.settled, standing.pending, by_hand}, easier, aim, call));
+    if (!HasMoreFaults(elsewhere.layout, standing.shown)) acted = std::move(elsewhere);
+  }
   if (designers.ok()) ReturnSubjects(*designers, *acted.layout.mutable_graph());
-  acted.label = SayLabel(text) + AlsoMoved(standing.shown, acted.layout, acted.moved_ids);
+  acted.label = SayLabel(text);
+  acted.left_over = absl::StrJoin(left_over, ", ");
+  acted.added_ids.assign(said.added_ids.begin(), said.added_ids.end());
+  for (const std::string& id : acted.added_ids) {
+    const v1::Object* const like = AnotherOf(graph, absl::AsciiStrToLower(NameOf(with, id)), catalogue_.find);
+    if (like != nullptr) LookLike(like->id(), id, *acted.layout.mutable_graph());
+  }
   for (const v1::Diagnostic& remark : understood.diagnostics()) {
     if (!meaning.contains(remark.subject_id())) continue;
     acted.diagnostics.push_back(remark);
@@ -181,6 +261,7 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   }
   RETURN_IF_ERROR(TellUnmet(said.shown, acted, call));
   DropOvertaken(meaning, acted);
+  acted.answer = AnswerTo(said, standing.shown, acted, aim.object_ids);
   return acted;
 }
 

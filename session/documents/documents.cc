@@ -9,6 +9,7 @@
 #include "fmt/format.h"
 #include "session/documents/record.h"
 #include "session/sentences/names.h"
+#include "session/sentences/spoken.h"
 #include "worker_runtime/files/files.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -25,19 +26,22 @@ constexpr size_t kLayoutsInMemory = 16;
 // `parts` outlive it.
 Catalogue CatalogueOf(const DocumentParts& parts) {
   constexpr size_t kShown = 3;
-  Catalogue catalogue;
-  catalogue.find = [&parts](const std::string& name) -> std::optional<v1::Object> {
-    const auto& offers = parts.furniture;
-    const auto called = [](const v1::FurnitureOffer& offer) { return absl::AsciiStrToLower(offer.object().name()); };
-    auto found = std::ranges::find(offers, name, called);
-    if (const auto word = parts.furniture_words.find(name);
-        found == offers.end() && word != parts.furniture_words.end())
-      found = offers.begin() + word->second.front();
-    if (found == offers.end()) {
-      found =
-          std::ranges::find_if(offers, [&](const auto& offer) { return absl::EndsWith(called(offer), " " + name); });
+  // By whole names, by words of other people for them, and by their last words, in this order.
+  auto names = std::make_shared<std::map<std::string, int>>();
+  for (size_t i = 0; i < parts.furniture.size(); ++i) {
+    names->emplace(absl::AsciiStrToLower(parts.furniture[i].object().name()), static_cast<int>(i));
+  }
+  for (const auto& [word, offers] : parts.furniture_words) names->emplace(word, offers.front());
+  for (size_t i = 0; i < parts.furniture.size(); ++i) {
+    const std::string name = absl::AsciiStrToLower(parts.furniture[i].object().name());
+    for (size_t at = name.find(' '); at != std::string::npos; at = name.find(' ', at + 1)) {
+      names->emplace(name.substr(at + 1), static_cast<int>(i));
     }
-    return found == offers.end() ? std::nullopt : std::optional(found->object());
+  }
+  Catalogue catalogue;
+  catalogue.find = [&parts, names](const std::string& name) -> std::optional<v1::Object> {
+    const auto found = names->find(name);
+    return found == names->end() ? std::nullopt : std::optional(parts.furniture[found->second].object());
   };
   for (size_t i = 0; i < std::min(kShown, parts.furniture.size()); ++i) {
     catalogue.some += WithArticle(parts.furniture[i].object().name()) + ", ";
@@ -175,6 +179,8 @@ absl::StatusOr<v1::ActResponse> Documents::Answer(const Record& record, const La
   v1::ActResponse response;
   response.mutable_moved_object_ids()->Assign(acted.moved_ids.begin(), acted.moved_ids.end());
   response.mutable_diagnostics()->Assign(acted.diagnostics.begin(), acted.diagnostics.end());
+  response.set_answer(acted.answer);
+  response.set_left_over(acted.left_over);
   *response.mutable_document() = DocumentOf(record);
   if (record.states().empty()) return response;
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));
@@ -231,9 +237,34 @@ absl::StatusOr<v1::ActResponse> Documents::Act(const v1::ActRequest& request, Ca
       *response.mutable_document() = DocumentOf(record);
       return response;
     }
+    case v1::ActRequest::kSay:
+      return Say(std::move(record), request, call);
     default:
       return ActOnLayout(std::move(record), request, call);
   }
+}
+
+absl::StatusOr<v1::ActResponse> Documents::Say(Record record, const v1::ActRequest& request, CallContext& call) {
+  const std::string asked = HistoryAsked(request.say().text());
+  if (asked.empty()) return ActOnLayout(std::move(record), request, call);
+  if (asked == "another layout") {
+    // Another one at every time, and the same again after an undo of all of it.
+    const int64_t seed = record.position() + 1;
+    ASSIGN_OR_RETURN(const v1::GetDocumentResponse found,
+                     FindAlternatives(request.document_id(), request.revision(), 1, seed, call));
+    if (found.layout().runner_ups().empty()) return absl::FailedPreconditionError("no other layout was found");
+    ASSIGN_OR_RETURN(record, GetAt(request.document_id(), found.document().revision()));
+    ASSIGN_OR_RETURN(v1::ActResponse response, TakeVariant(std::move(record), 0, call));
+    response.set_answer(fmt::format("Here is another layout: {} pieces stand elsewhere. Undo brings the last one back.",
+                                    response.moved_object_ids_size()));
+    return response;
+  }
+  const bool undo = asked == "undo";
+  const v1::Document before = DocumentOf(record);
+  ASSIGN_OR_RETURN(v1::ActResponse response, ActOnHistory(std::move(record), undo ? -1 : 1));
+  response.set_answer(
+      fmt::format("{}: {}.", undo ? "Taken back" : "Done again", undo ? before.undo_label() : before.redo_label()));
+  return response;
 }
 
 absl::StatusOr<v1::ActResponse> Documents::ActOnHistory(Record record, int step) {

@@ -112,6 +112,8 @@ class Documents {
   // Shows another layout from now on.
   absl::Status PushState(Record& record, v1::Artifact artifact, store::v1::LayoutState state);
   absl::StatusOr<v1::ActResponse> ActOnHistory(Record record, int step);
+  // A sentence may ask for an undo or another layout, too.
+  absl::StatusOr<v1::ActResponse> Say(Record record, const v1::ActRequest& request, runtime::CallContext& call);
   absl::StatusOr<v1::ActResponse> ActOnLayout(Record record, const v1::ActRequest& request, runtime::CallContext& call);
   // After an act that has changed nothing: no state is added, and the answer says so.
   absl::StatusOr<v1::ActResponse> Unchanged(Record record, const Layout& before, Acted acted);

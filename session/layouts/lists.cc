@@ -5,6 +5,13 @@
 
 namespace flair::session {
 
+const v1::Object* ObjectOf(const v1::SolvedLayout& layout, std::string_view id) {
+  for (const v1::Object& object : layout.graph().object_list().objects()) {
+    if (object.id() == id) return &object;
+  }
+  return nullptr;
+}
+
 const v1::Placement* PlaceOf(const v1::SolvedLayout& layout, std::string_view id) {
   const auto at = std::ranges::find(layout.placements(), id, &v1::Placement::object_id);
   return at == layout.placements().end() ? nullptr : &*at;

@@ -18,6 +18,8 @@ using IdSet = std::set<std::string>;
 using ObjectIds = std::vector<std::string>;
 using EditList = google::protobuf::RepeatedPtrField<v1::LayoutEdit>;
 
+inline IdSet IdSetOf(const ObjectIds& ids) { return {ids.begin(), ids.end()}; }
+
 // Of placements those of their objects.
 template <typename Items>
 IdSet IdsOf(const Items& items) {
@@ -63,6 +65,9 @@ void ForOutcomes(const v1::SolvedLayout& layout, const Visit& visit) {
     visit(layout.graph().edges(i), layout.edge_outcomes(i));
   }
 }
+
+// Null when there is none of that id.
+const v1::Object* ObjectOf(const v1::SolvedLayout& layout, std::string_view id);
 
 // Where an object stands; null when it has no place.
 const v1::Placement* PlaceOf(const v1::SolvedLayout& layout, std::string_view id);

@@ -35,6 +35,9 @@ v1::ObjectList MeantBy(const std::string& text, const v1::SolvedLayout& layout, 
 // The looks of these objects, and of all that is no object of the layout.
 v1::StyleSheet LooksOf(const v1::ObjectList& objects, const v1::SolvedLayout& layout);
 
+// Gives an object the looks that another one has.
+void LookLike(const std::string& like_id, const std::string& id, v1::LayoutGraph& graph);
+
 // A message with names as the plan shows them ("dining chair 2") in the place of ids.
 std::string WithNames(const std::string& message, const v1::SolvedLayout& layout);
 

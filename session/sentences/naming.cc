@@ -64,6 +64,16 @@ v1::StyleSheet LooksOf(const v1::ObjectList& objects, const v1::SolvedLayout& la
   return looks;
 }
 
+void LookLike(const std::string& like_id, const std::string& id, v1::LayoutGraph& graph) {
+  auto& styles = *graph.mutable_style_sheet()->mutable_objects();
+  const auto like = std::ranges::find(styles, like_id, &v1::ObjectStyle::subject_id);
+  if (like_id == id || like == styles.end()) return;
+  v1::ObjectStyle style = *like;
+  style.set_subject_id(id);
+  EraseIf(styles, [&](const v1::ObjectStyle& one) { return one.subject_id() == id; });
+  *styles.Add() = std::move(style);
+}
+
 std::string WithNames(const std::string& message, const v1::SolvedLayout& layout) {
   const absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
   std::string named = message;
@@ -75,7 +85,7 @@ std::string WithNames(const std::string& message, const v1::SolvedLayout& layout
     if (id.find('_') == std::string::npos) continue;
     for (size_t at = FindWord(named, id); at != std::string::npos; at = FindWord(named, id, at + name.size())) {
       const std::string article = "the ";
-      if (at >= article.size() && named.compare(at - article.size(), article.size(), article) == 0 &&
+      if (at >= article.size() && absl::AsciiStrToLower(named.substr(at - article.size(), article.size())) == article &&
           name.starts_with(article)) {
         name = name.substr(article.size());
       }

@@ -55,11 +55,25 @@ class Reader {
     size_t at = 0;
     while (at < tokens_.size() && IsIn("words before a request", tokens_[at])) ++at;
     const size_t request = Requests().Find(tokens_, at).length;
-    if (request == 0 || !ReadRequest(at + request)) wishes_.sentences.push_back({sentence, -1, sentence});
+    const bool read = request > 0 ? ReadRequest(at + request) : IsBareRequest(at) && ReadRequest(at);
+    if (!read) wishes_.sentences.push_back({sentence, -1, sentence});
   }
 
  private:
   bool IsWord(size_t at) const { return at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; }
+
+  // "Two more chairs", "a plant in the corner"; not "a plant is in the corner".
+  bool IsBareRequest(size_t at) const {
+    if (at >= tokens_.size()) return false;
+    const bool counted = tokens_[at].kind == Token::Kind::kNumber || english::NumberOf(tokens_[at].text).has_value();
+    if (!counted && !IsIn("determiners of new things", tokens_[at])) return false;
+    const std::optional<Named> named = ReadName(at);
+    if (!named.has_value() || !named->object.has_value()) return false;
+    const size_t end = named->end;
+    return end >= tokens_.size() || tokens_[end].kind == Token::Kind::kSign ||
+           IsIn("beginnings of places", tokens_[end]) || IsIn("joins of pieces", tokens_[end]) ||
+           IsIn("words after a request", tokens_[end]);
+  }
 
   std::string NameIn(size_t begin, size_t end) const {
     std::string name;
@@ -73,14 +87,18 @@ class Reader {
   // The noun phrase at a token: what it is called by its longest end that something is called by.
   std::optional<Named> ReadName(size_t at) const {
     Named named;
+    bool is_counted = false, is_more = false;
     while (at < tokens_.size()) {
+      is_more = is_more || tokens_[at].IsWord("more");
       if (tokens_[at].kind == Token::Kind::kNumber) {
+        is_counted = true;
         named.count = static_cast<int>(std::clamp(tokens_[at].number, 1.0, kMostAtOnce * 1.0));
       } else if (IsIn("determiners of known things", tokens_[at])) {
         named.is_new = false;
       } else if (!IsIn("determiners of new things", tokens_[at])) {
         const std::optional<double> count = IsWord(at) ? english::NumberOf(tokens_[at].text) : std::nullopt;
         if (!count) break;
+        is_counted = true;
         named.count = static_cast<int>(std::clamp(std::round(*count), 1.0, kMostAtOnce * 1.0));
       }
       ++at;
@@ -88,6 +106,8 @@ class Reader {
     size_t end = at;
     while (IsWord(end) && !IsIn("words after a piece", tokens_[end])) ++end;
     if (end == at) return std::nullopt;
+    // "More chairs" are two at least.
+    if (is_more && !is_counted && english::IsPlural(tokens_[end - 1].text)) named.count = 2;
     named.name = NameIn(at, end);
     named.end = end;
     for (size_t last = end; last > at; --last) {

@@ -28,11 +28,13 @@ struct PieceWish {
 
 // What is to be true: "The {} is next to the sofa".
 struct WishedSentence {
-  std::string text;
+  std::string text = {};
   // The wish for which "{}" stands; -1 for none.
   int piece = -1;
   // The sentence that says it.
-  std::string said;
+  std::string said = {};
+  // Pieces of the room for which "{}" stands when it is no wish.
+  std::vector<std::string> about = {};
 };
 
 // What can be added to a room.

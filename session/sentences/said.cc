@@ -6,7 +6,9 @@
 
 #include "fmt/format.h"
 #include "session/layouts/edits.h"
+#include "session/sentences/answers.h"
 #include "session/sentences/names.h"
+#include "session/sentences/places.h"
 
 namespace flair::session {
 namespace {
@@ -35,6 +37,7 @@ class Writer {
  public:
   Writer(const Wishes& wishes, const v1::SolvedLayout& layout)
       : wishes_(wishes),
+        layout_(layout),
         ids_(layout.graph().constraint_list().sentences(), kSaid),
         weight_(WeightOfSaid(layout.graph().constraint_list())) {
     for (const PieceWish& piece : wishes.pieces) {
@@ -58,9 +61,17 @@ class Writer {
       Add(Filled(Filled(form, one.name()), other.name()), Filled(Filled(form, one.id()), other.id()), piece.said)
           .set_use(one.seat() && other.sat_at());
     }
-    for (const auto& [text, piece, said] : wishes_.sentences) {
-      const v1::Object& object = piece < 0 ? v1::Object::default_instance() : Piece(piece);
-      Add(Filled(text, object.name()), Filled(text, object.id()), said);
+    for (const WishedSentence& one : wishes_.sentences) {
+      for (const auto& [text, piece, said, about] : WithCorners(one, layout_.graph().room())) {
+        if (!about.empty()) {
+          std::string name = TheOnes(layout_, about);
+          if (name.starts_with("the ")) name = name.substr(4);
+          Add(Filled(text, name), Filled(text, Listed(about, "and")), said);
+          continue;
+        }
+        const v1::Object& object = piece < 0 ? v1::Object::default_instance() : Piece(piece);
+        Add(Filled(text, object.name()), Filled(text, object.id()), said);
+      }
     }
     for (int i = 0; i < said_.shown.sentences_size(); ++i) {
       v1::Sentence& meant = *said_.meant.add_sentences();
@@ -91,6 +102,7 @@ class Writer {
   }
 
   const Wishes& wishes_;
+  const v1::SolvedLayout& layout_;
   FreeIds ids_;
   const double weight_;
   Said said_;
@@ -102,7 +114,8 @@ class Writer {
 Said Written(const Wishes& wishes, const v1::SolvedLayout& layout) { return Writer(wishes, layout).Write(); }
 
 // Why a sentence means nothing here, for people.
-std::string Refusal(const v1::Sentence& sentence, const v1::LayoutGraph& understood, const Catalogue& catalogue) {
+std::string Refusal(const v1::Sentence& sentence, const v1::LayoutGraph& understood, const Catalogue& catalogue,
+                    const std::string& examples) {
   constexpr std::string_view kMissing = "the room has no \"";
   for (const v1::Diagnostic& why : understood.diagnostics()) {
     if (why.subject_id() != sentence.id()) continue;
@@ -123,10 +136,7 @@ std::string Refusal(const v1::Sentence& sentence, const v1::LayoutGraph& underst
     return fmt::format("\"{}\" is not understood: {}", sentence.text(),
                        quoted == std::string::npos ? why.message() : why.message().substr(quoted + 3));
   }
-  return fmt::format(
-      "\"{}\" is not understood; say for example \"the desk is against a wall\", \"the lamp is next to the sofa\" or "
-      "\"add a plant in the corner\"",
-      sentence.text());
+  return fmt::format("\"{}\" is not understood{}", sentence.text(), examples);
 }
 
 }  // namespace flair::session

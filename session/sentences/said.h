@@ -23,7 +23,8 @@ struct Said {
 
 Said Written(const Wishes& wishes, const v1::SolvedLayout& layout);
 
-// Why a sentence means nothing to a translator, for people.
-std::string Refusal(const v1::Sentence& sentence, const v1::LayoutGraph& understood, const Catalogue& catalogue);
+// Why a sentence means nothing to a translator, for people; `examples`: what can be said instead.
+std::string Refusal(const v1::Sentence& sentence, const v1::LayoutGraph& understood, const Catalogue& catalogue,
+                    const std::string& examples);
 
 }  // namespace flair::session
