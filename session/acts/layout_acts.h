@@ -136,6 +136,9 @@ class LayoutActs {
   // As Move; where that leaves faults, others give way if they can.
   absl::StatusOr<Acted> MovedAndSettled(const Standing& standing, const v1::MoveObjects& move,
                                         runtime::CallContext& call) const;
+  // As MovedAndSettled; the pieces may stand up to so far from there.
+  absl::StatusOr<Acted> MovedNearBy(const Standing& standing, const v1::MoveObjects& move, double farthest_m,
+                                    runtime::CallContext& call) const;
   // Solves from there, these pieces as well.
   absl::StatusOr<Acted> SolvedFrom(const Standing& standing, const v1::MoveObjects& move,
                                    runtime::CallContext& call) const;

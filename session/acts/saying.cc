@@ -183,6 +183,11 @@ absl::StatusOr<Acted> LayoutActs::SayWishes(const Standing& standing, const v1::
     return copy;
   };
   Wishes wishes = ReadWishes(text, find, has);
+  // A new desk's chair is none of the table's.
+  for (PieceWish& piece : wishes.pieces) {
+    if (piece.goes_with < 0) continue;
+    if (std::optional<v1::Object> known = catalogue_.find(piece.called)) piece.object = *std::move(known);
+  }
   wishes.sentences.insert(wishes.sentences.end(), places.begin(), places.end());
   const Said said = Written(wishes, standing.shown);
   v1::SolvedLayout shown = standing.shown, with = shown;

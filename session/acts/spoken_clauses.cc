@@ -102,6 +102,9 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
       RETURN_IF_ERROR(say_batch());
       const std::string said = spoken.said;
       const ObjectIds about = spoken.what.ids;
+      for (const std::string& name : spoken.what.absent) {
+        told.Refuse(fmt::format("\"{}\": the room has no {}", said, name), name);
+      }
       absl::StatusOr<Acted> acted = DoSpoken(chain.standing(), std::move(spoken), call);
       if (!acted.ok() && IsRefusal(acted.status())) {
         acted = InvalidArgument("\"{}\" is not done: {}", said, Plainly(acted.status()));
@@ -119,6 +122,13 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   acted.label = SayLabel(text) + AlsoMoved(standing.shown, acted.layout, acted.moved_ids);
   acted.answer = absl::StrJoin(told.answers, " ");
   acted.left_over = absl::StrJoin(told.left_over, ", ");
+  // Of what is said of several pieces alike once is enough.
+  std::vector<v1::Diagnostic> once;
+  for (v1::Diagnostic& remark : acted.diagnostics) {
+    const auto same = [&](const v1::Diagnostic& one) { return one.message() == remark.message(); };
+    if (std::ranges::none_of(once, same)) once.push_back(std::move(remark));
+  }
+  acted.diagnostics = std::move(once);
   for (std::string& refusal : told.refusals) {
     acted.diagnostics.push_back(Remark(v1::SEVERITY_WARNING, "not_understood", "", std::move(refusal)));
   }

@@ -20,7 +20,7 @@ namespace {
 
 using runtime::CallContext;
 
-constexpr double kUsualMove_m = 0.3, kLeastMove_m = 0.02;
+constexpr double kUsualMove_m = 0.3, kLeastMove_m = 0.02, kNearBy_m = 0.7, kTurned_rad = 0.1;
 
 std::string Centimetres(double length_m) {
   return length_m < 1 ? fmt::format("{:.0f} cm", length_m * 100) : fmt::format("{:.2f} m", length_m);
@@ -65,9 +65,24 @@ absl::StatusOr<Acted> LayoutActs::MovedAndSettled(const Standing& standing, cons
   // What was asked must not be undone by that.
   const bool stays = std::ranges::all_of(move.placements(), [&](const v1::Placement& to) {
     const v1::Placement* const at = PlaceOf(settled->layout, to.object_id());
-    return at != nullptr && std::hypot(at->x_m() - to.x_m(), at->y_m() - to.y_m()) < kLeastMove_m;
+    return at != nullptr && std::hypot(at->x_m() - to.x_m(), at->y_m() - to.y_m()) < kLeastMove_m &&
+           std::abs(std::remainder(at->theta_rad() - to.theta_rad(), 2 * M_PI)) < kTurned_rad;
   });
   return stays && !HasMoreFaults(settled->layout, standing.shown) ? settled : moved;
+}
+
+absl::StatusOr<Acted> LayoutActs::MovedNearBy(const Standing& standing, const v1::MoveObjects& move, double farthest_m,
+                                              CallContext& call) const {
+  ASSIGN_OR_RETURN(Acted there, Move(standing, move, call));
+  if (!HasMoreFaults(there.layout, standing.shown)) return there;
+  v1::MoveObjects free = move;
+  if (PutWhereFree(standing.shown, farthest_m, *free.mutable_placements())) {
+    ASSIGN_OR_RETURN(Acted near, Move(standing, free, call));
+    if (!HasMoreFaults(near.layout, standing.shown)) return near;
+  }
+  ASSIGN_OR_RETURN(Acted settled, MovedAndSettled(standing, move, call));
+  if (!HasMoreFaults(settled.layout, standing.shown)) return settled;
+  return MovedAndSettled(standing, free, call);
 }
 
 absl::StatusOr<Acted> LayoutActs::MoveSpoken(const Standing& standing, const Spoken& spoken, CallContext& call) const {
@@ -80,6 +95,7 @@ absl::StatusOr<Acted> LayoutActs::MoveSpoken(const Standing& standing, const Spo
   const double away_m = std::hypot(way->x, way->y);
   *way = {way->x / away_m, way->y / away_m};
   if (spoken.is_away) *way = {-way->x, -way->y};
+  if (!spoken.target.kind.empty()) *way = AlongWall(*way, scene.room, first, *ObjectOf(shown, first.object_id()));
   double by_m = spoken.length_m.value_or(kUsualMove_m);
   if (!spoken.target.kind.empty() && !spoken.is_away) by_m = std::min(by_m, away_m);
   const std::string name = TheOnes(shown, spoken.what.ids);
@@ -124,8 +140,9 @@ absl::StatusOr<Acted> LayoutActs::TurnSpoken(const Standing& standing, const Spo
   const v1::SolvedLayout& shown = standing.shown;
   ASSIGN_OR_RETURN(const Scene scene, SceneFromProto(shown.graph()));
   const std::string name = TheOnes(shown, spoken.what.ids);
-  const bool by = spoken.act == "turn by";
-  double angle_deg = spoken.angle_deg.value_or(spoken.way == "around" ? 180 : 90);
+  const bool by = spoken.act.starts_with("turn by");
+  const bool around = spoken.way == "around" || spoken.act.ends_with("around");
+  double angle_deg = spoken.angle_deg.value_or(around ? 180 : 90);
   if (spoken.way == "right") angle_deg = -angle_deg;
   v1::MoveObjects move;
   for (const std::string& id : spoken.what.ids) {
@@ -143,12 +160,10 @@ absl::StatusOr<Acted> LayoutActs::TurnSpoken(const Standing& standing, const Spo
     if (!way.has_value()) return InvalidArgument("{} is not there to turn to", spoken.target.said);
     to.set_theta_rad(std::atan2(-way->x, way->y));
   }
-  ASSIGN_OR_RETURN(Acted acted, MovedAndSettled(standing, move, call));
+  ASSIGN_OR_RETURN(Acted acted, MovedNearBy(standing, move, kNearBy_m, call));
   if (HasMoreFaults(acted.layout, shown)) {
-    // Where it stands it cannot; near by it may.
     ASSIGN_OR_RETURN(acted, SolvedFrom(standing, move, call));
     const v1::Placement &to = move.placements(0), &at = *PlaceOf(acted.layout, to.object_id());
-    constexpr double kTurned_rad = 0.1;
     if (HasMoreFaults(acted.layout, shown) ||
         std::abs(std::remainder(at.theta_rad() - to.theta_rad(), 2 * M_PI)) > kTurned_rad) {
       ASSIGN_OR_RETURN(const Acted there, Move(standing, move, call));
@@ -205,8 +220,10 @@ absl::StatusOr<Acted> LayoutActs::SwapSpoken(const Standing& standing, const Spo
   };
   put(a, b);
   put(b, a);
-  ASSIGN_OR_RETURN(Acted acted, Move(standing, move, call));
-  const std::string wrong = NewFault(shown, acted.layout);
+  ASSIGN_OR_RETURN(const Acted there, Move(standing, move, call));
+  const std::string wrong = NewFault(shown, there.layout);
+  constexpr double kBeside_m = 1.2;
+  ASSIGN_OR_RETURN(Acted acted, MovedNearBy(standing, move, kBeside_m, call));
   if (HasMoreFaults(acted.layout, shown)) {
     ASSIGN_OR_RETURN(acted, SolvedFrom(standing, move, call));
     const auto nearer = [&](const std::string& id, const v1::Placement& goal) {

@@ -58,10 +58,10 @@ class Floor {
   }
 
   // The shortest way to where they all stand free.
-  std::optional<Vec2<double>> WayToFree(const std::vector<Copy>& copies) {
+  std::optional<Vec2<double>> WayToFree(const std::vector<Copy>& copies, double farthest_m = kFarthest_m) {
     // Along its own sides first: a copy belongs beside its original.
     const double theta_rad = copies.front().at->theta_rad();
-    for (double far_m = 0; far_m <= kFarthest_m; far_m += kStep_m) {
+    for (double far_m = 0; far_m <= farthest_m; far_m += kStep_m) {
       for (int i = 0; i < kDirections; ++i) {
         const double angle_rad = theta_rad + 2 * M_PI * i / kDirections;
         const Vec2<double> by{far_m * std::cos(angle_rad), far_m * std::sin(angle_rad)};
@@ -147,6 +147,24 @@ void PutCopiesBeside(const v1::SolvedLayout& layout, EditList& edits) {
   for (const Copy& copy : copies) {
     if (const auto way = floor.WayToFree({copy})) put({copy}, *way);
   }
+}
+
+bool PutWhereFree(const v1::SolvedLayout& layout, double farthest_m,
+                  google::protobuf::RepeatedPtrField<v1::Placement>& placements) {
+  v1::SolvedLayout moved = layout;
+  absl::StatusOr<Scene> scene = SceneFromProto(layout.graph());
+  if (!scene.ok() || !Place(moved, placements, "placements").ok()) return false;
+  Floor floor(*std::move(scene), moved);
+  for (v1::Placement& to : placements) {
+    const int object = floor.scene().IndexOf(to.object_id());
+    if (object < 0 || !IsSolid(floor.scene().objects[object])) return false;
+    const auto way = floor.WayToFree({{&to, object}}, farthest_m);
+    if (!way.has_value()) return false;
+    to.set_x_m(to.x_m() + way->x);
+    to.set_y_m(to.y_m() + way->y);
+    floor.Put(object, to, {});
+  }
+  return true;
 }
 
 }  // namespace flair::session

@@ -59,6 +59,19 @@ int NearestWall(const Room& room, const v1::Placement& at) {
   return nearest;
 }
 
+Vec2<double> AlongWall(const Vec2<double>& way, const Room& room, const v1::Placement& at, const v1::Object& object) {
+  constexpr double kAtWall_m = 0.1, kLeast = 0.2;
+  const int wall = NearestWall(room, at);
+  if (wall < 0) return way;
+  const Vec2<double>& into = room.walls[wall].inward_normal;
+  const double towards = -(way.x * into.x + way.y * into.y);
+  const double reach_m = std::max(object.width_m(), object.depth_m()) / 2 + kAtWall_m;
+  if (towards <= 0 || AwayFrom(room.walls[wall], PointOf(at)) > reach_m) return way;
+  const Vec2<double> along{way.x + towards * into.x, way.y + towards * into.y};
+  const double length = WayLength(along);
+  return length < kLeast ? way : Vec2<double>{along.x / length, along.y / length};
+}
+
 int OppositeWall(const Room& room, int wall) {
   constexpr double kParallel = -0.95;
   int best = -1;

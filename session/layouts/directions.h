@@ -17,6 +17,9 @@ std::optional<Vec2<double>> WayOf(const std::string& way, const v1::Placement& a
 std::optional<Vec2<double>> WayTo(const Target& target, const Scene& scene, const v1::SolvedLayout& layout,
                                   const v1::Placement& at);
 
+// That way, but along the wall at which it stands where it leads into the wall; no way where nothing is left of it.
+Vec2<double> AlongWall(const Vec2<double>& way, const Room& room, const v1::Placement& at, const v1::Object& object);
+
 // The wall that something stands nearest to, and the one that is opposite; -1 for none.
 int NearestWall(const Room& room, const v1::Placement& at);
 int OppositeWall(const Room& room, int wall);

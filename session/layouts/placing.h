@@ -29,4 +29,9 @@ void FaceIntoRoom(const v1::Room& room, const v1::Object& object, bool put_there
 // finds none stays.
 void PutCopiesBeside(const v1::SolvedLayout& layout, EditList& edits);
 
+// Moves what is to stand somewhere to the nearest free floor, each by itself and by `farthest_m` at most; whether there
+// is such a place for all of them.
+bool PutWhereFree(const v1::SolvedLayout& layout, double farthest_m,
+                  google::protobuf::RepeatedPtrField<v1::Placement>& placements);
+
 }  // namespace flair::session

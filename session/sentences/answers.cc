@@ -2,6 +2,8 @@
 #include "session/sentences/answers.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "absl/strings/ascii.h"
@@ -129,11 +131,15 @@ std::string NewFault(const v1::SolvedLayout& before, const v1::SolvedLayout& aft
 }
 
 std::string AtACost(const v1::SolvedLayout& before, const v1::SolvedLayout& after, const IdSet& about) {
-  IdSet known;
-  for (const v1::Finding& finding : before.metrics().findings()) known.insert(finding.message());
+  // By what it is about: figures in messages change.
+  std::set<std::tuple<int, std::string, std::string>> known;
+  const auto key = [](const v1::Finding& one) {
+    return std::tuple(static_cast<int>(one.kind()), one.object_id(), one.partner_id());
+  };
+  for (const v1::Finding& finding : before.metrics().findings()) known.insert(key(finding));
   for (const v1::Finding& finding : after.metrics().findings()) {
     const bool named = about.contains(finding.object_id()) || about.contains(finding.partner_id());
-    if (named && !known.contains(finding.message())) return fmt::format(" But {}.", finding.message());
+    if (named && !known.contains(key(finding))) return fmt::format(" But {}.", finding.message());
   }
   return "";
 }

@@ -121,12 +121,13 @@ class Reader {
         }
       }
     }
-    // "I want the sofa to face the window": not a wish for a piece.
-    return named.is_new ? std::optional(named) : std::nullopt;
+    // "I want the sofa to face the window", "I want 1 m behind the desk": not a wish for a piece.
+    const bool is_length = english::Language::Get().FindUnit(tokens_[at].text) != nullptr;
+    return named.is_new && !is_length ? std::optional(named) : std::nullopt;
   }
 
   int Add(const Named& named, int goes_with) {
-    for (int i = 0; i < named.count; ++i) wishes_.pieces.push_back({*named.object, goes_with, text_});
+    for (int i = 0; i < named.count; ++i) wishes_.pieces.push_back({*named.object, goes_with, text_, named.name});
     return static_cast<int>(wishes_.pieces.size()) - named.count;
   }
 

@@ -22,8 +22,8 @@ struct PieceWish {
   v1::Object object;
   // Which one of the wishes it comes with, such as the chair of a desk; -1 for none.
   int goes_with = -1;
-  // The sentence that asks for it.
-  std::string said;
+  // The sentence that asks for it, and what it calls the piece.
+  std::string said, called = {};
 };
 
 // What is to be true: "The {} is next to the sofa".

@@ -90,9 +90,10 @@ const v1::Object* AnotherOf(const v1::LayoutGraph& graph, const std::string& nam
     if (like == nullptr) like = &object;
   }
   if (like == nullptr || !is_one_kind) return nullptr;
-  // "Table" is any table; "coffee table" is that.
+  // "Table" is any table; "coffee table" is that, and a plant of the floor is none of a shelf.
   const std::optional<v1::Object> known = find(name);
-  return known.has_value() && absl::AsciiStrToLower(known->name()) == name ? nullptr : like;
+  if (!known.has_value()) return like;
+  return absl::AsciiStrToLower(known->name()) == name || known->kind() != like->kind() ? nullptr : like;
 }
 
 std::vector<std::string> MeantPieces::Kinds(const ObjectIds& ids) const {
@@ -155,7 +156,11 @@ std::optional<Meant> MeantPieces::FindOne(const Tokens& tokens, Span span) const
   for (size_t first = name.end - std::min(kLongestName, name.end - name.begin); first < name.end; ++first) {
     Meant meant{.name = NameIn(tokens, {first, name.end})};
     meant.ids = Called(meant.name);
-    if (meant.ids.empty()) continue;
+    if (meant.ids.empty()) {
+      // Visitor chairs are no office chairs; a nice chair may be one.
+      if (find_(meant.name).has_value()) return std::nullopt;
+      continue;
+    }
     const bool plural = english::IsPlural(tokens[name.end - 1].text);
     ObjectIds selected;
     std::ranges::copy_if(meant.ids, std::back_inserter(selected),
@@ -198,7 +203,13 @@ std::optional<Meant> MeantPieces::Find(const Tokens& tokens, Span span) const {
     if (i < span.end && !IsJoin(tokens[i])) continue;
     if (i > begin) {
       const std::optional<Meant> part = FindOne(tokens, {begin, i});
-      if (!part.has_value()) return std::nullopt;
+      if (!part.has_value()) {
+        const std::string name = NameOfAbsent(tokens, {begin, i});
+        if (name.empty() || !IsIn("determiners of known things", tokens[begin])) return std::nullopt;
+        meant.absent.push_back(name);
+        begin = i + 1;
+        continue;
+      }
       ObjectIds ids = part->ids;
       if (part->is_one) ids.resize(1);
       meant.ids.insert(meant.ids.end(), ids.begin(), ids.end());

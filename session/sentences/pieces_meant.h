@@ -25,6 +25,8 @@ struct Meant {
   bool is_chosen = false;
   // "Everything".
   bool is_all = false;
+  // Of a list what the room has not.
+  std::vector<std::string> absent = {};
 };
 
 // What is to come into a room.

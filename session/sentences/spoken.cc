@@ -36,7 +36,7 @@ size_t WithoutPolite(const Tokens& tokens, Span span) {
   return begin;
 }
 
-// Where it may end when thanks and the like are left off, the longest first.
+// Where it may end when thanks and the like are left off, the shortest first.
 std::vector<size_t> EndsOf(const Tokens& tokens, Span span) {
   static const WordMeanings polite("polite after an edit");
   constexpr size_t kLongest = 4;
@@ -50,6 +50,7 @@ std::vector<size_t> EndsOf(const Tokens& tokens, Span span) {
     if (next == end) break;
     ends.push_back(end = next);
   }
+  std::ranges::reverse(ends);
   return ends;
 }
 
@@ -79,6 +80,16 @@ std::optional<double> LengthIn(const Tokens& tokens, Span span) {
   return measure->value;
 }
 
+struct Meanings {
+  WordMeanings ways{"way: "}, hands{"hand: "}, angles{"angle: "}, degrees{"degree: "}, factors{"factor: "},
+      more{"more: "}, less{"less: "}, lacks{"lack: "}, plain{"plain: "}, targets{"target: "}, motion{"kind: motion"},
+      away{"kind: away"}, layouts{"kind: layouts"}, all{"kind: all"};
+  static const Meanings& Get() {
+    static const auto* const meanings = new Meanings;
+    return *meanings;
+  }
+};
+
 // "2.4 by 2.2 m": a unit counts for those before it that have none; without any they are metres.
 std::vector<double> SizeIn(const Tokens& tokens, Span span) {
   std::vector<double> values;
@@ -91,6 +102,8 @@ std::vector<double> SizeIn(const Tokens& tokens, Span span) {
     bare.push_back(one->unit <= 0);
     if (one->unit > 0) unit = one->unit;
     at = one->end;
+    // "2.4 m long and 2.2 m wide".
+    if (at < span.end && Meanings::Get().plain.Find(tokens, {at, at + 1}) != nullptr) ++at;
     if (at == span.end) break;
     const bool joined = tokens[at].IsWord("by") || tokens[at].IsWord("x") || tokens[at].IsWord("times") ||
                         tokens[at].IsWord("and") || tokens[at].IsMark('*');
@@ -112,16 +125,6 @@ std::string TextOf(std::string_view text, const Tokens& tokens, Span span) {
   return std::string(text.substr(begin, tokens[span.end - 1].end - begin));
 }
 
-struct Meanings {
-  WordMeanings ways{"way: "}, hands{"hand: "}, angles{"angle: "}, degrees{"degree: "}, factors{"factor: "},
-      more{"more: "}, less{"less: "}, lacks{"lack: "}, plain{"plain: "}, targets{"target: "}, motion{"kind: motion"},
-      away{"kind: away"}, layouts{"kind: layouts"}, all{"kind: all"};
-  static const Meanings& Get() {
-    static const auto* const meanings = new Meanings;
-    return *meanings;
-  }
-};
-
 // "more long".
 std::string ChangeIn(const Tokens& tokens, Span span) {
   const Meanings& meanings = Meanings::Get();
@@ -136,8 +139,10 @@ std::optional<double> AngleIn(const Tokens& tokens, Span span) {
     return absl::SimpleAtod(*named, &degrees) ? std::optional(degrees) : std::nullopt;
   }
   const auto measure = english::MeasureAt(tokens, span.begin, english::v1::Unit::KIND_ANGLE);
-  if (!measure.has_value() || measure->end != span.end || measure->unit <= 0) return std::nullopt;
-  return measure->value;
+  // "By 90" are degrees.
+  constexpr double kLeastBare_deg = 10;
+  if (!measure.has_value() || measure->end != span.end) return std::nullopt;
+  return measure->unit > 0 || measure->value >= kLeastBare_deg ? std::optional(measure->value) : std::nullopt;
 }
 
 }  // namespace
@@ -206,8 +211,13 @@ bool SpokenReader::Fits(const Tokens& tokens, const std::string& slot, Span span
   if (kind == "layouts") return meanings.layouts.Find(tokens, span) != nullptr;
   if (kind == "all") return meanings.all.Find(tokens, span) != nullptr;
   if (kind == "target") return FindTarget(tokens, span).has_value();
+  if (kind == "opening") {
+    const std::optional<Target> target = FindTarget(tokens, span);
+    return target.has_value() && target->kind != "object";
+  }
   if (kind == "place") {
     if (!IsIn("beginnings of places", tokens[span.begin])) return false;
+    if (span.begin + 1 < span.end && IsIn("verbs after to", tokens[span.begin + 1])) return false;
     return std::ranges::none_of(JoinsIn(tokens, span), [&](size_t join) {
       return BeginsEdit(tokens, {join + 1, span.end});
     });
@@ -251,7 +261,7 @@ void SpokenReader::Fill(const Tokens& tokens, const std::string& slot, Span span
     spoken.angle_deg = AngleIn(tokens, span);
   } else if (kind == "away") {
     spoken.is_away = true;
-  } else if (kind == "target") {
+  } else if (kind == "target" || kind == "opening") {
     spoken.target = FindTarget(tokens, span).value_or(Target());
     spoken.is_away = spoken.is_away || slot == "target:away";
   }
@@ -266,6 +276,8 @@ std::optional<Spoken> SpokenReader::ReadForm(std::string_view text, const Tokens
     Fill(tokens, slot, in, spoken);
     if (slot == "place") spoken.place = TextOf(text, tokens, in);
   }
+  // "A plant in the corner" is another one.
+  if (spoken.what.is_new && spoken.act == "place") return std::nullopt;
   return spoken;
 }
 
@@ -298,14 +310,18 @@ Spoken SpokenReader::Read(std::string_view text, const Tokens& tokens, Span span
   Span clause = span;
   for (const size_t join : joins) {
     if (BeginsEdit(tokens, {join + 1, span.end})) clause.end = join;
+    // "Two more chairs and a bigger table".
+    const std::optional<Spoken> next = ReadEdit(text, tokens, {join + 1, span.end});
+    if (next.has_value() && next->act.starts_with("resize")) clause.end = join;
   }
   if (clause.end < span.end) rest.begin = clause.end + 1;
-  is_lenient_ = BeginsEdit(tokens, clause);
-  if (is_lenient_) {
-    std::optional<Spoken> of_absent = ReadEdit(text, tokens, clause);
-    if (of_absent.has_value() && !of_absent->absent.empty() && of_absent->act != "place") return *std::move(of_absent);
-  }
-  return {.said = TextOf(text, tokens, clause)};
+  is_lenient_ = true;
+  std::optional<Spoken> of_absent = ReadEdit(text, tokens, clause);
+  const bool is_edit = of_absent.has_value() && !of_absent->absent.empty() && of_absent->act != "place";
+  if (is_edit && (of_absent->act == "remove" || BeginsEdit(tokens, clause))) return *std::move(of_absent);
+  const size_t begin = tokens[clause.begin].begin;
+  // With what ends it.
+  return {.said = clause.end == tokens.size() ? std::string(text.substr(begin)) : TextOf(text, tokens, clause)};
 }
 
 std::string HistoryAsked(std::string_view text) {

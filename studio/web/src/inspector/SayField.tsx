@@ -13,6 +13,10 @@ function exampleFor(room: OpenRoom, about: Piece | undefined): string {
   const piece = about ?? pieces.find((one) => isSolid(one) && one.object.seat) ?? pieces.find(isSolid);
   if (!piece) return "The room has an armchair";
   const name = capital(theName(piece.object));
+  // After every act another kind of wish.
+  const asked = [`Move ${theName(piece.object)} 20 cm to the left`, `Make ${theName(piece.object)} bigger`,
+    `Remove ${theName(piece.object)}`, ""][Number(room.document.value.revision % 4n)];
+  if (asked) return asked;
   const { kind, walkOver } = piece.object;
   if (walkOver) return `${name} is in the middle of the room`;
   if (kind === ObjectKind.FLOOR) return piece.object.seat ? `${name} faces the window` : `${name} is against the north wall`;
@@ -21,33 +25,42 @@ function exampleFor(room: OpenRoom, about: Piece | undefined): string {
   return kind === ObjectKind.WALL ? `${name} hangs on the north wall` : `${name} is in the middle of the room`;
 }
 
-// Adds what one sentence asks for; the server says when it does not understand.
+// Does what is typed, and shows what the server answers; what was not understood stays in the field.
 export function SayField({ room, about }: { room: OpenRoom; about: Piece | undefined }) {
   const [text, setText] = useState("");
   const [isSent, setSent] = useState(false);
   const [remark, setRemark] = useState("");
+  const [done, setDone] = useState("");
   // What was said of one piece is no answer about the next.
-  useEffect(() => setRemark(""), [about?.id]);
+  useEffect(() => { setRemark(""); setDone(""); }, [about?.id]);
   const label = about ? `Say something about ${theName(about.object)}` : "Say something about the room";
   const send = async () => {
     if (!text.trim() || isSent) return;
     setSent(true);
     setRemark("");
-    const answer = await say(room, text.trim(), (told) =>
-      setRemark((before) => [before, told].filter(Boolean).join(" ")),
-    );
+    setDone("");
+    let isTold = false;
+    const answer = await say(room, text.trim(), (told) => {
+      isTold = true;
+      setRemark((before) => [before, told].filter(Boolean).join(" "));
+    });
     setSent(false);
     if (!answer) return;
-    // The focus stays: letters that are typed next are a sentence, not keys of the plan.
-    setText("");
+    // Every sentence is answered.
+    const note = isTold ? "" : answer.diagnostics[0]?.message ?? "Done.";
+    setDone(room.spoken(answer.answer || note));
+    // What was not done stays for mending. The focus stays, too: letters that are typed next are a sentence, not keys of
+    // the plan.
+    setText(answer.leftOver);
   };
   return (
     <form class="say" onSubmit={(event) => { event.preventDefault(); void send(); }}>
+      {done && <p class="say-done" role="status">{done}</p>}
       {remark && <p class="say-remark" role="alert">{remark}</p>}
       <div class="say-line">
         <input value={text} maxLength={400} aria-label={label} aria-busy={isSent}
           placeholder={exampleFor(room, about)}
-          onInput={(event) => { setText(event.currentTarget.value); setRemark(""); }}
+          onInput={(event) => { setText(event.currentTarget.value); setRemark(""); setDone(""); }}
           onKeyDown={(event) => {
             if (event.key === "Escape") event.currentTarget.blur();
             // With nothing left to take back here, it is the last act that is meant.
