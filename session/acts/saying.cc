@@ -203,9 +203,15 @@ absl::StatusOr<Acted> LayoutActs::SayWishes(const Standing& standing, const v1::
   Aim aim{{}, {}, !understood.edges().empty()};
   for (const v1::ConstraintEdge& edge : understood.edges()) aim.sentence_ids.insert(edge.sentence_id());
   const IdSet meaning = aim.sentence_ids;
+  // What is said of several new pieces alike is understood when it is of one of them.
+  IdSet understood_texts;
+  for (const v1::Sentence& sentence : said.shown.sentences()) {
+    if (meaning.contains(sentence.id())) understood_texts.insert(sentence.text());
+  }
   IdSet words;
   for (const v1::Sentence& sentence : said.shown.sentences()) {
     if (!meaning.contains(sentence.id())) {
+      if (understood_texts.contains(sentence.text())) continue;
       const std::string word = UnknownWord(sentence.text(), with, catalogue_.find);
       const std::string examples = fmt::format(
           "{}; {}", word.empty() ? "" : fmt::format(": I do not know \"{}\"", word), Examples(standing.shown, turn_++));

@@ -16,7 +16,7 @@ namespace {
 using english::IsIn;
 using english::Token;
 
-constexpr size_t kLongestName = 5;
+constexpr size_t kLongestCalled = 5;
 
 bool IsWord(const Token& token) { return token.kind == Token::Kind::kWord; }
 
@@ -153,7 +153,7 @@ std::optional<Meant> MeantPieces::FindOne(const Tokens& tokens, Span span) const
                                    tokens.begin() + static_cast<long>(name.end), IsAdjective)) {
     return std::nullopt;
   }
-  for (size_t first = name.end - std::min(kLongestName, name.end - name.begin); first < name.end; ++first) {
+  for (size_t first = name.end - std::min(kLongestCalled, name.end - name.begin); first < name.end; ++first) {
     Meant meant{.name = NameIn(tokens, {first, name.end})};
     meant.ids = Called(meant.name);
     if (meant.ids.empty()) {
@@ -228,7 +228,7 @@ std::optional<Wanted> MeantPieces::FindNew(const Tokens& tokens, Span span) cons
                                    tokens.begin() + static_cast<long>(name.end), IsAdjective)) {
     return std::nullopt;
   }
-  for (size_t first = name.end - std::min(kLongestName, name.end - name.begin); first < name.end; ++first) {
+  for (size_t first = name.end - std::min(kLongestCalled, name.end - name.begin); first < name.end; ++first) {
     const std::string called = NameIn(tokens, {first, name.end});
     Wanted wanted{.count = before.count.value_or(1), .is_plural = english::IsPlural(tokens[name.end - 1].text)};
     if (const v1::Object* const like = AnotherOf(layout_.graph(), called, find_); like != nullptr) {

@@ -332,6 +332,7 @@ std::string HistoryAsked(std::string_view text) {
   const FindPiece find = [](const std::string&) { return std::nullopt; };
   const MeantPieces pieces(nothing, selected, last, find);
   const Tokens tokens = PlainTokens(text);
+  if (tokens.empty()) return "";
   Span rest;
   const Spoken spoken = SpokenReader(pieces, Room()).Read(text, tokens, {0, tokens.size()}, rest);
   const bool is_history = rest.empty() && std::ranges::find(kAsked, spoken.act) != kAsked.end();
