@@ -16,6 +16,35 @@ using ::testing::Property;
 
 class VariantsTest : public DocumentsTest {};
 
+TEST_F(VariantsTest, WhoTakesFurnishingBackHasTheVariantsOfBefore) {
+  const v1::GetDocumentResponse made = Designed();
+  const auto found = documents_->FindAlternatives(made.document().id(), made.document().revision(), 2, 0, call_);
+  ASSERT_TRUE(found.ok()) << found.status();
+  const v1::Document furnished = After(
+      [&] {
+        const auto furnish = [](v1::ActRequest& act) { act.mutable_furnish()->set_text("A study."); };
+        ASSERT_TRUE(Act(found->document(), furnish).ok());
+      },
+      [](const v1::Document& one) { return one.brief().text() == "A study."; });
+  EXPECT_NE(furnished.variants_layout_id(), found->document().variants_layout_id());
+  auto last = Act(furnished, [](v1::ActRequest& act) { act.mutable_undo(); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_EQ(last->document().variants_layout_id(), found->document().variants_layout_id());
+  EXPECT_EQ(last->document().variant_count(), 2);
+  last = Act(last->document(), [](v1::ActRequest& act) { act.mutable_redo(); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_EQ(last->document().variants_layout_id(), furnished.variants_layout_id());
+  EXPECT_EQ(last->document().variant_count(), furnished.variant_count());
+  last = Act(last->document(), [](v1::ActRequest& act) { act.mutable_undo(); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  last = Act(last->document(), [](v1::ActRequest& act) { act.mutable_take_variant()->set_index(1); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  EXPECT_EQ(PlacementOf(last->layout(), "double_bed").x_m(), [&] {
+    const auto& places = found->layout().runner_ups(1).placements();
+    return std::ranges::find(places, "double_bed", &v1::Placement::object_id)->x_m();
+  }());
+}
+
 TEST_F(VariantsTest, AlternativesAreOtherLayoutsOfWhatIsShown) {
   const v1::GetDocumentResponse made = Designed();
   const std::string id = made.document().id();

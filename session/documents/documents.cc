@@ -273,6 +273,12 @@ absl::StatusOr<v1::ActResponse> Documents::ActOnHistory(Record record, int step)
     return FailedPrecondition("there is nothing to {}", step < 0 ? "undo" : "do again");
   }
   ASSIGN_OR_RETURN(const Layout before, Shown(record));
+  if (LayoutState& crossed = *record.mutable_states(std::max(to, record.position())); crossed.has_variants()) {
+    record.mutable_variants_layout_id()->swap(*crossed.mutable_other_variants_layout_id());
+    const int count = record.document().variant_count();
+    record.mutable_document()->set_variant_count(crossed.other_variant_count());
+    crossed.set_other_variant_count(count);
+  }
   record.set_position(to);
   RETURN_IF_ERROR(Commit(record, {}));
   return Answer(record, before);

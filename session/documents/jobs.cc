@@ -203,6 +203,10 @@ absl::Status Documents::AdoptOnce(const std::string& document_id, const v1::Job&
     *state.mutable_brief() = job.spec().brief();
     state.mutable_brief()->clear_room();
   }
+  // Who takes this back has the variants again that were found before.
+  state.set_has_variants(true);
+  state.set_other_variants_layout_id(record.variants_layout_id());
+  state.set_other_variant_count(document.variant_count());
   SetVariants(record, artifact);
   return PushState(record, std::move(artifact), std::move(state));
 }

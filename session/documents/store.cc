@@ -58,6 +58,7 @@ std::set<std::string> NamedLayouts(const DocumentRecord& record) {
   for (const store::v1::LayoutState& state : record.states()) {
     ids.insert(state.layout_id());
     ids.insert(state.settled_layout_id());
+    ids.insert(state.other_variants_layout_id());
   }
   ids.insert(record.variants_layout_id());
   return ids;
