@@ -223,7 +223,11 @@ class Editor {
   absl::Status RemoveEdge(const std::string& id) {
     const int edge = FindEdge(id);
     if (edge < 0) return Wrong(NoEdge("remove_edge_id", id));
+    // Nobody who asks for less asks for a piece that had no place.
+    const IdSet before = problem_.touched;
     Touch(graph().edges(edge));
+    std::erase_if(problem_.touched,
+                  [&](const std::string& one) { return !before.contains(one) && FindPlacement(one) == nullptr; });
     graph().mutable_edges()->DeleteSubrange(edge, 1);
     return absl::OkStatus();
   }

@@ -324,5 +324,24 @@ TEST_F(ActsTest, SettlingTriesAgainForWhatDoesNotHoldAndIsRefusedInAnEmptyRoom) 
   EXPECT_FALSE(settled->document().unsettled());
 }
 
+TEST_F(ActsTest, DroppingASentenceAddsNoPieceThatHadNoPlace) {
+  // A picture that would have to hang above a sofa that stands free.
+  const v1::GetDocumentResponse made = Designed("A living room that is 5m x 6m.", 3);
+  const std::string painting = IdOf(made.layout(), "painting");
+  const auto is_placed = [&](const v1::SolvedLayout& layout) {
+    return std::ranges::count(layout.placements(), painting, &v1::Placement::object_id) > 0;
+  };
+  ASSERT_FALSE(is_placed(made.layout()));
+  v1::Document document = made.document();
+  std::set<std::string> sentences;
+  for (const v1::ConstraintEdge& edge : made.layout().graph().edges()) sentences.insert(edge.sentence_id());
+  for (const std::string& sentence : sentences) {
+    const auto dropped = Act(document, [&](v1::ActRequest& act) { act.mutable_weigh()->set_sentence_id(sentence); });
+    ASSERT_TRUE(dropped.ok()) << dropped.status();
+    EXPECT_EQ(dropped->layout().placements_size(), made.layout().placements_size()) << sentence;
+    document = Act(dropped->document(), [](v1::ActRequest& act) { act.mutable_undo(); })->document();
+  }
+}
+
 }  // namespace
 }  // namespace flair::session

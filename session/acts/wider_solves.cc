@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fmt/format.h"
+#include "optimizer_worker/stages/infeasible.h"
 #include "session/acts/layout_acts.h"
 #include "session/layouts/comparing.h"
 #include "session/layouts/edits.h"
@@ -46,6 +47,12 @@ absl::StatusOr<Acted> LayoutActs::SolvedAround(const v1::SolvedLayout& from, con
                                                CallContext& call) const {
   v1::SolveRequest request;
   *request.mutable_layout_graph() = from.graph();
+  // What has no place gets none by being in the way of nobody.
+  optimizer::IdSet absent;
+  for (const v1::Object& object : from.graph().object_list().objects()) {
+    if (PlaceOf(from, object.id()) == nullptr) absent.insert(object.id());
+  }
+  if (!absent.empty()) optimizer::RemoveObjects(absent, *request.mutable_layout_graph());
   request.mutable_layout_graph()->clear_pinned_placements();
   for (const v1::Placement& at : from.placements()) {
     if (!free.contains(at.object_id())) *request.mutable_layout_graph()->add_pinned_placements() = at;
@@ -96,6 +103,9 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
     IdSet about = aim.object_ids, free = ObjectsOf(aim.sentence_ids, first.graph());
     free.insert(about.begin(), about.end());
     free = InReach(first, free);
+    for (IdSet* const ids : {&about, &free}) {
+      std::erase_if(*ids, [&](const std::string& id) { return PlaceOf(first, id) == nullptr; });
+    }
     IdSet held = IdsOf(first.graph().pinned_placements());
     held.insert(best.by_hand.begin(), best.by_hand.end());
     for (const EditList* moves : {&std::as_const(pending), &edits}) {
@@ -117,7 +127,9 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
       keep(Solved(now, freeing, call));
       if (!holds()) {
         const v1::SolvedLayout without = Without(*now.settled, about);
-        keep(Solved({now.shown, &without, pending, standing.by_hand}, edits, call));
+        EditList placing = edits;
+        for (const std::string& id : about) placing.Add()->mutable_resize_object()->set_object_id(id);
+        keep(Solved({now.shown, &without, pending, standing.by_hand}, placing, call));
       }
     }
     if (!holds() && !enough) keep(around(free));
