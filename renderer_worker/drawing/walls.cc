@@ -97,10 +97,19 @@ void DrawDoor(Canvas& canvas, const Plan& plan, const Sheet& sheet, const PlanOp
   }
   for (double u : {0.0, w}) canvas.Line(sheet.ToSheet(frame.At(u, 0)), sheet.ToSheet(frame.At(u, t)));
   canvas.Draw({kInk, 0.35});
-  if (door.swing == v1::DOOR_SWING_INWARD || door.swing == v1::DOOR_SWING_OUTWARD) DrawLeaf(canvas, plan, sheet, door);
+  // So wide a door has two leaves, and slides shut.
+  constexpr double kPairM = 1.25;
+  const bool swings = door.swing == v1::DOOR_SWING_INWARD || door.swing == v1::DOOR_SWING_OUTWARD, pair = w >= kPairM;
+  for (int leaf = 0; swings && leaf < (pair ? 2 : 1); ++leaf) {
+    PlanOpening one = door;
+    one.width_m = pair ? w / 2 : w;
+    one.offset_m += leaf * one.width_m;
+    if (pair) one.hinge_at_start = leaf == 0;
+    DrawLeaf(canvas, plan, sheet, one);
+  }
   if (door.swing == v1::DOOR_SWING_SLIDING) {
     // The leaf slides inside the wall past its hinge end; half open.
-    const double from = door.hinge_at_start ? -0.5 * w : 0.5 * w;
+    const double from = pair ? 0 : door.hinge_at_start ? -0.5 * w : 0.5 * w;
     Quad(canvas, sheet, frame, from, from + w, 0.36 * t, 0.64 * t);
     canvas.Fill(kWhite, 1, true);
     canvas.Draw({kInk, 0.25});

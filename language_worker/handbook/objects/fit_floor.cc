@@ -13,7 +13,7 @@ namespace flair::language {
 namespace {
 
 // What the brief asks for may cover a little more before any of it goes, and what is small always finds a place.
-constexpr double kCoverLimitIfAsked = 0.52, kSmallAskedM2 = 0.25;
+constexpr double kCoverLimitIfAsked = 0.52, kCoverLimitIfOptional = 0.32, kSmallAskedM2 = 0.25;
 
 bool IsEssential(const ProgramItem& item) { return item.count <= item.essential; }
 bool IsAskedFor(const ProgramItem& item) { return item.requested && !item.optional; }
@@ -47,6 +47,15 @@ class FloorFitter {
     if (Cover() > limit_) TakeSmaller(/*requested=*/true);
     while (Cover() > kCoverLimit && DropOne(/*requested=*/true)) {
     }
+    // "An island only if one can still walk round everything".
+    limit_ = kCoverLimitIfOptional;
+    for (SizedItem& sized : items_) {
+      if (!sized.item.optional || IsSmall(sized) || Cover() <= limit_) continue;
+      LeaveOut(sized, sized.item.count, Why(sized));
+      DropSeatsOf(static_cast<std::size_t>(&sized - items_.data()), 0);
+      sized.item.count = 0;
+    }
+    EraseEmpty();
     TellReplacements();
     return std::move(items_);
   }

@@ -112,9 +112,7 @@ bool Sharer::FindHosts(const ProgramItem& item, std::vector<const v1::Object*>& 
 bool Sharer::FindToldHosts(const hb::Furniture& furniture, std::vector<const v1::Object*>& hosts) const {
   const Place* place = CarriedAt(furniture, facts_);
   if (place == nullptr) return false;
-  google::protobuf::RepeatedPtrField<std::string> classes;
-  *classes.Add() = place->target->name();
-  for (const std::string& name : WithSubstitutes(classes, program_)) {
+  for (const std::string& name : WithSubstitutes(std::array{place->target->name()}, program_)) {
     for (const v1::Object& object : pieces_.objects()) {
       if (object.name() != name) continue;
       const bool along = place->asked->carried() == hb::CARRIED_ALONG && object.kind() != v1::OBJECT_KIND_FLOOR;

@@ -324,18 +324,6 @@ const hb::Archetype& EffectiveArchetype(const BriefFacts& facts, const Handbook&
   return *archetype;
 }
 
-std::vector<std::string> WithSubstitutes(const google::protobuf::RepeatedPtrField<std::string>& classes,
-                                         const RoomProgram& program) {
-  std::vector<std::string> all;
-  for (const std::string& name : classes) {
-    all.push_back(name);
-    for (const auto& [went, came] : program.substitutes) {
-      if (went == name && !Includes(all, came)) all.push_back(came);
-    }
-  }
-  return all;
-}
-
 RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice) {
   return ProgramMaker(facts, handbook, area_m2, choice).Make();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,8 +66,17 @@ double UsualArea(const hb::Archetype& archetype);
 std::vector<const hb::Changes*> AllChanges(const BriefFacts& facts);
 
 // The classes, each followed by what came in its place: a lamp for the double bed hangs over the vampire's coffin.
-std::vector<std::string> WithSubstitutes(const google::protobuf::RepeatedPtrField<std::string>& classes,
-                                         const RoomProgram& program);
+template <typename Classes>
+std::vector<std::string> WithSubstitutes(const Classes& classes, const RoomProgram& program) {
+  std::vector<std::string> all;
+  for (const std::string& name : classes) {
+    all.push_back(name);
+    for (const auto& [went, came] : program.substitutes) {
+      if (went == name && !Includes(all, came)) all.push_back(came);
+    }
+  }
+  return all;
+}
 
 // The program for a room of that floor area. Deterministic.
 RoomProgram MakeRoomProgram(const BriefFacts& facts, const Handbook& handbook, double area_m2, const Choice& choice);

@@ -44,6 +44,11 @@ void Seats::SeatAt(const hb::Furniture& furniture, int count, int seats, const s
 }
 
 bool Seats::SitsOtherwise(const hb::Furniture& table) const {
+  // Who comes in a wheelchair rolls under the desk.
+  const hb::Furniture* usual = SeatOf(table, handbook_);
+  for (const hb::Changes* changes : program_.changes) {
+    if (usual != nullptr && Includes(changes->removals(), usual->name())) return true;
+  }
   const auto wish = std::ranges::find(facts_.wishes, &table, &Wish::furniture);
   if (wish == facts_.wishes.end() || !(table.category().ends_with("table") || table.category() == "desk")) return false;
   // "Two stools at a fold-down table".

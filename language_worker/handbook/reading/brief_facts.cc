@@ -44,8 +44,12 @@ class BriefReader : Reading {
     ReadOtherRooms(pieces.mentions);
     ReadOpenings(tokens(), room_words, used, facts.openings);
     // "Windows to the street" of a house may be in any wall.
+    const bool at_the_street = IsIn("rooms_at_the_street", facts.archetype->name());
     for (OpeningWish& opening : facts.openings.wishes) {
-      if (opening.side == "street") opening.side = IsIn("rooms_at_the_street", facts.archetype->name()) ? "near" : "";
+      if (opening.side == "street") opening.side = at_the_street ? "near" : "";
+      // "A corner shop, glass on two sides": one comes in by one of them.
+      const bool two = at_the_street && opening.said.find("two sides") != std::string::npos;
+      if (two && opening.side == "far") opening.side = "near";
     }
     ReadPlaces(*this, pieces.mentions);
     NoteOtherNames(text, pieces.mentions, facts);
@@ -90,6 +94,12 @@ class BriefReader : Reading {
     facts.room_words = Quote(kind_.room);
     // "The tavern's back room" is not the taproom.
     facts.archetype_named = text.At(kind_.room.end) != "'s";
+    // "The back room of a tavern".
+    const std::size_t before = text.PhraseBegin(kind_.room.begin);
+    if (before > 2 && text.At(before - 1) == "of" && text.Is(before - 2, "room_words")) {
+      facts.archetype_named = false;
+      facts.room_words = text.Quote(before - 2, kind_.room.end);
+    }
     Use(kind_.room.begin, kind_.room.end);
     for (const NamedRoom& one : kind_.also) {
       Use(one.begin, one.end);
@@ -117,6 +127,7 @@ class BriefReader : Reading {
     for (std::size_t i = 0; i < tokens().size(); ++i) {
       const auto end = text.BehindPhrase(i, "parts_not_drawn");
       if (!end || LongestAt(handbook.vocabulary().names, tokens(), i, /*plural=*/true).second > 0) continue;
+      if (facts.size.leg && text.BehindPhrase(i, "recesses")) continue;
       facts.shape.parts.push_back(text.Quote(i, *end));
       Tell(i, *end);
       i = *end - 1;

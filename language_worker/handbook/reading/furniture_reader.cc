@@ -83,6 +83,11 @@ class FurnitureReader : Reading {
       }
       const hb::Furniture* furniture =
           own || purpose.furniture != nullptr ? named : nouns_.Modified(tokens(), i, name_length, named);
+      // "A table with a chair and a second chair": both are the table's.
+      for (const Wish& wish : facts.wishes) {
+        const hb::Furniture* seat = wish.seats > 0 && IsFurther(text, i) ? SeatOf(*wish.furniture, handbook) : nullptr;
+        if (seat != nullptr && furniture == named && MatchesWord(text.At(i), "chair")) furniture = seat;
+      }
       if (furniture != nullptr) furniture = handbook.FindFurniture(furniture->name());
       const std::size_t length = furniture == nullptr ? 0 : nouns_.LengthWithHead(tokens(), i, name_length, *furniture);
       if (length == 0) {

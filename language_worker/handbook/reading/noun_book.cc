@@ -111,6 +111,10 @@ const hb::Furniture* NounBook::Modified(const std::vector<Token>& tokens, std::s
       if (modifier.words.MatchAt(tokens, what, /*plural=*/false) > 0) return modifier.furniture;
     }
   }
+  // "A cushion by the fire".
+  for (const Vocabulary::Head::Modifier& modifier : head->modifiers) {
+    if (modifier.words.MatchAt(tokens, noun + length, /*plural=*/false) > 1) return modifier.furniture;
+  }
   return noun > 0 && !SaysLooks(tokens[noun - 1]) && (head->noun->strict() || IsCompound(tokens, noun)) ? nullptr
                                                                                                         : named;
 }

@@ -94,9 +94,12 @@ void OpeningList::Join(const OpeningNoun& noun, const OpeningSite& site, Opening
   if (!wish.definite && !noun.part) return;
   for (std::size_t i = 0; i < openings_.wishes.size(); ++i) {
     OpeningWish& there = openings_.wishes[i];
-    const bool same_place = there.leads_to == wish.leads_to || (wish.outside && there.outside) ||
+    // "The back door", of "a back door to the yard".
+    const bool called = !wish.name.empty() && there.said.find(wish.name) != std::string::npos;
+    const bool same_place = called || there.leads_to == wish.leads_to || (wish.outside && there.outside) ||
                             (wish.leads_to.empty() && !wish.door) || (noun.part && there.leads_to.empty());
-    const bool same_side = there.outside == wish.outside || (noun.part && !there.outside);
+    const bool same_side = called || there.outside == wish.outside || (noun.part && !there.outside);
+    if (called) wish.leads_to.clear(), wish.name.clear();
     if (there.door != wish.door || !same_place || !same_side || there.of_many) continue;
     if (there.side.empty() && there.count > wish.count && !noun.plural) {
       // One of several.

@@ -56,6 +56,10 @@ bool TakeLeads(const BriefText& words, std::size_t& i, OpeningNoun& noun) {
   if (words.Says(at, {"out", "on", "through"}) && words.Says(at + 1, {"to", "onto", "into"})) ++at;
   const bool to = words.Says(at, {"to", "onto", "into"});
   if (!words.Is(at, "leads_to") || (pause && !to)) return false;
+  if (const auto rest = words.BehindPhrase(at + 1, "the_rest_of_the_house"); rest && to) {
+    i = *rest;
+    return true;
+  }
   const Lead lead = LeadAt(words, at + 1, to);
   if (lead.end == 0) return false;
   TakeLead(words, lead, noun.wish);
@@ -127,6 +131,7 @@ bool TakeLengths(const BriefText& words, std::size_t& i, OpeningWish& wish) {
 // ", high,".
 bool TakeHeight(const BriefText& words, std::size_t& i, OpeningWish& wish) {
   constexpr double kHighM = 1.5, kLowM = 0.4;
+  if (const auto up = words.BehindPhrase(i, "high_up"); up && !wish.door) return wish.sill_m = kHighM, i = *up, true;
   const bool high = words.Is(i + 1, "high_windows");
   const bool ends = i + 2 >= words.size() || words.IsSign(i + 2);
   if (wish.door || words.At(i) != "," || !ends || !(high || words.Is(i + 1, "low_windows"))) return false;

@@ -236,6 +236,12 @@ class OpeningReader {
     if (site.sides.empty() && !wish.side.empty()) site.sides = {wish.side};
     if (site.sides.empty() && site.that && last_ && !openings_.wishes.empty())
       site.sides = {openings_.wishes.back().side};
+    // "A low door with a tiny window on either side".
+    const bool linked = last_ && last_->door && begin > 0 && words_.At(begin - 1) == "with" && begin <= last_->end + 2;
+    if (linked && !wish.door && site.sides == Sides{"left", "right"}) {
+      site.sides = {"beside"};
+      site.pair = true;
+    }
     wish.side.clear();
     if (site.along.at != AlongWall::At::kAny) wish.along = site.along;
     wish.fills = site.fills;
@@ -258,7 +264,7 @@ class OpeningReader {
     NoteUnread(noun, site, end);
     if (site.pair) {
       wish.count = std::max(wish.count, 2);
-      wish.counted = true;
+      wish.counted = wish.flanks = true;
     }
     const std::size_t before = openings_.wishes.size();
     list_.Add(noun, site);

@@ -35,6 +35,7 @@ struct OpeningWish {
   bool outside = false;  // to a garden or balcony: not the door by which one comes in
   std::string leads_to;  // "kitchen"; empty where the brief does not say, or where one comes in by it
   std::string name;      // "kitchen hatch", "street door", "secret door"; empty where nothing tells it from others
+  bool flanks = false;   // the door: "a window on either side of it"
   bool fills = false;    // its wall: "windows all along the south"
   v1::DoorSwing swing = v1::DOOR_SWING_UNSPECIFIED;
   std::string kind;      // "bay window", where it cannot be drawn as what it is

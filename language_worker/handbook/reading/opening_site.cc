@@ -74,7 +74,7 @@ class SiteReader {
     const Sides sides = WallsAt(words_, at, /*alone=*/!into, at);
     const bool noun = words_.Is(at - 1, "wall_nouns") || words_.Is(at - 1, "wall_ends");
     if (sides.empty() || (form.part && !(noun && EndsWall(words_, at)))) return false;
-    site_.fills = site_.fills || (into && (whole || fill));
+    site_.fills = site_.fills || (into && (whole || fill || words_.At(i_) == "across"));
     // "Facing each other in the short walls".
     if (each_other_) site_.sides = sides.size() > 1 ? sides : Sides{sides[0], "across " + sides[0]};
     each_other_ = false;
@@ -115,7 +115,7 @@ class SiteReader {
   // "full width", "wall to wall".
   bool TakeFilling() {
     const auto filling = words_.BehindPhrase(i_, "filling_a_wall");
-    if (!filling) return false;
+    if (!filling || words_.At(*filling) == "of") return false;
     site_.fills = true;
     i_ = *filling;
     return true;

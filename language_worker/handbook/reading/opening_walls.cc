@@ -28,7 +28,11 @@ Sides SeveralWallsAt(const BriefText& words, std::size_t i, std::size_t& end) {
                                                     {"one_long_wall", {"long"}},
                                                     {"one_short_wall", {"short"}},
                                                     {"facing_walls", {"left", "right"}},
-                                                    {"two_walls", {"far", "left"}}};
+                                                    {"two_walls", {"far", "left"}},
+                                                    {"three_northern_faces", {"north", "north west", "north east"}},
+                                                    {"three_southern_faces", {"south", "south west", "south east"}},
+                                                    {"three_eastern_faces", {"east", "north east", "south east"}},
+                                                    {"three_western_faces", {"west", "north west", "south west"}}};
   for (const auto& [list, sides] : kSeveral) {
     const auto behind = words.BehindPhrase(i, list);
     if (!behind) continue;
@@ -75,7 +79,9 @@ WallTarget WallTargetAt(const BriefText& words, std::size_t at) {
   }
   target.corner = words.Is(at, "corners");
   target.end_of_wall = words.Is(at, "wall_ends");
-  target.wall = words.Is(at, "wall_nouns");
+  const bool face = words.Is(at, "faces_of_walls") && !target.sides.empty() && IsIn("compass", target.sides[0]) &&
+                    EndsWall(words, at + 1);
+  target.wall = words.Is(at, "wall_nouns") || face;
   if (target.sides.empty() && !street.empty()) target.sides = {street};
   // "The street end" is a wall.
   target.wall = target.wall || (target.end_of_wall && !street.empty());
@@ -100,9 +106,12 @@ std::vector<std::string> WallsAt(const BriefText& words, std::size_t at, bool al
     const bool noun = target.wall || (target.end_of_wall && target.sides.size() == 1);
     if (target.sides.empty() || target.sides.size() > 2 || target.corner) break;
     // "The short north wall": the compass tells.
-    const std::string side = IsLength(target.sides[0]) ? target.sides.back() : target.sides[0];
-    if (target.sides.size() == 2 && !IsLength(target.sides[0])) break;
-    const bool compass = IsIn("compass", side), closes = EndsWall(words, target.end);
+    std::string side = IsLength(target.sides[0]) ? target.sides.back() : target.sides[0];
+    const bool slanting =
+        target.sides.size() == 2 && target.wall && IsIn("compass", target.sides[0]) && IsIn("compass", target.sides[1]);
+    if (target.sides.size() == 2 && !IsLength(target.sides[0]) && !slanting) break;
+    if (slanting) side = target.sides[0] + " " + target.sides[1];
+    const bool compass = slanting || IsIn("compass", side), closes = EndsWall(words, target.end);
     // "On the west wall, at the far end": of that wall.
     if (!sides.empty() && target.end_of_wall && !target.wall && words.At(at) == "," && words.At(at + 1) != "and") break;
     // "and the north wall is blue", "left sofa", "to the left of the bed": another thing.

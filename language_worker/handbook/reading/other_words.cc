@@ -147,13 +147,14 @@ PeopleInGroups ReadPeopleInGroups(const std::vector<Token>& tokens, std::vector<
   const BriefText text(tokens);
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (used[i] || used[i + 1] || !text.Says(i, {"in", "at", "into"})) continue;
-    const std::size_t at = i + 3;
-    const bool pairs = text.At(i + 1) == "pairs", of = text.At(i + 2) == "of";
-    const bool group = IsFormIn("groups_of_pieces", text.At(i + 1)) || text.At(i + 1) == "tables";
+    // "In six groups of four".
+    const std::size_t what = i + (NumberWord(text.At(i + 1)) || text.IsNumber(i + 1) ? 2 : 1), at = what + 2;
+    const bool pairs = text.At(what) == "pairs", of = text.At(what + 1) == "of";
+    const bool group = IsFormIn("groups_of_pieces", text.At(what)) || text.At(what) == "tables";
     const int number = text.IsNumber(at) ? static_cast<int>(text.NumberAt(at)) : NumberWord(text.At(at)).value_or(0);
     if (!pairs && !(group && of && number >= kFewest && number <= kMost)) continue;
-    Mark(i, pairs ? i + 2 : at + 1, used);
-    return {pairs ? 2 : number, pairs || IsFormIn("rows_of_pieces", text.At(i + 1))};
+    Mark(i, pairs ? what + 1 : at + 1, used);
+    return {pairs ? 2 : number, pairs || IsFormIn("rows_of_pieces", text.At(what))};
   }
   return {};
 }

@@ -32,9 +32,10 @@ bool IsHeld(const BriefText& text, const hb::Furniture& furniture, std::size_t i
   return false;
 }
 
-// "Wide enough for prams", "so that prams can pass".
+// "Wide enough for prams", "so that prams can pass", "room to turn the chair".
 bool IsPassing(const BriefText& text, std::size_t i, std::size_t length) {
   const std::size_t begin = text.PhraseBegin(i);
+  if (begin > 0 && text.Is(begin - 1, "turning") && text.Is(begin, "definite")) return true;
   const bool wide = begin > 2 && text.At(begin - 1) == "for" && text.Says(begin - 2, {"enough", "apart"});
   if (wide && (text.Is(begin - 3, "wide_ways") || text.At(begin - 2) == "apart")) return true;
   return text.Is(i + length, "modal_verbs") && text.Is(i + length + 1, "verbs_of_passing");
@@ -52,17 +53,19 @@ bool IsNamedByADoor(const BriefText& text, std::size_t i) {
   return text.Is(door, "doors");
 }
 
-// "Where customers drop off bikes".
+// "Where customers drop off bikes"; "volunteers mend bikes, toasters, chairs, you name it".
 bool IsOfATale(const BriefText& text, std::size_t i) {
-  constexpr std::size_t kMostBack = 6;
+  constexpr std::size_t kMostBack = 10;
   if (!text.At(i).ends_with('s') || text.PhraseBegin(i) == 0) return false;
-  bool people = false;
+  bool people = false, listed = false;
   for (std::size_t at = i; at > 0 && i - at < kMostBack; --at) {
     const std::size_t k = at - 1;
-    if (text.IsSign(k) || text.IsNumber(k) || NumberWord(text.At(k)) || text.Is(k, "articles")) return false;
+    listed = listed || text.IsSign(k);
+    if (text.EndsSentence(k) || text.IsNumber(k) || NumberWord(text.At(k)) || text.Is(k, "articles")) return false;
+    if (text.Is(k, "works_on") && k > 0 && (text.Is(k - 1, "pronouns") || CountsPeople(text.At(k - 1)))) return true;
     if (text.Is(k, "having") || text.Is(k, "have") || text.Is(k, "verbs_of_being")) return false;
     people = people || CountsPeople(text.At(k));
-    if (text.Is(k, "clause_openers")) return people;
+    if (text.Is(k, "clause_openers")) return people && !listed;
   }
   return false;
 }

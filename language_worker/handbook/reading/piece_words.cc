@@ -294,7 +294,7 @@ bool IsRefused(const BriefText& text, std::size_t i) {
       return true;
     if (text.IsSign(at) && !text.IsHyphen(at)) break;
   }
-  for (const std::size_t back : {1, 2, 3}) {
+  for (const std::size_t back : {1, 2, 3, 4, 5}) {
     if (back <= i && text.BehindPhrase(i - back, "refused_before").value_or(0) >= i - back + 2) return true;
   }
   // "Without a wardrobe or a dresser".

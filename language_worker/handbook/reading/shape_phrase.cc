@@ -21,6 +21,9 @@ class ShapeReader {
 
   ShapeRequest Read() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (const auto narrowing = NarrowingAt(i)) return *narrowing;
+    }
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
       const auto [letter, length] = LetterAt(i);
       if (length > 0 && IsOfRoom(i, i + length).value_or(true)) return Said(OfLetter(letter), i, length);
       if (text_.Is(i, "sloped_rooms") && IsOfRoom(i, i + 1).value_or(true))
@@ -38,11 +41,21 @@ class ShapeReader {
   }
 
  private:
-  static constexpr std::pair<const char*, RoomShape> kShapes[] = {{"round_shapes", RoomShape::kRound},
-                                                                  {"oval_shapes", RoomShape::kOval},
-                                                                  {"octagonal_shapes", RoomShape::kOctagon},
-                                                                  {"hexagonal_shapes", RoomShape::kHexagon},
-                                                                  {"shapes", RoomShape::kRectangle}};
+  // "The stern end narrower than the other", "it narrows towards the north".
+  std::optional<ShapeRequest> NarrowingAt(std::size_t i) const {
+    const auto end = text_.BehindPhrase(i, "narrowing_ends");
+    if (!end) return std::nullopt;
+    const bool before = i > 0 && text_.Is(i - 1, "wall_sides");
+    ShapeRequest request{.shape = RoomShape::kNarrowing, .begin = before ? i - 1 : i, .end = *end};
+    request.narrow_end = text_.At(before ? i - 1 : text_.BehindArticle(*end));
+    while (text_.Says(request.end, {"than", "the", "other", "end", "one", request.narrow_end})) ++request.end;
+    return request;
+  }
+
+  static constexpr std::pair<const char*, RoomShape> kShapes[] = {
+      {"round_shapes", RoomShape::kRound},         {"oval_shapes", RoomShape::kOval},
+      {"octagonal_shapes", RoomShape::kOctagon},   {"hexagonal_shapes", RoomShape::kHexagon},
+      {"narrowing_shapes", RoomShape::kNarrowing}, {"shapes", RoomShape::kRectangle}};
 
   static ShapeRequest Said(ShapeRequest request, std::size_t i, std::size_t length) {
     request.begin = i;

@@ -11,7 +11,7 @@
 namespace flair::language {
 
 // Outlines that the handbook can draw.
-enum class RoomShape { kRectangle, kL, kT, kU, kRound, kOval, kOctagon, kHexagon };
+enum class RoomShape { kRectangle, kL, kT, kU, kRound, kOval, kOctagon, kHexagon, kNarrowing };
 
 // What a brief says about the room's outline.
 struct ShapeRequest {
@@ -19,6 +19,7 @@ struct ShapeRequest {
   // The word for an outline that cannot be drawn, as written but in lower case: "triangular"; else empty.
   std::string unknown;
   std::size_t begin = 0, end = 0;       // the tokens that say it
+  std::string narrow_end = {};          // of kNarrowing: "north", "far"; empty for any
   std::vector<std::string> parts = {};  // "half wall", "mezzanine": cannot be drawn
 };
 

@@ -96,7 +96,9 @@ class SizeReader {
   SizeRequest Read() {
     // Sides that no room has are another's, or no sides, where others are written.
     std::optional<std::pair<std::size_t, SidePair>> odd;
+    ReadLeg();
     for (std::size_t i = 0; i < text_.size() && !size_.in_numbers(); ++i) {
+      if (used_[i]) continue;  // of its leg
       if (const std::optional<SidePair> sides = PairAt(text_, i)) {
         // There is one room: "140 x 70 cm each" is said of pieces, "2 by 2 m of bare floor" of a part of it.
         const double shorter_m = std::min(sides->width_m, sides->depth_m);
@@ -137,6 +139,35 @@ class SizeReader {
     size_.width_m = sides.width_m;
     size_.depth_m = sides.depth_m;
     Mark(begin, sides.end, used_);
+  }
+
+  // "The leg that sticks out on the north east is 2.5 by 2.5", "a 1.5 x 0.8 m alcove in the north wall": with the sides
+  // that stand right before the word, or behind it in its sentence.
+  void ReadLeg() {
+    constexpr std::size_t kBack = 6, kReach = 14;
+    const bool is_l = Phrase("l shaped").Occurs(text_.tokens()) || Phrase("l shape").Occurs(text_.tokens());
+    for (std::size_t i = 0; i < text_.size() && !size_.leg; ++i) {
+      const bool recess = text_.BehindPhrase(i, "recesses").has_value();
+      if (!recess && !(is_l && text_.BehindPhrase(i, "legs_of_rooms"))) continue;
+      RoomLeg leg{.of_an_l = !recess};
+      std::optional<SidePair> sides;
+      std::size_t begin = i, k = i - std::min(i, kBack);
+      for (; k < i + kReach && !(k > i && text_.EndsSentence(k)); ++k) {
+        if (k > i && text_.Is(k, "compass")) (leg.wall.empty() ? leg.wall : leg.end) = text_.At(k);
+        const auto pair = sides ? std::nullopt : PairAt(text_, k);
+        if (!pair || (k < i && pair->end != i)) continue;
+        sides = pair;
+        begin = std::min(begin, k);
+        k = std::max(k, pair->end - 1);
+      }
+      if (!sides || (recess && leg.wall.empty())) continue;
+      // An alcove's width is along its wall.
+      const bool along_y = recess && (IsIn("eastern_walls", leg.wall) || IsIn("western_walls", leg.wall));
+      leg.width_m = along_y ? sides->depth_m : sides->width_m;
+      leg.depth_m = along_y ? sides->width_m : sides->depth_m;
+      size_.leg = leg;
+      Mark(begin, k, used_);
+    }
   }
 
   // "2 by 2 m of bare floor"; "6 by 5 m, open to the hall" is the room.
@@ -322,6 +353,10 @@ PieceSize ReadPieceSize(const std::vector<Token>& tokens, std::size_t begin, std
     if (adjectives) return size;
   }
   std::size_t at = end;
+  // "A single bed, though a wide one, 120 x 200".
+  const bool pause = text.At(at) == ",";
+  if (text.Says(pause ? at + 1 : at, {"though", "but"}) && text.At(at + (pause ? 4 : 3)) == "one") at += pause ? 5 : 4;
+  end = at;
   while (at < end + kMostLinks && (text.Is(at, "size_links") || text.Is(at, "each_words") || text.At(at) == ",")) ++at;
   const PieceSize behind = PieceSizeAt(text, at);
   // "a couch, 2 m table": a comma alone does not join them.

@@ -11,6 +11,14 @@
 
 namespace flair::language {
 
+// A part that juts out of a rectangle: "the leg on the north east is 2.5 by 2.5", "an alcove, 1.5 x 0.8 m, in the west
+// wall".
+struct RoomLeg {
+  double width_m = 0, depth_m = 0;  // along x and y
+  std::string wall, end;            // compass words; empty for any
+  bool of_an_l = false;             // at an end of its wall, not in the middle
+};
+
 // What a brief says about the room's size. Everything in metres; unset where it says nothing.
 struct SizeRequest {
   std::optional<double> width_m;  // west to east
@@ -19,6 +27,8 @@ struct SizeRequest {
   std::optional<double> height_m;
   double area_factor = 1;            // of words such as "small"
   std::optional<double> side_ratio;  // shorter by longer side, of words such as "narrow"
+
+  std::optional<RoomLeg> leg;
 
   bool in_numbers() const { return width_m || depth_m || area_m2; }
 };

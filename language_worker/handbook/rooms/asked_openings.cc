@@ -145,7 +145,7 @@ void AskedOpenings::AddWindows() {
   OpeningWish rest;
   int left = plan_.window_count - CountOf(v1::OPENING_KIND_WINDOW, room_);
   for (const int wall : WallsToTry(rest)) {
-    if (left > 0 && !HasOpening(wall)) left -= AddOn(wall, rest, 1);
+    if (left > 0 && IsBlank(room_, wall)) left -= AddOn(wall, rest, 1);
   }
 }
 
@@ -164,7 +164,8 @@ std::vector<int> AskedOpenings::SharesOf(const std::vector<int>& walls, const Op
     for (std::size_t w = 0; w < walls.size() && left > 0; ++w) {
       if (shares[w] > 0 && (shares[w] + 1) * kPerWindowM > WallLength(room_, walls[w])) continue;
       // The wall with the door comes last.
-      if (HasOpening(walls[w]) && shares[w] > 0 && shares[w] * 2 * kPerWindowM > WallLength(room_, walls[w])) continue;
+      if (!IsBlank(room_, walls[w]) && shares[w] > 0 && shares[w] * 2 * kPerWindowM > WallLength(room_, walls[w]))
+        continue;
       ++shares[w];
       --left;
       any = true;
@@ -173,14 +174,8 @@ std::vector<int> AskedOpenings::SharesOf(const std::vector<int>& walls, const Op
   return shares;
 }
 
-bool AskedOpenings::HasPiece(int wall) const {
-  return std::ranges::any_of(plan_.sides_of_pieces,
-                             [&](const std::string& side) { return WallOf(room_, side) == std::optional<int>(wall); });
-}
-
-bool AskedOpenings::IsBare(int wall) const {
-  return std::ranges::any_of(plan_.asked.bare_sides,
-                             [&](const std::string& side) { return WallOf(room_, side) == std::optional<int>(wall); });
+bool AskedOpenings::AnyIs(const std::vector<std::string>& sides, int wall) const {
+  return std::ranges::any_of(sides, [&](const std::string& side) { return WallOf(room_, side) == wall; });
 }
 
 void AskedOpenings::NoteFewer(const OpeningWish& wish, int made) {
@@ -204,7 +199,7 @@ std::vector<int> AskedOpenings::WallsToTry(const OpeningWish& wish) const {
     // "On the long wall": of the two the one that has nothing yet.
     const std::optional<int> other = WallOf(room_, "across " + wish.side);
     const bool either = (wish.side.starts_with("long") || wish.side.starts_with("short")) && other &&
-                        HasOpening(*wall) && !HasOpening(*other) &&
+                        !IsBlank(room_, *wall) && IsBlank(room_, *other) &&
                         WallLength(room_, *other) == WallLength(room_, *wall);
     walls.push_back(either ? *other : *wall);
     return walls;
@@ -213,7 +208,7 @@ std::vector<int> AskedOpenings::WallsToTry(const OpeningWish& wish) const {
     for (const char* side : {"far", "left", "right", "near"}) {
       const std::optional<int> wall = WallOf(room_, side);
       if (!wall || (!wish.door && IsBare(*wall))) continue;
-      if (HasOpening(*wall) != empty) walls.push_back(*wall);
+      if (IsBlank(room_, *wall) == empty) walls.push_back(*wall);
     }
   }
   return walls;
@@ -279,11 +274,6 @@ AlongWall AskedOpenings::AlongOf(int wall, const OpeningWish& wish) const {
     if (space_.IsEnd(wall, side) == std::optional<bool>(at_end)) along.end = side;
   }
   return along;
-}
-
-bool AskedOpenings::HasOpening(int wall) const {
-  return std::ranges::any_of(room_.openings(),
-                             [&](const v1::Opening& one) { return one.wall() == room_.walls(wall).name(); });
 }
 
 void AskedOpenings::NoteNarrower(const OpeningWish& wish, int wall, double width_m, bool moved) {

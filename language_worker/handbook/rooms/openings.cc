@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "language_worker/handbook/objects/fit_floor.h"
 #include "language_worker/handbook/rooms/describe_room.h"
 
 namespace flair::language {
@@ -79,29 +80,18 @@ class OpeningMaker {
         if (lengths_[wall] >= plan_.door_width_m + 0.4 && (!outside || IsOutside(wall))) walls.push_back(wall);
       }
     }
-    if (walls.empty()) return Longest();
+    if (walls.empty()) return static_cast<std::size_t>(WallOf(room_, "long").value_or(0));
     return walls[choice_.Index("door.any_wall", walls.size())];
-  }
-
-  std::size_t Longest() const {
-    return static_cast<std::size_t>(std::max_element(lengths_.begin(), lengths_.end()) - lengths_.begin());
-  }
-
-  const v1::Point2& CornerAt(std::size_t i) const {
-    return room_.floor().vertices(static_cast<int>(i % lengths_.size()));
   }
 
   // Whether a wall lies on the bounding rectangle.
   bool IsOutside(std::size_t wall) const {
-    const v1::Point2 &from = CornerAt(wall), &to = CornerAt(wall + 1);
-    double width_m = 0, depth_m = 0;
-    for (const v1::Point2& corner : room_.floor().vertices()) {
-      width_m = std::max(width_m, corner.x_m());
-      depth_m = std::max(depth_m, corner.y_m());
-    }
+    const v1::Point2 from = PointOn(room_, static_cast<int>(wall), 0);
+    const v1::Point2 to = PointOn(room_, static_cast<int>(wall), lengths_[wall]);
+    const FloorExtent extent = ExtentOf(room_);
     const bool along_x = from.y_m() == to.y_m();
     const double at_m = along_x ? from.y_m() : from.x_m();
-    return at_m == 0 || at_m == (along_x ? depth_m : width_m);
+    return at_m == 0 || at_m == (along_x ? extent.depth_m : extent.width_m);
   }
 
   // Quarter turns, counter-clockwise, from the door's wall to another: 2 for one that faces it.
@@ -122,7 +112,9 @@ class OpeningMaker {
     // A short wall leaves no room beside a door that stands further in.
     const double near_m = wall_m < kShortWallM ? 0.1 : choice_.Stepped("door.gap", 0.2, 0.5, 0.05);
     double offset_m = std::min(near_m, (wall_m - width_m) / 2);
-    if (plan_.rules.door_central() && wall_m > width_m + 2 && !HasOneWindowBeside()) offset_m = (wall_m - width_m) / 2;
+    const bool central = plan_.rules.door_central() && wall_m > width_m + 2 && !HasOneWindowBeside();
+    const bool flanked = std::ranges::any_of(plan_.asked.wishes, &OpeningWish::flanks);
+    if (central || flanked || IsOneOfManySides()) offset_m = (wall_m - width_m) / 2;
     bool at_end = choice_.Index("door.end", 2) == 1;
     // A door at a corner that the room goes round would open into the way.
     const bool round_start = IsReentrant(room_, static_cast<int>(door_wall_));
@@ -138,6 +130,13 @@ class OpeningMaker {
     door.mutable_leaf()->set_hinge(at_end ? v1::HINGE_SIDE_END : v1::HINGE_SIDE_START);
     const bool asked = wish != nullptr && wish->swing != v1::DOOR_SWING_UNSPECIFIED;
     door.mutable_leaf()->set_swing(asked ? wish->swing : UsualSwing());
+  }
+
+  // Of an octagon or a round room.
+  bool IsOneOfManySides() const {
+    bool convex = lengths_.size() > 4;
+    for (std::size_t i = 0; i < lengths_.size(); ++i) convex = convex && !IsReentrant(room_, static_cast<int>(i));
+    return convex;
   }
 
   // Which leaves the door no place in the middle.
@@ -182,13 +181,10 @@ class OpeningMaker {
       left -= count;
     }
     for (const OpeningWish& wish : plan_.asked.wishes) {
-      if (!wish.door && wish.counted) asked_.NoteFewer(wish, WindowCount());
+      if (!wish.door && wish.counted)
+        asked_.NoteFewer(
+            wish, static_cast<int>(std::ranges::count(room_.openings(), v1::OPENING_KIND_WINDOW, &v1::Opening::kind)));
     }
-  }
-
-  int WindowCount() const {
-    return static_cast<int>(std::ranges::count_if(
-        room_.openings(), [](const v1::Opening& one) { return one.kind() == v1::OPENING_KIND_WINDOW; }));
   }
 
   // The longest outer wall of each turn; then the other outer walls with room for a window.
@@ -207,12 +203,12 @@ class OpeningMaker {
     }
     order.insert(order.end(), others.begin(), others.end());
     // Those with a further door last.
-    std::ranges::stable_partition(order, [&](std::size_t wall) { return !asked_.HasOpening(static_cast<int>(wall)); });
+    std::ranges::stable_partition(order, [&](std::size_t wall) { return IsBlank(room_, static_cast<int>(wall)); });
     return order;
   }
 
   void AddWindowsOn(std::size_t wall, int count) {
-    if (asked_.HasOpening(static_cast<int>(wall))) {
+    if (!IsBlank(room_, static_cast<int>(wall))) {
       asked_.AddOn(static_cast<int>(wall), WindowWish(), count);
       return;
     }

@@ -59,14 +59,12 @@ class AskedOpenings {
   // Whether windows stand in their usual places, `plan().window_count` of them.
   bool UsualWindows() const;
   // Whether a wall is to have no window.
-  bool IsBare(int wall) const;
-
+  bool IsBare(int wall) const { return AnyIs(plan_.asked.bare_sides, wall); }
   // Whether a piece is asked for at a wall.
-  bool HasPiece(int wall) const;
+  bool HasPiece(int wall) const { return AnyIs(plan_.sides_of_pieces, wall); }
 
   // Puts so many into a wall beside what it has; returns how many there was room for.
   int AddOn(int wall, const OpeningWish& wish, int count);
-  bool HasOpening(int wall) const;
   // As the wish says or as is usual.
   OpeningSize SizeOf(const OpeningWish& wish, int wall) const;
   // Makes the remark on a wish of whose openings fewer were made than asked.
@@ -74,6 +72,7 @@ class AskedOpenings {
   std::vector<std::string> TakeRemarks() { return std::move(remarks_); }
 
  private:
+  bool AnyIs(const std::vector<std::string>& sides, int wall) const;
   std::vector<int> WallsToTry(const OpeningWish& wish) const;
   void Make(int wall, const OpeningWish& wish, const WallSpan& span);
   AlongWall AlongOf(int wall, const OpeningWish& wish) const;

@@ -226,6 +226,46 @@ void Warn(const char* code, const std::string& message, v1::Room& room) {
   diagnostic.set_message(message);
 }
 
+// A rectangle with a leg at its north wall: at x of its wall from `from_m` on.
+Outline WithLeg(double w, double d, double from_m, double along_m, double out_m) {
+  const double to_m = from_m + along_m;
+  Outline outline = {{0, 0}, {w, 0}};
+  if (to_m < w) outline.insert(outline.end(), {{w, d}, {to_m, d}});
+  outline.insert(outline.end(), {{std::min(w, to_m), d + out_m}, {from_m, d + out_m}});
+  if (from_m > 0) outline.insert(outline.end(), {{from_m, d}, {0, d}});
+  return outline;
+}
+
+// As many quarters as turn the north wall to where the word says.
+std::size_t QuartersTo(const std::string& word, std::size_t otherwise) {
+  constexpr const char* kWalls[] = {"northern_walls", "western_walls", "southern_walls", "eastern_walls"};
+  const auto found = std::ranges::find_if(kWalls, [&](const char* wall) { return IsIn(wall, word); });
+  return found == std::end(kWalls) ? otherwise : static_cast<std::size_t>(found - kWalls);
+}
+
+Outline OfLeg(const RoomLeg& leg, double w, double d, const Choice& choice) {
+  const std::size_t quarters = QuartersTo(leg.wall, choice.Index("room.shape.turn", 4));
+  const bool across = quarters % 2 == 1;
+  const double along_m = across ? leg.depth_m : leg.width_m, out_m = across ? leg.width_m : leg.depth_m;
+  if (across) std::swap(w, d);
+  // Drawn in the north, its right end is turned with it.
+  const double spare_m = std::max(0.0, w - along_m);
+  const bool right = QuartersTo(leg.end, 2 * choice.Index("room.leg.end", 2) + quarters + 1) % 4 == (quarters + 3) % 4;
+  const double from_m = !leg.of_an_l ? spare_m / 2 : right ? spare_m : 0;
+  return Turned(WithLeg(w, d, from_m, along_m, out_m), w, d + out_m, quarters);
+}
+
+// Narrower by a quarter in the north, turned as told.
+Outline Narrowing(const ShapeRequest& request, double w, double d, const Choice& choice) {
+  const std::size_t quarters = QuartersTo(request.narrow_end, d >= w ? 0 : 1 + 2 * choice.Index("room.shape.turn", 2));
+  if (quarters % 2 == 1) std::swap(w, d);
+  const double in_m = RoundToStep(w / 8);
+  Outline outline = Turned({{0, 0}, {w, 0}, {w - in_m, d}, {in_m, d}}, w, d, quarters);
+  // The first wall is that in the south.
+  std::ranges::rotate(outline, outline.begin() + static_cast<std::ptrdiff_t>((4 - quarters) % 4));
+  return outline;
+}
+
 void SetOutline(const Outline& outline, v1::Room& room) {
   for (const Corner& corner : outline) {
     v1::Point2& vertex = *room.mutable_floor()->add_vertices();
@@ -265,7 +305,10 @@ void SetFloor(const ShapeRequest& request, const SizeRequest& asked, const RoomS
                      fmt::join(request.parts, "\", \"")),
          room);
   }
+  if (asked.leg) return SetOutline(OfLeg(*asked.leg, size.width_m, size.depth_m, choice), room);
   if (request.shape == RoomShape::kRectangle) return SetOutline(rectangle, room);
+  if (request.shape == RoomShape::kNarrowing)
+    return SetOutline(Narrowing(request, size.width_m, size.depth_m, choice), room);
   double w = size.width_m, d = size.depth_m;
   if (asked.area_m2 && !asked.width_m && !asked.depth_m) {
     w = RoundToStep(w / std::sqrt(ShareOf(request.shape)));

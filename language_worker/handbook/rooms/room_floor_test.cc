@@ -81,6 +81,43 @@ TEST_F(RoomFloor, EveryShapeAndSeedIsAValidRoomOfTheSizeAskedFor) {
   }
 }
 
+TEST_F(RoomFloor, ALegIsAddedToTheMainPart) {
+  const struct {
+    const char* text;
+    double width_m, depth_m, area_m2;
+  } kCases[] = {
+      {"L shaped living room. The main part is 5.5 by 4.2 metres and the leg on the north east is 2.5 by 2.", 5.5, 6.2,
+       28.1},
+      {"An L-shaped living room, main part 5 x 4 m, leg to the west 2 x 2.5 m.", 7, 4, 25},
+      {"A bedroom, 4 x 4 m, with a 1.5 x 0.7 m alcove in the west wall.", 4.7, 4, 17.05},
+      {"A living room of 5 x 4 m with a bay of 2 x 0.8 m in the south wall.", 5, 4.8, 21.6},
+  };
+  for (const auto& expected : kCases) {
+    const v1::Room room = RoomOf(expected.text);
+    EXPECT_TRUE(Validate(room).ok()) << expected.text << Validate(room);
+    EXPECT_NEAR(Extent(room, true), expected.width_m, 1e-6) << expected.text;
+    EXPECT_NEAR(Extent(room, false), expected.depth_m, 1e-6) << expected.text;
+    EXPECT_NEAR(FloorArea(room), expected.area_m2, 0.01) << expected.text;
+  }
+}
+
+TEST_F(RoomFloor, AFloorMayBeNarrowerAtOneEnd) {
+  const v1::Room stern = RoomOf("A cabin, 4 x 5 m, the stern end narrower than the other, three stern windows.");
+  ASSERT_EQ(stern.floor().vertices_size(), 4);
+  EXPECT_EQ(stern.walls(2).name(), "north");
+  EXPECT_NEAR(stern.floor().vertices(2).x_m() - stern.floor().vertices(3).x_m(), 3, 1e-6);
+  EXPECT_EQ(std::ranges::count(stern.openings(), "north", &v1::Opening::wall), 3);
+  const v1::Room east = RoomOf("A trapezoidal living room of 6 x 5 m that is narrower at the east end.");
+  EXPECT_LT(east.floor().vertices(2).y_m() - east.floor().vertices(1).y_m(), 4.5);
+}
+
+TEST_F(RoomFloor, FacesOfATowerAreThoseThatLookThatWay) {
+  const v1::Room tower =
+      RoomOf("An octagonal library, 6 m across, door on the south face, a window on the north east face.");
+  EXPECT_EQ(tower.openings(0).wall(), "wall_6");
+  EXPECT_EQ(tower.openings(1).wall(), "wall_1");
+}
+
 TEST_F(RoomFloor, AnAreaIsThatOfTheFloor) {
   EXPECT_NEAR(FloorArea(RoomOf("An L-shaped living room of 30 square metres.")), 30, 0.6);
   EXPECT_NEAR(FloorArea(RoomOf("A T-shaped living room of 30 square metres.")), 30, 0.6);

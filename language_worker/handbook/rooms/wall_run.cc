@@ -39,6 +39,13 @@ struct AskedRun {
   std::map<std::string, int> wall_of;
   bool basin_at_window = false;
   bool others_at_window = false;  // a table has the place before it
+  // Units that are to be near a door, or away from it; all of them without a name.
+  struct AtDoor {
+    std::string unit;
+    v1::Point2 door;
+    bool away;
+  };
+  std::vector<AtDoor> at_doors;
 };
 
 struct Span {
@@ -176,29 +183,39 @@ class RunPlanner {
   void RoundCorner(int wall, std::size_t k) {
     const int next = Turned(wall, 1);
     if (units_[k].place.part != hb::RUN_PART_WORKTOP || IsReentrant(room_, next)) return;
+    const double least_m = units_[k].depth_m + kShownM;
+    if (units_[k].most_m < least_m) return;
     for (const bool ends_here : {true, false}) {
-      Units corner_unit = units_;
-      const double least_m = corner_unit[k].depth_m + kShownM;
-      if (corner_unit[k].most_m < least_m) return;
-      corner_unit[k].least_m = std::max(corner_unit[k].least_m, least_m);
-      corner_unit[k].place.width_m = std::max(corner_unit[k].place.width_m, least_m);
-      const auto cut = corner_unit.begin() + static_cast<std::ptrdiff_t>(k) + (ends_here ? 1 : 0);
-      Units first(corner_unit.begin(), cut), second(cut, corner_unit.end());
-      if (first.empty() || second.empty()) continue;
-      const double length_m = WallLength(room_, wall), depth_m = corner_unit[k].depth_m;
-      std::vector<Span> here = Free(wall), there = Free(next);
-      if (here.empty() || there.empty() || here.back().to_m < length_m || there.front().from_m > 0) continue;
-      if (ends_here) {
-        there.front().from_m += depth_m;
-      } else {
-        here.back().to_m -= depth_m;
-      }
-      if (!FitTo(first, here.back().length_m()) || !FitTo(second, there.front().length_m())) continue;
-      PutAt(first, wall, here.back().to_m - WidthOf(first));
-      PutAt(second, next, there.front().from_m);
-      first.insert(first.end(), second.begin(), second.end());
-      Offer(first, RunForm::kRoundCorner, 0.4);
+      RoundCorner(wall, k, ends_here, least_m, units_[k].most_m);
+      // As wide as brings the basin before the window that it is asked for at.
+      constexpr double kStepM = 0.05;
+      for (double width_m = least_m; asked_.basin_at_window && width_m <= units_[k].most_m; width_m += kStepM)
+        RoundCorner(wall, k, ends_here, width_m, width_m);
     }
+  }
+
+  void RoundCorner(int wall, std::size_t k, bool ends_here, double least_m, double most_m) {
+    const int next = Turned(wall, 1);
+    Units corner_unit = units_;
+    corner_unit[k].least_m = std::max(corner_unit[k].least_m, least_m);
+    corner_unit[k].most_m = most_m;
+    corner_unit[k].place.width_m = std::clamp(corner_unit[k].place.width_m, least_m, most_m);
+    const auto cut = corner_unit.begin() + static_cast<std::ptrdiff_t>(k) + (ends_here ? 1 : 0);
+    Units first(corner_unit.begin(), cut), second(cut, corner_unit.end());
+    if (first.empty() || second.empty()) return;
+    const double length_m = WallLength(room_, wall), depth_m = corner_unit[k].depth_m;
+    std::vector<Span> here = Free(wall), there = Free(next);
+    if (here.empty() || there.empty() || here.back().to_m < length_m || there.front().from_m > 0) return;
+    if (ends_here) {
+      there.front().from_m += depth_m;
+    } else {
+      here.back().to_m -= depth_m;
+    }
+    if (!FitTo(first, here.back().length_m()) || !FitTo(second, there.front().length_m())) return;
+    PutAt(first, wall, here.back().to_m - WidthOf(first));
+    PutAt(second, next, there.front().from_m);
+    first.insert(first.end(), second.begin(), second.end());
+    Offer(first, RunForm::kRoundCorner, 0.4);
   }
 
   // Round both ends of the wall behind `wall`: the worktops k and `second` fill its corners, what is between them
@@ -303,6 +320,14 @@ class RunPlanner {
     for (const double slot_m : {left_m, right_m}) {
       if (slot_m > kSmallM && slot_m < kSlotM) cost += 0.4;
     }
+    for (const AskedRun::AtDoor& asked : asked_.at_doors) {
+      if (asked.away && asked.unit != place.object->name()) continue;
+      constexpr double kAwayM = 2.2, kEachMetre = 3, kNearM = 1.2, kEachMetreOff = 0.8;
+      const v1::Point2 here = PointOn(room_, place.wall, place.offset_m + place.width_m / 2);
+      const double apart_m = std::hypot(here.x_m() - asked.door.x_m(), here.y_m() - asked.door.y_m());
+      cost +=
+          asked.away ? kEachMetre * std::max(0.0, kAwayM - apart_m) : kEachMetreOff * std::max(0.0, apart_m - kNearM);
+    }
     double off_window = 1;
     for (const v1::Opening& window : WindowsOn(place.wall)) {
       const double from_m = window.offset_m(), to_m = from_m + window.width_m();
@@ -351,6 +376,15 @@ bool ReadAsked(const BriefFacts& facts, const v1::Room& room, AskedRun& asked) {
     const auto is_wet = [](const hb::Furniture& piece) {
       return piece.run() == hb::RUN_PART_BASIN || piece.run() == hb::RUN_PART_WASHER;
     };
+    if (text.find("door") != std::string::npos && text.find("face") == std::string::npos) {
+      const v1::Opening* door = OpeningOf(room, v1::OPENING_KIND_DOOR, place.side);
+      if (door == nullptr && room.openings_size() > 0) door = &room.openings(0);
+      const std::optional<int> wall = door == nullptr ? std::nullopt : WallNamed(room, door->wall());
+      if (!wall) continue;
+      asked.at_doors.push_back({place.furniture->name(), PointOn(room, *wall, door->offset_m() + door->width_m() / 2),
+                                text.find("away") != std::string::npos});
+      continue;
+    }
     // The one is beside the other anyway.
     if (place.target != nullptr && is_wet(*place.furniture) && is_wet(*place.target)) continue;
     if (text.find("{wall}") == std::string::npos) return false;

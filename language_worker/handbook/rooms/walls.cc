@@ -42,30 +42,43 @@ std::optional<int> HeadingNamed(const v1::Room& room, std::string_view word) {
   return std::nullopt;
 }
 
-// The first that is longest, or shortest, of those for which `may` holds.
-template <typename May>
-std::optional<int> Extreme(const v1::Room& room, bool longest, const May& may) {
+// The first wall of which a measure is largest, of those that have it.
+template <typename Measure>
+std::optional<int> Most(const v1::Room& room, const Measure& measure) {
   std::optional<int> best;
+  double best_m = 0;
   for (int wall = 0; wall < Count(room); ++wall) {
-    if (!may(wall)) continue;
-    const double more_m = best ? WallLength(room, wall) - WallLength(room, *best) : 0;
-    if (!best || (longest ? more_m > 1e-9 : more_m < -1e-9)) best = wall;
+    const std::optional<double> here_m = measure(wall);
+    if (!here_m || (best && *here_m < best_m + 1e-7)) continue;
+    best = wall;
+    best_m = *here_m;
   }
   return best;
 }
 
+constexpr std::array<std::array<double, 2>, 4> kOutward = {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+
+// How long a wall is as seen from out there.
+double SeenFrom(const v1::Room& room, int wall, double out_x, double out_y) {
+  const v1::Point2 &from = CornerAt(room, wall), &to = CornerAt(room, wall + 1);
+  return (to.y_m() - from.y_m()) * out_x - (to.x_m() - from.x_m()) * out_y;
+}
+
 std::optional<int> LongestFacing(const v1::Room& room, int heading) {
-  return Extreme(room, true, [&](int wall) { return HeadingOf(room, wall) == heading; });
+  const auto [out_x, out_y] = kOutward[static_cast<std::size_t>(heading)];
+  return Most(room, [&](int wall) {
+    return HeadingOf(room, wall) == heading ? std::optional(SeenFrom(room, wall, out_x, out_y)) : std::nullopt;
+  });
 }
 
 std::optional<int> OneWord(const v1::Room& room, const std::string& word) {
   if (const std::optional<int> heading = HeadingNamed(room, word)) return LongestFacing(room, *heading);
-  const auto any = [](int) { return true; };
-  if (word.starts_with("long")) return Extreme(room, true, any);
-  if (word.starts_with("short")) return Extreme(room, false, any);
+  const auto length = [&](int wall) { return std::optional(WallLength(room, wall)); };
+  if (word.starts_with("long")) return Most(room, length);
+  if (word.starts_with("short")) return Most(room, [&](int wall) { return std::optional(-WallLength(room, wall)); });
   if (word == "window") return WallWith(room, v1::OPENING_KIND_WINDOW);
   if (word == "door" || word == "entrance") return WallWith(room, v1::OPENING_KIND_DOOR);
-  if (word == "blank") return Extreme(room, true, [&](int wall) { return IsBlank(room, wall); });
+  if (word == "blank") return Most(room, [&](int wall) { return IsBlank(room, wall) ? length(wall) : std::nullopt; });
   return std::nullopt;
 }
 
@@ -85,7 +98,6 @@ std::vector<std::string> SideWords(std::string_view words) {
 
 // The corner that is farthest that way: by the sum of its coordinates along the headings' outward directions.
 std::optional<int> CornerTowards(const v1::Room& room, const std::vector<int>& headings) {
-  constexpr std::array<std::array<double, 2>, 4> kOutward = {{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
   std::optional<int> best;
   double best_m = 0;
   for (int i = 0; i < Count(room); ++i) {
@@ -138,6 +150,15 @@ double WallLength(const v1::Room& room, int wall) {
                     CornerAt(room, wall + 1).y_m() - CornerAt(room, wall).y_m());
 }
 
+v1::Point2 PointOn(const v1::Room& room, int wall, double offset_m) {
+  const v1::Point2 &from = CornerAt(room, wall), &to = CornerAt(room, wall + 1);
+  const double share = offset_m / WallLength(room, wall);
+  v1::Point2 point;
+  point.set_x_m(from.x_m() + share * (to.x_m() - from.x_m()));
+  point.set_y_m(from.y_m() + share * (to.y_m() - from.y_m()));
+  return point;
+}
+
 std::optional<int> WallNamed(const v1::Room& room, std::string_view name) {
   for (int i = 0; i < room.walls_size(); ++i) {
     if (room.walls(i).name() == name) return i;
@@ -161,9 +182,18 @@ bool GoesByTheDoor(std::string_view words) {
 std::optional<int> WallOf(const v1::Room& room, std::string_view words) {
   if (Count(room) < 3 || room.walls_size() != Count(room)) return std::nullopt;
   const std::vector<std::string> all = SideWords(words);
+  if (all.empty()) return std::nullopt;
   if (all.size() == 2 && all[0] == "across") {
     const std::optional<int> wall = OneWord(room, all[1]);
     return wall ? LongestFacing(room, (HeadingOf(room, *wall) + 2) % 4) : std::nullopt;
+  }
+  // "North west": of an octagon the wall between those.
+  const auto one = HeadingNamed(room, all[0]), other = HeadingNamed(room, all.back());
+  if (one && other && Count(room) > 6) {
+    const auto [x, y] = kOutward[static_cast<std::size_t>(*one)];
+    const auto [other_x, other_y] = kOutward[static_cast<std::size_t>(*other)];
+    return Most(room,
+                [&, x = x + other_x, y = y + other_y](int wall) { return std::optional(SeenFrom(room, wall, x, y)); });
   }
   // "Blank far": the far one if it is blank.
   if (all.size() == 2 && all[0] == "blank") {
@@ -211,10 +241,8 @@ std::optional<int> CornerOf(const v1::Room& room, std::string_view words) {
     const auto opening = std::ranges::find(room.openings(), kind, &v1::Opening::kind);
     const std::optional<int> wall = opening == room.openings().end() ? std::nullopt : WallNamed(room, opening->wall());
     if (!wall) return std::nullopt;
-    const double share = (opening->offset_m() + opening->width_m() / 2) / WallLength(room, *wall);
-    const v1::Point2 &from = CornerAt(room, *wall), &to = CornerAt(room, *wall + 1);
-    return ExtremeCorner(room, from.x_m() + share * (to.x_m() - from.x_m()),
-                         from.y_m() + share * (to.y_m() - from.y_m()), true);
+    const v1::Point2 at = PointOn(room, *wall, opening->offset_m() + opening->width_m() / 2);
+    return ExtremeCorner(room, at.x_m(), at.y_m(), true);
   }
   std::vector<int> headings;
   for (const std::string& word : SideWords(words)) {
@@ -359,11 +387,11 @@ std::optional<bool> WallSpace::IsEnd(int wall, const std::string& words) const {
     if (door.kind() != v1::OPENING_KIND_DOOR || (!near && !far)) continue;
     const std::optional<int> at = WallNamed(room_, door.wall());
     if (!at) break;
-    const int behind = (*at + 1) % room_.floor().vertices_size();
-    const double share = (door.offset_m() + door.width_m() / 2) / WallLength(room_, *at);
-    const v1::Point2 &a = room_.floor().vertices(*at), &b = room_.floor().vertices(behind);
-    const double x_m = a.x_m() + share * (b.x_m() - a.x_m()), y_m = a.y_m() + share * (b.y_m() - a.y_m());
-    const bool end_nearer = std::hypot(to.x_m() - x_m, to.y_m() - y_m) < std::hypot(from.x_m() - x_m, from.y_m() - y_m);
+    const v1::Point2 there = PointOn(room_, *at, door.offset_m() + door.width_m() / 2);
+    const auto away_m = [&](const v1::Point2& end) {
+      return std::hypot(end.x_m() - there.x_m(), end.y_m() - there.y_m());
+    };
+    const bool end_nearer = away_m(to) < away_m(from);
     return end_nearer == near;
   }
   return std::nullopt;

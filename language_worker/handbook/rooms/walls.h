@@ -37,6 +37,9 @@ bool IsBlank(const v1::Room& room, int wall);
 // Length of a wall, metres.
 double WallLength(const v1::Room& room, int wall);
 
+// The point so far along a wall.
+v1::Point2 PointOn(const v1::Room& room, int wall, double offset_m);
+
 // 0 for a wall in the south, which runs east, 1 for one in the east, and so on.
 int HeadingOf(const v1::Room& room, int wall);
 

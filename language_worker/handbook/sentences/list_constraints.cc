@@ -188,10 +188,8 @@ class ConstraintLister {
   // Whether objects of that name are, or stand in for, what a brief names.
   bool IsMeant(const hb::Furniture& furniture, const std::string& name) const {
     if (furniture.name() == name) return true;
-    google::protobuf::RepeatedPtrField<std::string> classes;
-    *classes.Add() = furniture.name();
     return !writer_.groups().contains(furniture.name()) &&
-           (Includes(WithSubstitutes(classes, program_), name) || furniture.smaller() == name);
+           (Includes(WithSubstitutes(std::array{furniture.name()}, program_), name) || furniture.smaller() == name);
   }
 
   // Places of which no sentence came, of pieces that are there: the others are told of where they are left out.

@@ -60,10 +60,8 @@ std::vector<v1::Sentence> PlaceWriter::WriteBetween(const Place& place, const Gr
 
 const v1::Object* PlaceWriter::Neighbour(const hb::Furniture& furniture, const v1::Object& object,
                                          const v1::Object* other) const {
-  google::protobuf::RepeatedPtrField<std::string> classes;
-  *classes.Add() = furniture.name();
   const v1::Object* best = nullptr;
-  for (const std::string& name : WithSubstitutes(classes, program_)) {
+  for (const std::string& name : WithSubstitutes(std::array{furniture.name()}, program_)) {
     const auto found = writer_.groups().find(name);
     if (found == writer_.groups().end()) continue;
     for (const v1::Object* one : found->second) {

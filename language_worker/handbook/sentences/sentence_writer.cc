@@ -71,9 +71,7 @@ bool SentenceWriter::Applies(const hb::Relation& relation, const Group& group) c
   const int count = static_cast<int>(group.size());
   if (count < condition.min_count() || (condition.max_count() > 0 && count > condition.max_count())) return false;
   for (const std::string& name : condition.with()) {
-    google::protobuf::RepeatedPtrField<std::string> classes;
-    *classes.Add() = name;
-    const std::vector<std::string> names = WithSubstitutes(classes, program_);
+    const std::vector<std::string> names = WithSubstitutes(std::array{name}, program_);
     if (std::ranges::none_of(names, [&](const std::string& one) { return groups_.contains(one); })) return false;
   }
   for (const std::string& name : WithSubstitutes(condition.without(), program_)) {
