@@ -171,6 +171,30 @@ TEST_F(HandPlacedTest, WhatWasNotPlacedByHandGivesWayToWhatWas) {
   }
 }
 
+TEST_F(HandPlacedTest, WhatIsToldOfLockedPiecesCallsThemByNameAndEndsWithThem) {
+  const v1::GetDocumentResponse made = Designed("A living room that is 5m x 6m.", 3);
+  const std::string table = IdOf(made.layout(), "side table"), chair = IdOf(made.layout(), "armchair");
+  v1::Placement over = PlacementOf(made.layout(), table);
+  over.set_x_m(PlacementOf(made.layout(), chair).x_m());
+  auto last = Move(made.document(), over);
+  ASSERT_TRUE(last.ok()) << last.status();
+  last = Act(last->document(), [&](v1::ActRequest& act) {
+    for (const std::string& id : {chair, table}) act.mutable_edit()->add_edits()->set_pin_object_id(id);
+  });
+  ASSERT_TRUE(last.ok()) << last.status();
+  std::string told;
+  for (const v1::Diagnostic& one : last->diagnostics()) told += one.code() + " " + one.message() + "\n";
+  EXPECT_THAT(told, HasSubstr("armchair 1 (0.80 m x 0.80 m) overlaps the side table (0.50 m x 0.50 m)"));
+  last =
+      Act(last->document(), [&](v1::ActRequest& act) { act.mutable_edit()->add_edits()->set_remove_object_id(table); });
+  ASSERT_TRUE(last.ok()) << last.status();
+  const v1::GetDocumentResponse left = Get(made.document().id());
+  for (const v1::Diagnostic& one : left.layout().diagnostics()) {
+    EXPECT_THAT(one.message(), ::testing::Not(HasSubstr("side_table")));
+    EXPECT_NE(one.code(), "pinned_collides");
+  }
+}
+
 TEST_F(HandPlacedTest, InARoomThatWasNeverSolvedPiecesStayWhereTheyWereDropped) {
   v1::CreateDocumentRequest request;
   request.set_request_id("own");

@@ -94,42 +94,6 @@ absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& 
   return acted;
 }
 
-absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::ReplaceObject& replace,
-                                          CallContext& call) const {
-  v1::SolvedLayout shown = standing.shown, settled = standing.settled == nullptr ? shown : *standing.settled;
-  std::string before;
-  for (v1::SolvedLayout* layout : {&shown, &settled}) {
-    for (v1::Object& object : *layout->mutable_graph()->mutable_object_list()->mutable_objects()) {
-      if (object.id() != replace.object_id()) continue;
-      before = object.name();
-      // Sizes are an edit, which keeps the back where it was.
-      object.set_name(replace.by().name());
-      object.set_category(replace.by().category());
-      object.set_description(replace.by().description());
-      object.set_round(replace.by().round());
-      object.set_sat_at(replace.by().sat_at());
-      object.set_seat(replace.by().seat());
-      object.set_requested(true);
-      const auto at = std::ranges::find(*layout->mutable_placements(), object.id(), &v1::Placement::object_id);
-      if (at != layout->mutable_placements()->end()) FaceIntoRoom(layout->graph().room(), object, true, *at);
-    }
-  }
-  if (before.empty()) {
-    return InvalidArgument("replace.object_id: \"{}\" is not an object of the room", replace.object_id().substr(0, 80));
-  }
-  EditList edits;
-  v1::ResizeObject& resize = *edits.Add()->mutable_resize_object();
-  resize.set_object_id(replace.object_id());
-  resize.set_width_m(replace.by().width_m());
-  resize.set_depth_m(replace.by().depth_m());
-  resize.set_height_m(replace.by().height_m());
-  ASSIGN_OR_RETURN(Acted acted,
-                   Solved({shown, standing.settled == nullptr ? nullptr : &settled, standing.pending, standing.by_hand},
-                          edits, call));
-  acted.label = fmt::format("replace the {} by {}", before, WithArticle(replace.by().name()));
-  return acted;
-}
-
 absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1::Room& room, CallContext& call) const {
   RETURN_IF_ERROR(Validate(room));
   Acted acted;
@@ -185,6 +149,14 @@ absl::StatusOr<Acted> LayoutActs::Act(const Standing& standing, const v1::ActReq
                                       CallContext& call) const {
   ASSIGN_OR_RETURN(Acted acted, Dispatch(standing, request, call));
   ForgetWhatIsAnswered(standing.shown.graph(), acted.layout);
+  const auto name = [&](v1::Diagnostic& remark) {
+    // Pieces that have gone have names as well.
+    for (const v1::SolvedLayout* layout : {&std::as_const(acted.layout), &standing.shown}) {
+      remark.set_message(WithNames(remark.message(), *layout));
+    }
+  };
+  std::ranges::for_each(acted.diagnostics, name);
+  std::ranges::for_each(*acted.layout.mutable_diagnostics(), name);
   return acted;
 }
 

@@ -9,6 +9,7 @@
 #include "session/acts/layout_acts.h"
 #include "session/layouts/comparing.h"
 #include "session/layouts/directions.h"
+#include "session/layouts/edits.h"
 #include "session/layouts/placing.h"
 #include "session/sentences/answers.h"
 #include "session/sentences/names.h"

@@ -63,6 +63,13 @@ void ForgetWhatIsAnswered(const v1::LayoutGraph& before, v1::SolvedLayout& layou
   }
   const auto answered = [&](const v1::Diagnostic& remark) {
     if (gone.contains(remark.subject_id())) return true;
+    // Nothing stands badly for a piece that has gone.
+    const bool of_act = remark.code() == "edge_removed" || remark.code() == "edge_dropped";
+    const std::string& said = remark.message();
+    if (!of_act && std::ranges::any_of(
+                       lost, [&](const std::string& id) { return said.find('"' + id + '"') != std::string::npos; })) {
+      return true;
+    }
     // What of a sentence was not understood is not answered by the rest of it.
     if (holding.contains(remark.subject_id()) && remark.code() != "partial") return true;
     const bool misses = remark.code() == "names_absent_object" || remark.code() == "essential_missing";

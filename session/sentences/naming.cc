@@ -83,6 +83,9 @@ std::string WithNames(const std::string& message, const v1::SolvedLayout& layout
     std::string name = NameForPeople(*scene, i);
     // What a user wrote stays, and so does what is no id: "desk".
     if (id.find('_') == std::string::npos) continue;
+    for (size_t at = named.find('"' + id + '"'); at != std::string::npos; at = named.find('"' + id + '"', at)) {
+      named.replace(at, id.size() + 2, name);
+    }
     for (size_t at = FindWord(named, id); at != std::string::npos; at = FindWord(named, id, at + name.size())) {
       const std::string article = "the ";
       if (at >= article.size() && absl::AsciiStrToLower(named.substr(at - article.size(), article.size())) == article &&

@@ -196,7 +196,7 @@ export const weigh = (room: OpenRoom, sentenceId: string, weight: number) =>
   room.act({ case: "weigh", value: { sentenceId, weight } });
 
 export const replacePiece = (room: OpenRoom, objectId: string, by: MessageInitShape<typeof ObjectSchema>) =>
-  room.act({ case: "replace", value: { objectId, by } });
+  room.act({ case: "replace", value: { objectId, by, withoutSolving: !room.settlesAlone() } });
 
 export const renamePiece = (room: OpenRoom, piece: Piece, name: string) =>
   replacePiece(room, piece.id, { ...plain(piece.object), name });
