@@ -215,6 +215,20 @@ TEST(FurnitureReader, CountsStandBeforeBehindAndInGroups) {
   }
 }
 
+TEST(FurnitureReader, WhatIsOnlySpokenOfIsNoPiece) {
+  const auto wishes = [](const char* text, const char* name) {
+    const BriefFacts facts = FactsOf(text);
+    const auto found = std::ranges::find_if(
+        facts.wishes, [&](const Wish& wish) { return wish.furniture->name().find(name) != std::string::npos; });
+    return found == facts.wishes.end() ? 0 : found->count;
+  };
+  EXPECT_EQ(wishes("A workshop. I build wooden boats. A workbench.", "boat"), 0);
+  EXPECT_EQ(wishes("A café with a table for the mums with prams.", "pram"), 0);
+  EXPECT_EQ(wishes("A bedroom with a king bed. Keep 80 cm clear round bed.", "round bed"), 0);
+  EXPECT_EQ(wishes("A bedroom. She keeps a hamster, the cage is in the shade.", "recovery"), 0);
+  EXPECT_EQ(wishes("A treatment room, one treatment table accessible on all four sides.", "couch"), 1);
+}
+
 TEST(FurnitureReader, TablesOfTwoSizesAreToldApart) {
   for (const char* text :
        {"A café with six tables for two and one big table.", "A café with one large table and six small tables.",

@@ -260,6 +260,10 @@ class OwnFinder {
   // farm", "a slice of life" or "jars of honey and spice".
   bool IsListed(const NounPhrase& phrase) const {
     if (text_.At(phrase.end - 1).ends_with("ing")) return false;
+    // "My knees are bad" asks for none.
+    const bool begins = phrase.begin < 2 || text_.EndsSentence(phrase.begin - 2);
+    const bool is_so = text_.Says(phrase.end, {"is", "are", "was", "were"});
+    if (begins && is_so && english::WordNet::Get().IsAdjective(text_.At(phrase.end + 1))) return false;
     if (text_.At(phrase.end) == "of") {
       const hb::Furniture* like = handbook_.vocabulary().meanings->ThingOf(text_.At(phrase.end - 1)).like;
       if (like == nullptr || !IsOnTheFloor(*like)) return false;  // a slice of life, not "stands of buckets"

@@ -57,6 +57,9 @@ bool IsNamedByADoor(const BriefText& text, std::size_t i) {
 bool IsOfATale(const BriefText& text, std::size_t i) {
   constexpr std::size_t kMostBack = 10;
   if (!text.At(i).ends_with('s') || text.PhraseBegin(i) == 0) return false;
+  // "The big table for the mums with prams".
+  const bool brought = i > 1 && IsFormIn("brought_by_people", text.At(i)) && text.At(i - 1) == "with";
+  if (brought && CountsPeople(text.At(i - 2))) return true;
   bool people = false, listed = false;
   for (std::size_t at = i; at > 0 && i - at < kMostBack; --at) {
     const std::size_t k = at - 1;
@@ -194,7 +197,8 @@ Walls WallsBehind(const BriefText& text, std::size_t end) {
   bool along = false, all = false;
   int number = 0;
   for (std::size_t i = end; i < end + kMostWords && i < text.size() && !text.IsSign(i); ++i) {
-    if (text.Says(i, {"and", "with", "for"})) break;
+    // A couch that can be reached from all four sides is one.
+    if (text.Says(i, {"and", "with", "for"}) || text.Is(i, "says_reached")) break;
     along = along || text.Is(i, "along_walls");
     all = all || text.Says(i, {"all", "every", "each"});
     walls.is_long = walls.is_long || text.At(i) == "long";
@@ -224,8 +228,10 @@ bool IsNoNoun(const BriefText& text, std::size_t i) {
 }
 
 bool IsOnlyTold(const BriefText& text, const hb::Furniture& furniture, std::size_t i, std::size_t length) {
+  // "Keep 80 cm clear round bed" speaks of the bed.
+  if (text.At(i) == "round" && i > 0 && text.Is(i - 1, "says_reached")) return true;
   return IsHeld(text, furniture, i) || IsPassing(text, i, length) ||
-         IsBorne(text, i, furniture.kind() == hb::FURNITURE_KIND_SURFACE) || IsOfATale(text, i) ||
+         IsBorne(text, i, furniture.kind() == hb::FURNITURE_KIND_SURFACE) || IsOfATale(text, i + length - 1) ||
          (length == 1 && IsBehindADoor(text, i));
 }
 

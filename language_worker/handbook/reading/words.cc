@@ -47,6 +47,63 @@ bool BeginTheSame(std::string_view a, std::string_view b) {
          a.substr(0, least) == b.substr(0, least);
 }
 
+// The word of the compass that a letter stands for; empty for others.
+std::string_view CompassOf(char letter) {
+  const auto& words = WordsOf("compass");
+  const auto found = std::ranges::find(words, letter, [](const std::string& word) { return word.front(); });
+  return found == words.end() ? std::string_view() : *found;
+}
+
+// "The W wall", "the SW corner", "headboard to N."
+void SpellOutCompass(std::vector<Token>& tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const bool last = i + 1 == tokens.size() || tokens[i + 1].kind == Token::Kind::kSign;
+    const bool before = i + 1 < tokens.size() && IsIn("behind_compass_letters", tokens[i + 1].text);
+    const bool behind = last && i > 0 && IsOneOf(tokens[i - 1].text, {"to", "facing", "faces", "on", "from"});
+    const std::string letters = tokens[i].text;
+    const bool all = std::ranges::none_of(letters, [](char letter) { return CompassOf(letter).empty(); });
+    if (tokens[i].kind != Token::Kind::kWord || tokens[i].glued || (!before && !behind)) continue;
+    if (letters.empty() || letters.size() > 2 || !all) continue;
+    tokens[i].text = CompassOf(letters[0]);
+    if (letters.size() == 1 && !before && IsOneOf(tokens[i - 1].text, {"to", "on"})) {
+      Token wall = tokens[i];
+      wall.text = "wall";
+      wall.glued = false;
+      tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(++i), std::move(wall));
+      continue;
+    }
+    if (letters.size() == 1) continue;
+    Token hyphen = tokens[i], second = tokens[i];
+    hyphen.kind = Token::Kind::kSign;
+    hyphen.text = "-";
+    second.text = CompassOf(letters[1]);
+    hyphen.glued = second.glued = true;
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(++i), {std::move(hyphen), std::move(second)});
+    ++i;
+  }
+}
+
+// Who draws writes "4200 x 3800" and leaves out the unit everywhere: "window 1800 centred".
+void AddMillimetres(std::vector<Token>& tokens) {
+  constexpr double kLeastOfARoom = 1000, kLeast = 100, kMost = 20000;
+  const auto is_bare = [&](std::size_t i, double least) {
+    return i < tokens.size() && tokens[i].kind == Token::Kind::kNumber && tokens[i].number >= least &&
+           tokens[i].number <= kMost && tokens[i].number == std::floor(tokens[i].number) &&
+           (i + 1 == tokens.size() || English().FindUnit(tokens[i + 1].text) == nullptr);
+  };
+  bool drawn = false;
+  for (std::size_t i = 0; i + 2 < tokens.size() && !drawn; ++i)
+    drawn = is_bare(i, kLeastOfARoom) && tokens[i + 1].text == "x" && is_bare(i + 2, kLeastOfARoom);
+  for (std::size_t i = 0; drawn && i < tokens.size(); ++i) {
+    if (!is_bare(i, kLeast)) continue;
+    Token unit;
+    unit.kind = Token::Kind::kWord;
+    unit.text = "mm";
+    unit.begin = unit.end = tokens[i].end;
+    tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(++i), std::move(unit));
+  }
+}
+
 }  // namespace
 
 std::vector<Token> TokensOf(std::string_view text) {
@@ -72,6 +129,8 @@ std::vector<Token> TokensOf(std::string_view text) {
     token.end = tokens[number->end - 1].end;
     i = number->end - 1;
   }
+  SpellOutCompass(joined);
+  AddMillimetres(joined);
   return joined;
 }
 

@@ -42,5 +42,19 @@ TEST(TokensOf, JoinsLargeNumbersAndLeavesSmallOnes) {
   EXPECT_EQ(tokens[6].text, "two");
 }
 
+TEST(TokensOf, LettersOfTheCompassAndBareMillimetresAreSpeltOut) {
+  const auto spelt = [](const char* text) {
+    std::string all;
+    for (const Token& token : TokensOf(text)) all += (all.empty() || token.glued ? "" : " ") + token.text;
+    return all;
+  };
+  EXPECT_EQ(spelt("Door on W wall, at the SW corner"), "door on west wall, at the south-west corner");
+  EXPECT_EQ(spelt("headboard to N."), "headboard to north wall.");
+  EXPECT_EQ(spelt("S hooks and e scooters"), "s hooks and e scooters");
+  EXPECT_EQ(spelt("Room 4200 x 3800, window 1800, 2 chairs"), "room 4200 mm x 3800 mm, window 1800 mm, 2 chairs");
+  EXPECT_EQ(spelt("Room 4 x 3, since 1800"), "room 4 x 3, since 1800");
+  EXPECT_EQ(spelt("meeting rm, 6 ppl"), "meeting room, 6 people");
+}
+
 }  // namespace
 }  // namespace flair::language
