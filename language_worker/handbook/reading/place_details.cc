@@ -301,7 +301,19 @@ std::vector<NamedArea> AreasIn(const BriefText& text, const std::vector<Mention>
       const std::optional<std::size_t> first = named.From(k + 1);
       if (!first) break;
       NamedArea area{i, *first, *first, *first, corner};
-      while (area.last + 1 < mentions.size() && named.AreListed(area.last, area.last + 1)) ++area.last;
+      // "With a bookshelf and a lamp, and a dining table": the last is the room's again.
+      const auto joins = [&](std::size_t m, bool behind_a_comma) {
+        for (std::size_t j = mentions[m].end; j < mentions[m + 1].begin; ++j) {
+          if (text.At(j) == "and" && (text.At(j - 1) == ",") == behind_a_comma) return true;
+        }
+        return false;
+      };
+      bool closed = false;
+      while (area.last + 1 < mentions.size() && named.AreListed(area.last, area.last + 1)) {
+        if (closed && joins(area.last, true)) break;
+        closed = closed || joins(area.last, false);
+        ++area.last;
+      }
       for (std::size_t m = area.last + 1; m-- > area.first;) {
         const bool stands = Stands(mentions[m]) && mentions[m].count == 1;
         if (stands && (!corner || BelongsToAWall(*mentions[m].furniture))) area.main = m;

@@ -17,7 +17,9 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Contains;
 using ::testing::IsSupersetOf;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 // "armchair at sofa", "sofa in a corner", "desk [far left]".
@@ -40,6 +42,12 @@ TEST(PlaceDetails, WhatAnAreaIsListedWithStandsThereTogether) {
               IsSupersetOf({"sofa", "armchair at sofa", "coffee table at sofa"}));
   EXPECT_THAT(PlacesIn("A waiting room. By the door a children's corner with a play table and a toy box."),
               IsSupersetOf({"toy chest", "play table at toy chest"}));
+}
+
+TEST(PlaceDetails, WhatIsListedBehindAnAreaIsNoPartOfIt) {
+  EXPECT_THAT(
+      PlacesIn("A living room with a reading corner with a bookshelf and a floor lamp, and a dining table for six."),
+      Not(Contains("dining table at bookshelf")));
 }
 
 TEST(PlaceDetails, WhatComesWithAPieceStandsByIt) {
