@@ -193,13 +193,9 @@ std::vector<PlacedLabel> DrawSheet(Canvas& canvas, const Plan& plan, const Sheet
   DrawBlocked(canvas, plan, sheet);
   if (plan.layers.constraints) DrawConstraints(canvas, plan, sheet);
   DrawDimensions(canvas, plan, sheet);
-  std::vector<PlacedLabel> labels = DrawLabels(canvas, plan, sheet);
-  canvas.Unclip();
   Plan numbered = plan;
-  for (const PlacedLabel& label : labels) {
-    const bool number = label.form == kBadgeForm && label.item < static_cast<int>(plan.objects.size());
-    if (number) numbered.keys[plan.objects[label.item].key].numbered = true;
-  }
+  std::vector<PlacedLabel> labels = DrawLabels(canvas, sheet, numbered);
+  canvas.Unclip();
   DrawSidePanel(canvas, numbered, sheet);
   return labels;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "absl/strings/str_split.h"
 #include "renderer_worker/drawing/layers.h"
@@ -63,8 +64,17 @@ class LabelLayer {
 
   const Form& FormOf(const PlacedLabel& label) const { return forms_[label.item][label.form]; }
 
-  std::vector<PlacedLabel> Draw() {
+  // Numbers run through the key without gaps: `number_of_key` is 0 for what has its name in the drawing.
+  std::vector<PlacedLabel> Draw(std::vector<int>& number_of_key) {
     std::vector<PlacedLabel> placed = Place();
+    number_of_key.assign(plan_.keys.size(), 0);
+    for (const PlacedLabel& label : placed) {
+      if (label.form == kBadgeForm && label.item < static_cast<int>(plan_.objects.size()))
+        number_of_key[plan_.objects[label.item].key] = 1;
+    }
+    int last = 0;
+    for (int& number : number_of_key) number = number > 0 ? ++last : 0;
+    numbers_ = number_of_key;
     for (const PlacedLabel& label : placed) DrawLeader(canvas_, label, items_[label.item]);
     for (const PlacedLabel& label : placed) DrawOne(label);
     return placed;
@@ -162,7 +172,7 @@ class LabelLayer {
     const PlanObject& object = plan_.objects[label.item];
     const Rgb fill = Mix(object.ink.fill, kWhite, 0.82);
     if (label.form == kBadgeForm) {
-      DrawBadge(canvas_, object.key + 1, centre, fill, object.ink.line);
+      DrawBadge(canvas_, numbers_[object.key], centre, fill, object.ink.line);
       return;
     }
     // Its halo hides the lines of the piece below the name.
@@ -188,7 +198,8 @@ class LabelLayer {
   std::vector<Area> areas_;
   std::vector<std::vector<Form>> forms_;
   std::vector<LabelObstacle> obstacles_;
-  std::vector<Box> taken_;  // by the numbers of clearances
+  std::vector<Box> taken_;    // by the numbers of clearances
+  std::vector<int> numbers_;  // of keys
 };
 
 }  // namespace
@@ -244,8 +255,11 @@ void DrawBadge(Canvas& canvas, int number, Point centre_mm, const Rgb& fill, con
              centre_mm);
 }
 
-std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet) {
-  return LabelLayer(canvas, plan, sheet).Draw();
+std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Sheet& sheet, Plan& plan) {
+  std::vector<int> numbers;
+  std::vector<PlacedLabel> placed = LabelLayer(canvas, plan, sheet).Draw(numbers);
+  for (size_t i = 0; i < numbers.size(); ++i) plan.keys[i].number = numbers[i];
+  return placed;
 }
 
 std::vector<NameOnPiece> NamesOnPieces(Canvas& canvas, const Plan& plan, const Sheet& sheet) {

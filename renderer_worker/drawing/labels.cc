@@ -16,7 +16,8 @@ constexpr double kGapMm = 0.7;       // between two labels
 constexpr double kPaddingMm = 0.8;   // between a label and its piece's outline
 constexpr double kOutsideCost = 12;  // per corner of a zone's name beyond its zone
 constexpr size_t kMostLabels = 600;
-constexpr size_t kMostTried = 24;  // of a group
+constexpr size_t kMostTried = 24;    // of a group
+constexpr size_t kMostNumbered = 4;  // of a group, each by itself
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 std::array<Point, 4> CornersOf(const Box& box) {
@@ -198,7 +199,14 @@ std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const 
   for (const Group& group : left) {
     const LabelItem& first = items[group[0]];
     if (first.only_inside || (first.named_beside && any_form(group, true, around(4, 12)))) continue;
-    if (!placer.Place(group, kBadgeForm, false, inside(0.1, 8))) {
+    // Of a few that look alike each carries the number: both lamps, not one of them.
+    bool placed = false;
+    for (size_t i = 0; i < group.size() && group.size() <= kMostNumbered; ++i) {
+      const Group one = {group[i]};
+      placed = placer.Place(one, kBadgeForm, false, inside(0.1, 8)) ||
+               placer.Place(one, kBadgeForm, true, around(14, kNoLimit)) || placed;
+    }
+    if (!placed && !placer.Place(group, kBadgeForm, false, inside(0.1, 8))) {
       placer.Place(group, kBadgeForm, true, around(14, kNoLimit));
     }
   }

@@ -40,9 +40,10 @@ struct LabelObstacle {
   int owner = -1;  // the item that may cover it
 };
 
-// Places at most one label per item or group, greedily: names inside their pieces first where they fit, then beside
-// them, then numbers, smallest pieces first, nearest free place with a leader when the piece is too small. No two
-// labels overlap, none covers a box that is `taken`; each lies in `floor_mm`. An item that finds no place gets none.
+// Places at most one name per item or group and a number on each of a few alike, greedily: names inside their pieces
+// first where they fit, then beside them, then numbers, smallest pieces first, nearest free place with a leader when
+// the piece is too small. No two labels overlap, none covers a box that is `taken`; each lies in `floor_mm`. An item
+// that finds no place gets none.
 std::vector<PlacedLabel> PlaceLabels(const std::vector<LabelItem>& items, const std::vector<LabelObstacle>& obstacles,
                                      const std::vector<Point>& floor_mm, const std::vector<Box>& taken = {});
 

@@ -97,8 +97,9 @@ std::string ViolationLetters(int index);
 void DrawViolationBadge(Canvas& canvas, int index, Point centre_mm);
 // dimensions.cc
 void DrawDimensions(Canvas& canvas, const Plan& plan, const Sheet& sheet);
-// label_layer.cc; what a piece asks of its label, and of others that would cover it
-std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Plan& plan, const Sheet& sheet);
+// label_layer.cc; what a piece asks of its label, and of others that would cover it. Sets the numbers of the plan's
+// keys.
+std::vector<PlacedLabel> DrawLabels(Canvas& canvas, const Sheet& sheet, Plan& plan);
 // A name that the plan writes within a piece.
 struct NameOnPiece {
   int object = 0;  // index in Plan::objects

@@ -183,12 +183,13 @@ const char* Carrier(const PlanKey& key) {
   return key.kind == v1::OBJECT_KIND_WALL ? "on wall" : key.kind == v1::OBJECT_KIND_CEILING ? "ceiling" : "";
 }
 
-void DrawKeyRow(Canvas& canvas, const Plan& plan, const PlanKey& key, int number, const Box& row, double size) {
-  const auto object = std::ranges::find_if(plan.objects, [number](const PlanObject& o) { return o.key == number - 1; });
+void DrawKeyRow(Canvas& canvas, const Plan& plan, int index, const Box& row, double size) {
+  const PlanKey& key = plan.keys[index];
+  const auto object = std::ranges::find(plan.objects, index, &PlanObject::key);
   const Ink ink = object != plan.objects.end() ? object->ink : Ink{Hex(0xE5E0D8), kPanelSoft};
   const double middle = (row.y0 + row.y1) / 2;
-  if (key.numbered) {
-    DrawBadge(canvas, number, {row.x0 + 2.9, middle}, Mix(ink.fill, kWhite, 0.25), ink.line,
+  if (key.number > 0) {
+    DrawBadge(canvas, key.number, {row.x0 + 2.9, middle}, Mix(ink.fill, kWhite, 0.25), ink.line,
               std::min(1.0, 0.9 * row.height() / BadgeSize(1).height));
   } else {
     canvas.Rectangle({row.x0 + 1.2, middle - 1.7, row.x0 + 4.6, middle + 1.7}, 0.5);
@@ -293,8 +294,7 @@ void DrawKey(Canvas& canvas, const Plan& plan, const Box& box) {
     const double x = box.x0 + column * (width + 5);
     const double height = heading && y > y0 ? pitch + 1.2 : pitch;
     const Box row{x, y, x + width, y + height};
-    heading ? DrawZoneRow(canvas, plan, rows[i].index, row, size)
-            : DrawKeyRow(canvas, plan, plan.keys[rows[i].index], rows[i].index + 1, row, size);
+    heading ? DrawZoneRow(canvas, plan, rows[i].index, row, size) : DrawKeyRow(canvas, plan, rows[i].index, row, size);
     y += height;
   }
 }

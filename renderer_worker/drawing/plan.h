@@ -113,7 +113,7 @@ struct PlanKey {
   double width_m = 0;
   double depth_m = 0;
   int count = 0;
-  bool numbered = false;  // in the drawing; others have their names there
+  int number = 0;  // in the drawing; 0 for those that have their names there
 };
 
 // A constraint as the overlay shows it: lines from its first operand to each other one, or a mark at its only one.

@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
     Graphs, OddGraph,
     ::testing::Values(
         Case{"LargerThanTheRoom", [](auto& g) { Bed(g).set_width_m(9); },
-             "\"bed\" (9.00 m x 2.00 m) reaches out of the"},
+             "the bed (9.00 m x 2.00 m) reaches out of the room"},
         Case{"UnknownType", [](auto& g) { AddEdge(g, "hug", {{"object", "bed"}}); }, "hug"},
         Case{"UnknownObject", [](auto& g) { AddEdge(g, "against_wall", {{"object", "yeti"}}); }, "yeti"},
         Case{"UnknownParameter", [](auto& g) { AddEdge(g, "against_wall", {{"object", "bed"}, {"colour", "red"}}); },

@@ -17,7 +17,6 @@ namespace {
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using ::testing::Contains;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 using ::testing::SizeIs;
