@@ -142,6 +142,93 @@ test("furniture is found and added", async () => {
   await page.waitForSelector(".piece-name", { state: "detached" });
 });
 
+test("a click takes what is on top, the next on the same spot what carries it; its name is seen before", async () => {
+  const { page } = studio;
+  const { x, y, width, height } = await studio.box("desk_lamp");
+  const name = () => page.locator(".piece-name input").inputValue();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.waitForSelector("text.is-pointed:has-text('desk lamp, on the desk')");
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await page.waitForSelector(".piece-name");
+  assert.equal(await name(), "Desk lamp");
+  await page.mouse.click(x + width / 2, y + height / 2);
+  await page.waitForFunction(() => document.querySelector(".piece-name input")?.value === "Desk");
+  await page.click("[aria-label='Back to the room']");
+  await page.waitForSelector(".piece-name", { state: "detached" });
+});
+
+test("who presses what stands on the desk and drags moves the desk", async () => {
+  const { page } = studio;
+  const before = await studio.box("desk"), last = await studio.undoLabel();
+  await studio.drag("desk_lamp", 60, 40);
+  await page.waitForSelector("[aria-label^='Undo: move']");
+  assert.equal(await page.locator(".piece-name input").inputValue(), "Desk");
+  assert.ok((await studio.box("desk")).x - before.x > 20);
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector(`[aria-label='${last}']`);
+  await page.keyboard.press("Escape");
+});
+
+test("every panel is closed at the same place, and removing is elsewhere and offers the piece back", async () => {
+  const { page } = studio;
+  const count = await page.locator(".piece").count();
+  await studio.select("wardrobe");
+  const close = await page.locator(".panel-head .is-close").boundingBox();
+  const remove = await page.locator(".is-remove").boundingBox();
+  assert.ok(remove.x + remove.width < close.x - 20 && remove.y > close.y + close.height - 4);
+  await page.keyboard.press("Control+a");
+  await page.waitForSelector(".panel-head h2:has-text('pieces')");
+  assert.deepEqual(await page.locator(".panel-head .is-close").boundingBox(), close);
+  await page.click(".panel-head .is-close");
+  await studio.select("wardrobe");
+  await page.click(".is-remove");
+  await page.waitForSelector(".message:has-text('The wardrobe is removed.')");
+  await page.click(".message >> text=Put it back");
+  await page.waitForFunction((n) => document.querySelectorAll(".piece").length === n, count);
+  await page.waitForSelector(".message:has-text('Undone')");
+  assert.equal(await page.locator(".message >> text=Put it back").count(), 0);
+});
+
+test("wishes are counted alike wherever they are", async () => {
+  const { page } = studio;
+  const shown = async (of) => (await page.locator(of).first().innerText()).match(/\d+/g).map(Number);
+  const [held, all] = await shown(".measure dd");
+  assert.deepEqual(await shown(".wish-choice button:nth-child(2)"), [held]);
+  assert.deepEqual(await shown(".wish-choice button:nth-child(3)"), [all]);
+  await page.click(".wish-choice button:nth-child(3)");
+  assert.equal(await page.locator(".sentences > li").count(), all);
+  await page.click(".wish-choice button:nth-child(1)");
+});
+
+test("what was told before is listed by a click", async () => {
+  const { page } = studio;
+  const last = await studio.undoLabel();
+  await studio.select("wardrobe");
+  await page.keyboard.press("l");
+  await page.waitForSelector(".outline.is-locked");
+  await page.keyboard.press("Delete");
+  await page.waitForSelector(".message:has-text('Locked pieces stay')");
+  await page.click(".message .is-quiet");
+  assert.ok(await page.locator(".message-list .message").count() > 1);
+  await page.keyboard.press("Escape");
+  await page.waitForSelector(".message-list", { state: "detached" });
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector(`[aria-label='${last}']`);
+});
+
+test("the paper is chosen once", async () => {
+  const { page } = studio;
+  for (const paper of ["A3", "A4"]) {
+    await page.click("[aria-label=Export]");
+    await page.click(`.menu-choice >> text=${paper}`);
+    await page.keyboard.press("Escape");
+    await page.click("[aria-label=Export]");
+    assert.equal(await page.locator(".menu-choice [aria-checked=true]").innerText(), paper);
+    assert.equal(await page.evaluate(() => localStorage.getItem("flair.paper")), paper);
+    await page.keyboard.press("Escape");
+  }
+});
+
 test("a reload shows the same room", async () => {
   if (!process.env.FLAIR_STUDIO_URL) return;
   await studio.page.reload();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
-import { Icon } from "./Icon";
+import { CloseButton } from "./PanelHead";
 
 interface DialogProps {
   title: string;
@@ -19,7 +19,7 @@ export function Dialog({ title, class: name, onClose, children }: DialogProps) {
       onClick={(event) => { if (event.target === dialog.current) onClose(); }}>
       <header>
         <h2>{title}</h2>
-        <button class="icon-button" aria-label="Close" onClick={onClose}><Icon name="close" /></button>
+        <CloseButton onClose={onClose} />
       </header>
       {children}
     </dialog>

@@ -43,7 +43,7 @@ export function DocumentEntry({ document, now }: { document: Document; now: Date
   return (
     <li class={isOpen ? "document is-open" : "document"}>
       <a href={hashOf({ page: "document", id: document.id })} aria-current={isOpen ? "page" : undefined}
-        title={title.length > 26 ? title : undefined}>
+        title={title.length > 52 ? title : undefined}>
         <span class="document-title">{title}</span>
         <span class={state === "failed" ? "document-when is-bad" : "document-when"}>
           {[state, whenText(document.updateTime, now)].filter(Boolean).join(" · ")}

@@ -9,7 +9,7 @@ const groups: Array<[string, Array<[string, string]>]> = [
     "Select",
     [
       ["Click", "one piece"],
-      ["Double click", "what stands on it"],
+      ["Click again", "what carries it"],
       ["Shift click", "add or take away"],
       ["Drag on the floor", "all that is touched"],
       ["Ctrl A", "everything"],

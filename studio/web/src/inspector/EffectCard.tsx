@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Icon } from "../app/Icon";
+import { CloseButton } from "../app/PanelHead";
 import type { OpenRoom } from "../state/open_room";
 import { capital } from "./words";
 
@@ -14,15 +15,7 @@ export function EffectCard({ room }: { room: OpenRoom }) {
     <section class="effect" aria-label="What the last change did">
       <header>
         <h3 class="eyebrow">The last change</h3>
-        <button
-          class="icon-button"
-          aria-label="Close"
-          onClick={() => {
-            room.effect.value = undefined;
-          }}
-        >
-          <Icon name="close" size={12} />
-        </button>
+        <CloseButton onClose={() => { room.effect.value = undefined; }} />
       </header>
       <ul>
         {effect.worse.map(({ text, how }) => (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { useState } from "preact/hooks";
+import { CloseButton } from "../app/PanelHead";
 import type { OpenRoom } from "../state/open_room";
 import examples from "./furnish_examples.json";
 
@@ -30,6 +31,7 @@ function BriefForm({ label, before = "", example, button, send, close }: BriefPr
   };
   return (
     <form class="furnish" onSubmit={(event) => { event.preventDefault(); void submit(); }}>
+      {close && <CloseButton onClose={close} />}
       <label>
         <span class="eyebrow">{label}</span>
         <textarea
@@ -47,7 +49,6 @@ function BriefForm({ label, before = "", example, button, send, close }: BriefPr
       </label>
       <div class="furnish-foot">
         {!text && <button type="button" class="link-button" onClick={() => setText(example)}>Take this example</button>}
-        {close && <button type="button" class="button" onClick={close}>Close</button>}
         <button class="button is-primary" type="submit" disabled={!text.trim() || isSent}>{button(text.trim())}</button>
       </div>
     </form>

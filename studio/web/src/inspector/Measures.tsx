@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import type { LayoutMetrics } from "../gen/flair/v1/layout_metrics_pb";
 import type { Note } from "./note";
+import { countOf } from "./wish_list";
 import { measureWords, percent } from "./words";
 
 interface Measure {
@@ -12,13 +13,13 @@ interface Measure {
 const counted = (words: Measure["words"], met: number, asked: number): Measure[] =>
   asked > 0 ? [{ words, value: `${met} of ${asked}`, share: met / asked }] : [];
 
-function measuresOf({ demand_count: demands, uses }: Note, metrics: LayoutMetrics | undefined): Measure[] {
-  const held = demands?.holds ?? 0;
+function measuresOf(note: Note, metrics: LayoutMetrics | undefined): Measure[] {
+  const { held, asked } = countOf(note), { uses } = note;
   const shares = (metrics: LayoutMetrics): Measure[] => [
     { words: measureWords.floor, value: percent(metrics.reachableFloorShare), share: metrics.reachableFloorShare },
   ];
   return [
-    ...counted(measureWords.wishes, held, held + (demands?.missed ?? 0)),
+    ...counted(measureWords.wishes, held, asked),
     ...counted(measureWords.uses, uses?.met ?? 0, uses?.asked ?? 0),
     ...(metrics ? shares(metrics) : []),
   ];

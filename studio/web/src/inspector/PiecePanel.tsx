@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { PanelHead } from "../app/PanelHead";
 import { renamePiece } from "../state/commands";
 import { faultsOf } from "../state/faults";
 import type { OpenRoom } from "../state/open_room";
@@ -45,14 +46,14 @@ export function PiecePanel({ room, piece }: { room: OpenRoom; piece: Piece }) {
   const demands = useKept(sorted(about?.demands ?? []), keyOf, () => true);
   return (
     <>
-      <header class="panel-head">
+      <PanelHead label="Back to the room" title="Back to the room (Esc)" onClose={() => room.select([])}>
         <PieceName room={room} piece={piece} />
-        <PieceActs room={room} pieces={[piece]} />
-      </header>
+      </PanelHead>
+      <PieceActs room={room} pieces={[piece]} />
       <PieceFields room={room} piece={piece} />
       {about?.stands && <p class="stands">{withStop(capital(about.stands))} {about.origin}</p>}
       <Faults room={room} of={[piece]} />
-      <h3 class="eyebrow">Why it stands there</h3>
+      <h3 class="eyebrow">Wishes for it</h3>
       {demands.length === 0 && <p class="hint">Nothing is asked of it. Say a sentence below.</p>}
       <ul class="sentences">
         {demands.map((demand) => (

@@ -3,30 +3,14 @@
 import { useState } from "preact/hooks";
 import type { OpenRoom } from "../state/open_room";
 import { useKept } from "./kept";
-import type { Demand, Note } from "./note";
+import type { Note } from "./note";
 import { SentenceRow } from "./Sentence";
-
-export interface Wish {
-  readonly demand: Demand;
-  readonly objectId: string;
-}
-
-const keyOf = ({ demand, objectId }: Wish): string => demand.sentence_id ?? `${objectId} ${demand.about_it}`;
-
-// Every wish once, with the first piece that it is about.
-function wishesOf(note: Note): Wish[] {
-  const wishes = (note.zones ?? []).flatMap(({ objects = [] }) =>
-    objects.flatMap(({ id: objectId, demands = [] }) => demands.map((demand): Wish => ({ demand, objectId }))));
-  const ofNone = (note.demands_of_no_object ?? []).map((demand): Wish => ({ demand, objectId: "" }));
-  return [...new Map([...wishes, ...ofNone].reverse().map((wish) => [keyOf(wish), wish])).values()].reverse();
-}
+import { isMet, keyOf, wishesOf, type Wish } from "./wish_list";
 
 const choices = { missed: "Do not hold", holds: "Hold", all: "All" } as const;
 type Choice = keyof typeof choices;
 
-// What was dropped or not understood does not hold either.
-const isOf = (choice: Choice, { demand }: Wish): boolean =>
-  choice === "all" || (demand.fate === "holds") === (choice === "holds");
+const isOf = (choice: Choice, wish: Wish): boolean => choice === "all" || isMet(wish) === (choice === "holds");
 
 function Rows({ room, wishes, choice }: { room: OpenRoom; wishes: readonly Wish[]; choice: Choice }) {
   // One that comes to hold leaves the missed ones, but not from under the pointer that weighs it.

@@ -14,6 +14,8 @@ import { fitted, toRoom, type View } from "./view";
 
 // Walls, and how long they are beside them.
 const kLeastMargin = 46;
+// The scale bar and the buttons at the foot, pixels.
+const kFoot = 30;
 
 export class PlanController {
   readonly view = signal<View>({ scale: 80, left: 0, top: 0 });
@@ -24,6 +26,8 @@ export class PlanController {
   readonly marquee = signal<Box | undefined>(undefined);
   readonly gesture = signal<Gesture | undefined>(undefined);
   readonly isSpaceDown = signal(false);
+  // Where the last click on a piece was, in pixels; undefined after anything else.
+  lastClick: Vec | undefined;
   // The pieces that are selected, in the layout's order.
   readonly chosen = computed<Piece[]>(() => {
     const selection = this.room.selection.value;
@@ -50,7 +54,7 @@ export class PlanController {
     const floor = this.room.floor.peek();
     if (floor.length === 0 || this.width.peek() === 0) return;
     const narrow = Math.min(this.width.peek(), this.height.peek());
-    this.view.value = fitted(floor, this.width.peek(), this.height.peek(), Math.min(72, Math.max(kLeastMargin, narrow * 0.09)));
+    this.view.value = fitted(floor, this.width.peek(), this.height.peek() - kFoot, Math.min(72, Math.max(kLeastMargin, narrow * 0.09)));
     this.isViewOwn = false;
   }
 

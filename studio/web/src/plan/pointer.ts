@@ -3,7 +3,7 @@
 import { useMemo } from "preact/hooks";
 import { grips } from "../geometry/resize";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
-import { carrierOf } from "../state/pieces";
+import { carrierOf, clicked } from "../state/pieces";
 import type { PlanController } from "./controller";
 import type { Gesture } from "./gesture";
 import { marqueeGesture } from "./gestures/marquee";
@@ -28,13 +28,29 @@ function belowCeiling(plan: PlanController, event: MouseEvent, id: string): stri
   return others.find((one) => pieces.has(one) && !isHung(one) && !pieces.get(one)!.object.walkOver) ?? id;
 }
 
-// The piece that is meant: what carries the one under the pointer, unless that one is selected or asked for by ctrl.
-function pieceAt(plan: PlanController, event: MouseEvent): string | undefined {
+interface Meant {
+  // What a click selects, and what a drag moves.
+  readonly clicked: string;
+  readonly dragged: string;
+}
+
+// How far from each other two clicks are on the same spot, pixels.
+const kSameSpot = 4;
+
+// A click selects the topmost piece under the pointer, the next one on the same spot what carries it. A drag takes along what
+// carries the piece, unless that one is selected or asked for by ctrl.
+function meantAt(plan: PlanController, event: MouseEvent): Meant | undefined {
   const above = attributeOf(event, "piece");
-  const { selection, pieces } = plan.room, isAskedFor = event.ctrlKey || event.metaKey;
-  if (above === undefined || isAskedFor || selection.peek().has(above)) return above;
-  const id = belowCeiling(plan, event, above);
-  return selection.peek().has(id) ? id : carrierOf(pieces.peek(), id);
+  if (above === undefined) return undefined;
+  const pieces = plan.room.pieces.peek(), selection = plan.room.selection.peek();
+  const isAskedFor = event.ctrlKey || event.metaKey;
+  const id = isAskedFor || selection.has(above) ? above : belowCeiling(plan, event, above);
+  const { lastClick } = plan, at = plan.pixelOf(event);
+  const isSameSpot = lastClick !== undefined && Math.hypot(at.x - lastClick.x, at.y - lastClick.y) <= kSameSpot;
+  return {
+    clicked: clicked(pieces, id, selection, isSameSpot && !isAskedFor && !event.shiftKey),
+    dragged: isAskedFor || selection.has(id) ? id : carrierOf(pieces, id),
+  };
 }
 
 function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefined {
@@ -44,8 +60,8 @@ function gestureFor(plan: PlanController, event: PointerEvent): Gesture | undefi
   const grip = attributeOf(event, "grip");
   const [piece] = plan.chosen.peek();
   if (grip !== undefined && piece) return resizeGesture(plan, piece, grips[Number(grip)]!);
-  const pressed = pieceAt(plan, event);
-  if (pressed) return moveGesture(plan, event, pressed);
+  const meant = meantAt(plan, event);
+  if (meant) return moveGesture(plan, event, meant);
   return event.pointerType === "touch" ? panGesture(plan, event) : marqueeGesture(plan, event);
 }
 
@@ -73,7 +89,7 @@ function handlers(plan: PlanController) {
       if (pinch.move(event)) return;
       const gesture = plan.gesture.peek();
       if (gesture) gesture.move(event);
-      else plan.room.hovered.value = pieceAt(plan, event) ?? "";
+      else plan.room.hovered.value = meantAt(plan, event)?.clicked ?? "";
     },
     onPointerUp(event: PointerEvent) {
       pinch.up(event);
@@ -88,9 +104,7 @@ function handlers(plan: PlanController) {
     onDblClick(event: MouseEvent) {
       // The pointer was captured: what is below it, not who caught it.
       const below = document.elementFromPoint(event.clientX, event.clientY) ?? (event.target as Element);
-      const id = below.closest<SVGElement>("[data-piece]")?.dataset.piece;
-      if (id !== undefined) plan.room.select([id]);
-      else if (attributeOf(event, "field") === undefined) plan.fit();
+      if (!below.closest("[data-piece]") && attributeOf(event, "field") === undefined) plan.fit();
     },
   };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wall, corner, door, window or socket that is selected.
-import type { ComponentChildren } from "preact";
 import { Icon } from "../app/Icon";
+import { PanelHead, RemoveButton } from "../app/PanelHead";
 import { capital } from "../inspector/words";
 import { addCornerOn, addToWall, cornerIndex, fixtureOf, nameOfWall, removeSelected, setFixture } from "./acts";
 import { useDrawing } from "./context";
@@ -13,33 +13,19 @@ import { withCornerAt, withWallLength } from "./walls";
 
 const kLeastWidth = 0.2;
 
-function Head({ title, remove, children }: { title: string; remove?: string; children?: ComponentChildren }) {
+function Head({ title, remove }: { title: string; remove?: string }) {
   const drawing = useDrawing();
   return (
-    <header class="panel-head">
-      <h2>{title}</h2>
-      <div class="button-group">
-        {children}
-        {remove && (
-          <button
-            class="icon-button"
-            aria-label={remove}
-            title={`${remove} (Delete)`}
-            onClick={() => removeSelected(drawing)}
-          >
-            <Icon name="trash" />
-          </button>
-        )}
-        <button
-          class="icon-button"
-          aria-label="Back to the room"
-          title="Back to the room (Esc)"
-          onClick={() => drawing.select(undefined)}
-        >
-          <Icon name="close" />
-        </button>
-      </div>
-    </header>
+    <>
+      <PanelHead label="Back to the room" title="Back to the room (Esc)" onClose={() => drawing.select(undefined)}>
+        <h2>{title}</h2>
+      </PanelHead>
+      {remove && (
+        <div class="button-group piece-acts">
+          <RemoveButton label={remove} run={() => removeSelected(drawing)} />
+        </div>
+      )}
+    </>
   );
 }
 

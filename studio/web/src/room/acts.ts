@@ -53,15 +53,28 @@ export function addCornerOn(drawing: RoomDrawing, index: number, offset: number)
   if (added) drawing.select({ kind: "corner", key: added.wall });
 }
 
+// Removes it, says so, and offers it back as long as nothing else was done.
+function removeAndTell(drawing: RoomDrawing, without: Sketch, name: string): void {
+  drawing.commit(without, `remove ${name}`);
+  const { now } = drawing.history.peek();
+  drawing.studio.toasts.offer(`${name} is removed.`, [{
+    label: "Put it back",
+    run: () => {
+      if (drawing.history.peek().now === now) drawing.undo();
+      else drawing.studio.toasts.note("More was changed since. Undo goes back step by step (Ctrl Z).");
+    },
+  }]);
+}
+
 export function removeSelected(drawing: RoomDrawing): void {
   const one = drawing.selection.peek(),
     sketch = drawing.sketch.peek();
   if (!one) return;
-  if (one.kind === "fixture") return drawing.commit(withoutFixture(sketch, one.id), `remove ${spokenFixture(one.id)}`);
+  if (one.kind === "fixture") return removeAndTell(drawing, withoutFixture(sketch, one.id), spokenFixture(one.id));
   if (one.kind === "wall") return drawing.studio.toasts.note("A wall goes with one of its corners: remove that.");
   if (sketch.isClosed && sketch.corners.length <= 3)
     return drawing.studio.toasts.note("A room has at least three corners.");
-  drawing.commit(withoutCorner(sketch, cornerIndex(sketch, one.key)), "remove a corner");
+  removeAndTell(drawing, withoutCorner(sketch, cornerIndex(sketch, one.key)), "a corner");
 }
 
 function nudged(sketch: Sketch, drawing: RoomDrawing, one: Selection, by: Vec): Sketch {

@@ -9,6 +9,7 @@ import type { OpenRoom } from "./open_room";
 import type { Placements } from "./judging";
 import { homeFor, orphansInWords, orphansOf, seatsAt, seatsInWords } from "./orphans";
 import { guestsOf, placementOf, theName, withGuests, type Piece, type Poses } from "./pieces";
+import type { ToastAct } from "./toasts";
 import { turnedInside } from "./turning";
 
 type Edit = MessageInitShape<typeof LayoutEditSchema>;
@@ -55,20 +56,43 @@ export function resizePiece(room: OpenRoom, piece: Piece, { pose, size }: Resize
 const remove = (room: OpenRoom, ids: readonly string[]) =>
   change(room, ids.map((id): Edit => ({ edit: { case: "removeObjectId", value: id } })));
 
+const removedInWords = (gone: readonly Piece[]): string =>
+  gone.length === 1 ? `${theName(gone[0]!.object)} is removed.` : `${gone.length} pieces are removed.`;
+
+// Takes the last act back as long as it is the last.
+function undoOf(room: OpenRoom): ToastAct {
+  const { revision } = room.document.peek();
+  return {
+    label: "Put it back",
+    run: () => {
+      if (room.document.peek().revision === revision) void undo(room);
+      else room.tell("More was changed since. Undo goes back step by step (Ctrl Z).");
+    },
+  };
+}
+
 export async function removePieces(room: OpenRoom, ids: readonly string[]) {
   const pieces = room.pieces.peek();
   const free = ids.filter((id) => !pieces.get(id)?.pinned);
   if (free.length < ids.length) room.tell("Locked pieces stay. Press L to unlock them.");
   const orphans = orphansOf(pieces, free), seats = seatsAt(pieces, free);
   if (free.length === 0 || !(await remove(room, free))) return;
-  if (orphans.length > 0) offerForOrphans(room, orphans, free.map((id) => pieces.get(id)!));
+  const gone = free.map((id) => pieces.get(id)!), back = undoOf(room);
+  if (orphans.length + seats.length === 0) room.tell(removedInWords(gone), [back]);
+  if (orphans.length > 0) offerForOrphans(room, orphans, gone, back);
   if (seats.length > 0) {
-    room.tell(seatsInWords(seats), [{ label: "Remove too", run: () => void remove(room, seats.map(({ id }) => id)) }]);
+    const act = { label: "Remove too", run: () => void remove(room, seats.map(({ id }) => id)) };
+    room.tell(seatsInWords(seats), [act, back]);
   }
 }
 
 // What stood on a piece that is gone goes too, or onto other pieces, by a click.
-function offerForOrphans(room: OpenRoom, orphans: readonly Piece[], hosts: readonly Piece[]): void {
+function offerForOrphans(
+  room: OpenRoom,
+  orphans: readonly Piece[],
+  hosts: readonly Piece[],
+  back: ToastAct,
+): void {
   const taken = new Map(room.pieces.peek());
   const homes = orphans.flatMap((orphan) => {
     const home = homeFor(taken, orphan);
@@ -85,6 +109,7 @@ function offerForOrphans(room: OpenRoom, orphans: readonly Piece[], hosts: reado
       label: isOneHost ? `Put on ${theName(first.host.object)}` : "Put elsewhere",
       run: () => void movePieces(room, placements),
     }] : []),
+    back,
   ]);
 }
 
@@ -181,6 +206,7 @@ export function settle(room: OpenRoom): void {
 async function inHistory(room: OpenRoom, step: "undo" | "redo") {
   const { undoLabel, redoLabel } = room.document.peek();
   const answer = await room.act({ case: step, value: {} });
+  if (answer) room.withdrawOffers();
   if (answer) room.tell(step === "undo" ? `Undone: ${undoLabel}.` : `Done again: ${redoLabel}.`);
   return answer;
 }

@@ -64,6 +64,7 @@ export class OpenRoom {
   private waiting = 0;
   private endMotion = () => {};
   private isClosed = false;
+  private readonly offers: number[] = [];
 
   // `settlesAlone`: whether every change is settled without being asked.
   constructor(document: Document, private readonly clients: Clients, private readonly toasts: Toasts,
@@ -81,8 +82,13 @@ export class OpenRoom {
 
   // With acts, an offer that can be taken by a click.
   tell(note: string, acts: readonly ToastAct[] = []): void {
-    if (acts.length > 0) this.toasts.offer(note, acts);
+    if (acts.length > 0) this.offers.push(this.toasts.offer(note, acts));
     else this.toasts.note(note);
+  }
+
+  // What was offered about acts that are undone.
+  withdrawOffers(): void {
+    for (const id of this.offers.splice(0)) this.toasts.dismiss(id);
   }
 
   get id(): string {

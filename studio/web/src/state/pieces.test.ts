@@ -5,7 +5,7 @@ import { create } from "@bufbuild/protobuf";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
 import { SolvedLayoutSchema } from "../gen/flair/v1/solved_layout_pb";
 import { freeId } from "./commands";
-import { carrierOf, guestsOf, nameOf, piecesOf } from "./pieces";
+import { carrierOf, clicked, guestsOf, nameOf, piecesOf } from "./pieces";
 
 const floor = { kind: ObjectKind.FLOOR, widthM: 1.2, depthM: 0.6, heightM: 0.74 };
 const small = { kind: ObjectKind.SURFACE, widthM: 0.2, depthM: 0.2, heightM: 0.1 };
@@ -51,4 +51,14 @@ test("names are numbered as ids are", () => {
 test("a new id is none that is taken", () => {
   assert.equal(freeId(new Set(["desk"]), "Floor lamp"), "floor_lamp");
   assert.equal(freeId(new Set(["desk", "desk_2"]), "desk_2"), "desk_3");
+});
+
+test("a click means the piece itself, the next on the same spot what carries it, and so round", () => {
+  const after = (selected: string[], isSameSpot = true) => clicked(pieces, "cup_2", new Set(selected), isSameSpot);
+  assert.equal(after([]), "cup_2");
+  assert.equal(after(["cup_2"]), "tray");
+  assert.equal(after(["tray"]), "desk");
+  assert.equal(after(["desk"]), "cup_2");
+  assert.equal(after(["cup_2"], false), "cup_2");
+  assert.equal(after(["cup_2", "desk"]), "cup_2");
 });

@@ -74,7 +74,7 @@ export function guestsOf(pieces: Pieces, hosts: Iterable<string>): string[] {
 }
 
 // What it stands on: its host by name, or whatever is below its middle.
-function hostOf(pieces: Pieces, guest: Piece): string {
+export function hostOf(pieces: Pieces, guest: Piece): string {
   const named = pieces.get(guest.object.hostId);
   if (named && contains(named.pose, named.size, vec(guest.pose.x, guest.pose.y))) return named.id;
   for (const piece of pieces.values()) {
@@ -99,15 +99,26 @@ export function withGuests(pieces: Pieces, poses: Poses): Poses {
   return all;
 }
 
-// What a press on a piece means: the piece that carries it, as one moves an armchair and not its cushion.
-export function carrierOf(pieces: Pieces, id: string): string {
-  let piece = pieces.get(id);
-  for (let hops = 0; piece?.object.kind === ObjectKind.SURFACE && hops < 8; hops += 1) {
+// A piece, what carries it, what carries that...
+export function carriersOf(pieces: Pieces, id: string): string[] {
+  const chain = [id];
+  for (let piece = pieces.get(id); piece?.object.kind === ObjectKind.SURFACE; ) {
     const host = pieces.get(hostOf(pieces, piece));
-    if (!host) break;
+    if (!host || chain.includes(host.id)) break;
+    chain.push(host.id);
     piece = host;
   }
-  return piece?.id ?? id;
+  return chain;
+}
+
+// What a drag of a piece moves: the piece that carries it, as one moves an armchair and not its cushion.
+export const carrierOf = (pieces: Pieces, id: string): string => carriersOf(pieces, id).at(-1)!;
+
+// What a click on a piece means: itself; where one of it and its carriers is selected and the click is the next on the same
+// spot, what carries that one, and after the last the piece itself again.
+export function clicked(pieces: Pieces, id: string, selected: ReadonlySet<string>, isSameSpot: boolean): string {
+  const chain = carriersOf(pieces, id), at = chain.findIndex((one) => selected.has(one));
+  return isSameSpot && at >= 0 && selected.size === 1 ? chain[(at + 1) % chain.length]! : id;
 }
 
 export function footprintOf(piece: Piece, pose: Pose = piece.pose): Vec[] {

@@ -5,6 +5,7 @@ import type { Units } from "../app/units";
 
 export type Theme = "system" | "light" | "dark";
 export type Panes = "plan" | "split" | "3d";
+export type Paper = "A4" | "A3";
 
 function remembered<T extends string>(key: string, values: readonly T[], initial: T): Signal<T> {
   const name = `flair.${key}`;
@@ -35,6 +36,8 @@ export class Settings {
   readonly units = remembered<Units>("units", ["m", "ft"], "m");
   readonly panes = remembered<Panes>("panes", ["plan", "split", "3d"], "plan");
   readonly autoSettle = remembered<"on" | "off">("auto-settle", ["on", "off"], "off");
+  // What plans are printed on.
+  readonly paper = remembered<Paper>("paper", ["A4", "A3"], "A4");
   readonly sidebar = remembered<"open" | "closed">("sidebar", ["open", "closed"], innerWidth > 900 ? "open" : "closed");
 
   private readonly isSystemDark = signal(false);

@@ -35,6 +35,8 @@ export class Studio {
   readonly open = signal<OpenRoom | undefined>(undefined);
   readonly connection = signal<Connection>("connecting");
   private readonly ending = new AbortController();
+  // The rooms that were open, the latest last.
+  private visited: readonly string[] = [];
 
   constructor(readonly clients: Clients) {
     effect(() => {
@@ -82,8 +84,9 @@ export class Studio {
   }
 
   // A new document that is as another one, and is then open.
-  copy({ id }: Document): Promise<Document | undefined> {
-    return this.create({ case: "documentId", value: id });
+  async copy({ id, title }: Document): Promise<void> {
+    const made = await this.create({ case: "documentId", value: id });
+    if (made) this.toasts.note(`This is the copy. “${shortened(title)}” stays as it was.`);
   }
 
   // Gives a document another title, whether it is open or not.
@@ -111,6 +114,7 @@ export class Studio {
     before?.close();
     this.open.value = undefined;
     if (!id) return;
+    this.visited = [...this.visited.filter((one) => one !== id), id];
     const answer = await this.told(() => this.clients.studio.getDocument({ documentId: id }));
     if (route.peek().page !== "document" || route.peek().id !== id) return;
     if (!answer?.document) return goTo({ page: "start" });
@@ -154,8 +158,10 @@ export class Studio {
   private put(document: Document): void {
     const known = this.documents.value.find((one) => one.id === document.id);
     if (known && known.revision > document.revision) return;
-    const others = this.documents.value.filter((one) => one.id !== document.id);
-    this.documents.value = [document, ...others];
+    // What is known stays where it is in the list, under the pointer of whoever edits it.
+    this.documents.value = known
+      ? this.documents.value.map((one) => (one === known ? document : one))
+      : [document, ...this.documents.value];
     this.deleted.value = this.deleted.value.filter((one) => one.id !== document.id);
   }
 
@@ -163,7 +169,9 @@ export class Studio {
     const gone = this.documents.value.filter((one) => one.id === id);
     if (gone.length > 0) this.deleted.value = [...gone, ...this.deleted.value];
     this.documents.value = this.documents.value.filter((one) => one.id !== id);
-    if (this.open.peek()?.id === id) goTo({ page: "start" });
+    if (this.open.peek()?.id !== id) return;
+    const before = this.visited.filter((one) => this.documents.peek().some((there) => there.id === one)).at(-1);
+    goTo(before ? { page: "document", id: before } : { page: "start" });
   }
 }
 

@@ -44,3 +44,16 @@ test("one is seen, the one before it comes back, and none goes while it is read"
   tick(2000);
   assert.equal(toasts.latest.value, undefined);
 });
+
+test("while all are listed none goes, and the list ends with the last but one", () => {
+  const toasts = new Toasts();
+  toasts.error("One.");
+  toasts.error("Two.");
+  toasts.isListed.value = true;
+  tick(13000);
+  assert.equal(toasts.shown.value.length, 2);
+  toasts.dismiss(toasts.latest.value!.id);
+  assert.equal(toasts.isListed.value, false);
+  tick(13000);
+  assert.equal(toasts.latest.value, undefined);
+});

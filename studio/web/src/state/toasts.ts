@@ -26,6 +26,8 @@ export class Toasts {
   readonly latest = computed(() => this.shown.value.at(-1));
   // While the pointer or the focus is on them, none goes.
   isHeld = false;
+  // Nor while all of them are listed.
+  readonly isListed = signal(false);
   private last = 0;
 
   error(text: string): void {
@@ -36,27 +38,29 @@ export class Toasts {
     this.add("note", text);
   }
 
-  // Stays longer than what is only to be read.
-  offer(text: string, acts: readonly ToastAct[]): void {
-    this.add("offer", text, acts);
+  // Stays longer than what is only to be read. Its id is for whoever withdraws it.
+  offer(text: string, acts: readonly ToastAct[]): number {
+    return this.add("offer", text, acts);
   }
 
   dismiss(id: number): void {
     this.shown.value = this.shown.value.filter((one) => one.id !== id);
+    if (this.shown.peek().length < 2) this.isListed.value = false;
   }
 
-  private add(kind: Toast["kind"], said: string, acts: readonly ToastAct[] = []): void {
+  private add(kind: Toast["kind"], said: string, acts: readonly ToastAct[] = []): number {
     const text = withStop(capital(said.trim()));
     const same = this.shown.value.find((one) => one.text === text);
     if (same) this.dismiss(same.id);
     const id = ++this.last;
     this.shown.value = [...this.shown.value.slice(1 - kMost), { id, kind, text, acts }];
     this.expire(id, kMilliseconds[kind]);
+    return id;
   }
 
   private expire(id: number, milliseconds: number): void {
     setTimeout(() => {
-      if (this.isHeld) this.expire(id, kHeldMilliseconds);
+      if (this.isHeld || this.isListed.peek()) this.expire(id, kHeldMilliseconds);
       else this.dismiss(id);
     }, milliseconds);
   }

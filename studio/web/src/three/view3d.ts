@@ -167,21 +167,19 @@ export class View3d {
     };
   }
 
-  // From outside, walls that are in the way are left out, with all that is in them and on them; so is what hangs from the
-  // ceiling, from above it.
+  // From outside, walls that are in the way are left out, with all that is in them and on them; so is the ceiling, but not
+  // what hangs from it.
   private clearTheView(): void {
     const furnished = this.owner.furnished(), { model } = this;
     if (!furnished || !model) return;
     const { room, pieces } = furnished, { position } = this.camera, isWithin = this.mode === "walk";
     const away = isWithin ? new Set<string>() : wallsInTheWay(room, { x: position.x, y: -position.z });
-    const isAbove = !isWithin && position.y > room.heightM;
     for (const node of model.getObjectByName("shell")?.children ?? []) {
       node.visible = idOf(node) === "ceiling" ? isWithin : !away.has(node.userData.wall);
     }
     for (const node of model.getObjectByName("furniture")?.children ?? []) {
       const piece = pieces.get(idOf(node));
       if (piece?.object.kind === ObjectKind.WALL) node.visible = away.size === 0 || !away.has(wallBehind(piece, room));
-      if (piece?.object.kind === ObjectKind.CEILING) node.visible = !isAbove;
     }
   }
 

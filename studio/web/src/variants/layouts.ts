@@ -3,10 +3,11 @@
 import { equals } from "@bufbuild/protobuf";
 import { RoomSchema } from "../gen/flair/v1/room_pb";
 import type { Placement } from "../gen/flair/v1/placement_pb";
-import { OutcomeStatus, type EdgeOutcome, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
+import type { SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 import type { Document } from "../gen/flair/v1/studio_service_pb";
 import type { Clients } from "../api/clients";
 import { turnBetween } from "../geometry/vec";
+import { countOfOutcomes } from "../inspector/wish_list";
 
 export interface Variant {
   // For TakeVariant; -1 is the first layout, which is none of the others.
@@ -25,18 +26,12 @@ export interface Variants {
   readonly list: readonly Variant[];
 }
 
-function counted(outcomes: readonly EdgeOutcome[]): { held: number; asked: number } {
-  const held = outcomes.filter(({ status }) => status === OutcomeStatus.SATISFIED).length;
-  const missed = outcomes.filter(({ status }) => status === OutcomeStatus.VIOLATED).length;
-  return { held, asked: held + missed };
-}
-
 export function variantsOf(layoutId: string, layout: SolvedLayout): Variants {
   const complete = layout.runnerUps.filter(({ edgeOutcomes }) => edgeOutcomes.length > 0);
   const list = [layout, ...complete].map((one, i): Variant => ({
     index: i - 1,
     placements: one.placements,
-    ...counted(one.edgeOutcomes),
+    ...countOfOutcomes(layout, one.edgeOutcomes),
     floor: one.metrics?.reachableFloorShare,
   }));
   return { layoutId, layout, list };

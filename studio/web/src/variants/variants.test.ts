@@ -9,6 +9,7 @@ const outcome = (status: OutcomeStatus) => ({ edgeId: "e1", status });
 
 test("runner-ups that are not complete cannot be taken and do not count", () => {
   const layout = create(SolvedLayoutSchema, {
+    graph: { edges: [{ id: "e1" }] },
     placements: [{ objectId: "bed", xM: 1 }],
     edgeOutcomes: [outcome(OutcomeStatus.SATISFIED)],
     runnerUps: [

@@ -42,19 +42,22 @@ export function restOf(
 }
 
 // Drags the selected pieces; alt lets them go anywhere, shift keeps to one axis. A press without a move is a click.
-export function moveGesture(plan: PlanController, start: PointerEvent, pressed: string): Gesture {
+export function moveGesture(
+  plan: PlanController,
+  start: PointerEvent,
+  { clicked, dragged }: { clicked: string; dragged: string },
+): Gesture {
   const before = plan.room.selection.peek();
-  const wasSelected = plan.room.selection.peek().has(pressed);
-  if (start.shiftKey && !wasSelected) plan.room.select([...plan.room.selection.peek(), pressed]);
-  else if (!wasSelected) plan.room.select([pressed]);
-  const from = plan.pointOf(start);
-  const chosen = plan.chosen.peek();
+  const taken = before.has(dragged) ? before : new Set(start.shiftKey ? [...before, dragged] : [dragged]);
+  const from = plan.pointOf(start), at = plan.pixelOf(start);
+  plan.lastClick = undefined;
+  const chosen = [...plan.room.pieces.peek().values()].filter(({ id }) => taken.has(id));
   const movable = chosen.filter((piece) => !piece.pinned);
   const targets = snapTargets(plan, movable);
   const edges = plan.room.layout.peek()?.graph?.edges ?? [];
   const isBackedUp = movable.length === 1 && isSolid(movable[0]!)
     && (isForWall(edges, movable[0]!.id) || isBacked(movable[0]!.pose, movable[0]!.size, plan.room.floor.peek()));
-  let poses: Poses | undefined;
+  let poses: Poses | undefined, isBegun = false;
 
   function byOf(event: PointerEvent): Vec {
     const by = sub(plan.pointOf(event), from);
@@ -65,7 +68,9 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
   return {
     cursor: movable.length > 0 ? "move" : "not-allowed",
     move(event) {
-      if (!poses && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart) return;
+      if (!isBegun && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart) return;
+      if (!isBegun && taken !== before) plan.room.select(taken);
+      isBegun = true;
       if (movable.length === 0) return;
       let by = byOf(event);
       const [only, ...others] = movable;
@@ -88,15 +93,17 @@ export function moveGesture(plan: PlanController, start: PointerEvent, pressed: 
       poses = new Map(movable.map((piece) => [piece.id, moved(piece.pose, by)]));
       plan.preview(poses);
     },
-    end(event) {
+    end() {
       if (poses) return void plan.drop(poses);
-      const still = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < kDragStart;
-      if (!still && chosen.length > 0) {
-        plan.studio.toasts.note(`${capital(theName(chosen[0]!.object))} is locked. Press L to unlock it.`);
+      if (isBegun) {
+        const [locked] = chosen;
+        if (locked) plan.studio.toasts.note(`${capital(theName(locked.object))} is locked. Press L to unlock it.`);
+        return;
       }
-      if (!still || !wasSelected) return;
-      const rest = [...plan.room.selection.peek()].filter((id) => id !== pressed);
-      plan.room.select(start.shiftKey ? rest : [pressed]);
+      plan.lastClick = at;
+      const others = [...before].filter((id) => id !== clicked);
+      if (!start.shiftKey) plan.room.select([clicked]);
+      else plan.room.select(before.has(clicked) ? others : [...before, clicked]);
     },
     cancel() {
       plan.abandon();

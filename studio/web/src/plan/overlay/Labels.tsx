@@ -6,7 +6,7 @@ import type { Pose } from "../../geometry/footprint";
 import { vec, type Vec } from "../../geometry/vec";
 import type { PlanPart } from "../../gen/flair/v1/renderer_service_pb";
 import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
-import { footprintOf, isSolid, nameOf, type Piece } from "../../state/pieces";
+import { carriersOf, footprintOf, isSolid, nameOf, theName, type Piece } from "../../state/pieces";
 import { usePlan } from "../context";
 import { toScreen } from "../view";
 
@@ -102,11 +102,13 @@ function Pointed({ parts }: { parts: ReadonlyMap<string, PlanPart> }) {
   if (!piece || room.selection.value.has(piece.id) || hasLabel(piece, parts.get(piece.id))) return null;
   const box = boxOf(footprintOf(piece, room.poseOf(piece.id)));
   const at = toScreen(plan.view.value, vec((box.min.x + box.max.x) / 2, box.max.y));
-  return <text class="is-pointed" font-size={kPlainSize} x={at.x} y={at.y - 8}>{nameOf(piece.object)}</text>;
+  const host = room.pieces.value.get(carriersOf(room.pieces.value, piece.id)[1] ?? "");
+  const words = host ? `${nameOf(piece.object)}, on ${theName(host.object)}` : nameOf(piece.object);
+  return <text class="is-pointed" font-size={kPlainSize} x={at.x} y={at.y - 8}>{words}</text>;
 }
 
 // On paper one label stands for all that look alike, "4 × dining chair"; pieces that are moved apart have one each.
-const kFolded = /^\d+ × /;
+const kFolded = /^\d+ ×\s+/;
 const kindOf = ({ object, size }: Piece) => [object.name, size.width, size.depth].join(" ");
 
 // The renderer's labels, upright; without a drawing, the names of what stands on the floor.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { figure } from "../../app/units";
+import { sizeShifts } from "../../geometry/dimensions";
 import { edgesOf } from "../../geometry/polygon";
 import { add, distance, left, middle, sub, times, unit, vec } from "../../geometry/vec";
 import { usePlan } from "../context";
@@ -18,13 +19,14 @@ function angleOf(along: { x: number; y: number }): number {
 // How long the walls are, outside of them, as on the sheet.
 export function WallSizes() {
   const plan = usePlan(), view = plan.view.value, units = plan.studio.settings.units.value;
+  const floor = plan.room.floor.value, edges = edgesOf(floor), outward = sizeShifts(floor);
   return (
     <g class="wall-sizes" pointer-events="none">
-      {edgesOf(plan.room.floor.value).map(({ a, b, inward }, i) => {
+      {edges.map(({ a, b, inward }, i) => {
         const metres = distance(a, b);
         if (metres * view.scale < 34) return null;
         const out = vec(-inward.x, inward.y);
-        const shift = times(out, kWall * view.scale + kGap);
+        const shift = times(out, (kWall + outward[i]!) * view.scale + kGap);
         const from = add(toScreen(view, a), shift), to = add(toScreen(view, b), shift), at = middle(from, to);
         const tick = times(left(unit(sub(to, from))), kTick);
         return (
