@@ -95,5 +95,16 @@ TEST(WallNames, OfNoWallAreRefused) {
   }
 }
 
+// Nothing of "60 cm west of the sofa" but the distance could be kept.
+TEST(WallNames, DirectionsBetweenPiecesAreRefused) {
+  for (const char* text : {"The bookshelf is 60 cm west of the sofa.", "The bookshelf is to the north of the sofa.",
+                           "The bookshelf stands just east of the sofa, 0.5 m away."}) {
+    const v1::LayoutGraph graph = Translated(text);
+    EXPECT_EQ(graph.edges_size(), 0) << text << graph.DebugString();
+    ASSERT_FALSE(graph.diagnostics().empty()) << text;
+    EXPECT_THAT(graph.diagnostics(0).message(), HasSubstr("north, south, east or west")) << text;
+  }
+}
+
 }  // namespace
 }  // namespace flair::translator
