@@ -104,6 +104,65 @@ TEST(CallWords, SpeakOfTheTypesOfAnotherOptimizer) {
   EXPECT_EQ(calls.Asked(optimizer::EdgeFromText("near", "object=bed target=desk")), "meets near");
 }
 
+TEST(Note, SaysWhyNobodyUnderstoodAWishWithoutTheWishAgain) {
+  constexpr char kLayout[] = R"pb(
+    graph {
+      room {
+        room_type: "study"
+        floor {
+          vertices {}
+          vertices { x_m: 4 }
+          vertices { x_m: 4 y_m: 3 }
+          vertices { y_m: 3 }
+        }
+        walls { name: "south" }
+        walls { name: "east" }
+        walls { name: "north" }
+        walls { name: "west" }
+        height_m: 3
+      }
+      zone_plan { zones { id: "work" name: "work" purpose: "work" } }
+      object_list {
+        objects {
+          id: "desk"
+          name: "desk"
+          role: OBJECT_ROLE_PRIMARY
+          kind: OBJECT_KIND_FLOOR
+          zone_id: "work"
+          category: "desk"
+          description: "A desk."
+          width_m: 1
+          depth_m: 1
+          height_m: 1
+        }
+      }
+      constraint_list {
+        sentences {
+          id: "s1"
+          text: "The desk is near a socket."
+          subject_ids: "desk"
+          scope: SENTENCE_SCOPE_INTRA
+          weight: 1
+        }
+      }
+      diagnostics {
+        severity: SEVERITY_WARNING
+        code: "no_socket"
+        subject_id: "s1"
+        message: "\"The desk is near a socket.\": the room has no socket"
+      }
+    }
+    placements { object_id: "desk" x_m: 1 y_m: 1 }
+  )pb";
+  v1::SolvedLayout layout;
+  ASSERT_TRUE(google::protobuf::TextFormat::ParseFromString(kLayout, &layout));
+  const absl::StatusOr<Note> note = MakeLayoutNote(layout, optimizer::MakeCatalog());
+  ASSERT_TRUE(note.ok()) << note.status();
+  const Note& demand = (*note)["zones"][0]["objects"][0]["demands"][0];
+  EXPECT_EQ(demand["fate"], "not understood");
+  EXPECT_EQ(demand["shortfall"], "the room has no socket");
+}
+
 TEST(Standing, NamesWallsCornersAndNeighbours) {
   EXPECT_EQ(Placed("6x4 room; bed 1.6x2 at 2,1,0", "bed"),
             "stands with its back to the south wall, 1.20 m from its west end");

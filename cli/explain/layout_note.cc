@@ -64,6 +64,12 @@ std::string RoleName(v1::ObjectRole role) {
   return role == v1::OBJECT_ROLE_TERTIARY ? "tertiary" : "secondary";
 }
 
+// A remark without the sentence that it quotes at its start.
+std::string WithoutQuote(const std::string& remark) {
+  const size_t quoted = remark.find("\": ");
+  return quoted == std::string::npos ? remark : remark.substr(quoted + 3);
+}
+
 // Without fields that are empty or false; those in `kept` stay.
 Note Pruned(const Note& json, const std::set<std::string_view>& kept) {
   Note pruned = Note::object();
@@ -173,8 +179,7 @@ class NoteMaker {
     }
     for (const v1::Diagnostic& remark : layout_.graph().diagnostics()) {
       if (edges.empty() || remark.code() != "partial" || remark.subject_id() != sentence.id()) continue;
-      const size_t quoted = remark.message().find("\": ");
-      AddWords("only in part: " + remark.message().substr(quoted == std::string::npos ? 0 : quoted + 3), demand);
+      AddWords("only in part: " + WithoutQuote(remark.message()), demand);
     }
     // Who the sentence says it is about knows better than a call that may be written either way round.
     const int first = sentence.subject_ids_size() > 0 ? scene_.IndexOf(sentence.subject_ids(0)) : -1;
@@ -184,7 +189,7 @@ class NoteMaker {
       const auto why = std::ranges::find(remarks, sentence.id(), &v1::Diagnostic::subject_id);
       // Whatever nobody understood has a remark that says so; the calls of others were dropped.
       demand["fate"] = why == remarks.end() ? "dropped" : "not understood";
-      if (why != remarks.end()) demand["shortfall"] = why->message();
+      if (why != remarks.end()) demand["shortfall"] = WithoutQuote(why->message());
     }
     Assign(subjects, edges, demand);
   }

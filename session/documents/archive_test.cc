@@ -12,6 +12,7 @@
 namespace flair::session {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 using ::testing::Key;
 using ::testing::UnorderedElementsAre;
@@ -122,6 +123,15 @@ TEST_F(DocumentsTest, EverythingIsOneArchiveWithPicturesListAndArtifacts) {
                                    "artifacts/brief.json"}));
   EXPECT_EQ(files.at("room-to-open-again.json"), Export(made.document().id(), v1::DOCUMENT_FORMAT_LAYOUT_JSON));
   EXPECT_TRUE(files.at("plan.pdf").starts_with("%PDF"));
+  EXPECT_THAT(files.at("plan.pdf"), HasSubstr("MediaBox [ 0 0 1190."));
+}
+
+TEST_F(DocumentsTest, TheSheetsOfAnArchiveAreOfThePaperThatIsAskedFor) {
+  const v1::GetDocumentResponse made = Designed();
+  const std::map<std::string, std::string> files =
+      FilesIn(Export(made.document().id(), v1::DOCUMENT_FORMAT_EVERYTHING_ZIP, v1::PAPER_SIZE_A4));
+  EXPECT_THAT(files.at("plan.pdf"), HasSubstr("MediaBox [ 0 0 841."));
+  EXPECT_TRUE(files.contains("view-from-above.png"));
 }
 
 }  // namespace

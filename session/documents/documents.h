@@ -133,7 +133,7 @@ class Documents {
                                                                runtime::CallContext& call);
   // Files of every format, and the artifacts.
   absl::StatusOr<std::vector<cli::OutputFile>> EveryFileOf(const Record& record, const Layout& layout,
-                                                           runtime::CallContext& call);
+                                                           v1::PaperSize paper, runtime::CallContext& call);
 
   // Starts a job for the document and follows it.
   absl::Status StartJob(Record& record, const v1::JobSpec& spec, const std::string& request_id,

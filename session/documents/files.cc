@@ -142,19 +142,20 @@ absl::StatusOr<std::string> Documents::ContentOf(const Record& record, const Lay
       return cli::ArchiveOf(files, false);
     }
     default: {
-      ASSIGN_OR_RETURN(const std::vector<OutputFile> files, EveryFileOf(record, layout, call));
+      ASSIGN_OR_RETURN(const std::vector<OutputFile> files, EveryFileOf(record, layout, options.paper(), call));
       return cli::ArchiveOf(files, true);
     }
   }
 }
 
 absl::StatusOr<std::vector<OutputFile>> Documents::EveryFileOf(const Record& record, const Layout& layout,
-                                                               CallContext& call) {
+                                                               v1::PaperSize paper, CallContext& call) {
   std::vector<OutputFile> files;
   size_t left = kMostArchiveBytes;
   for (const Format& format : kFormats) {
     if (*format.name == 0) continue;
     v1::RenderOptions options;
+    if (format.view == v1::PREVIEW_VIEW_PLAN) options.set_paper(paper);
     if (format.format == v1::DOCUMENT_FORMAT_PLAN_PNG) options.set_dpi(kPrintedDpi);
     absl::StatusOr<std::string> content = ContentOf(record, layout, format.format, options, call);
     if (IsLeftOut(content.status()) || (content.ok() && content->size() > left)) continue;

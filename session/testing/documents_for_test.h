@@ -119,10 +119,12 @@ class DocumentsTest : public ::testing::Test {
     return documents_->Act(request, call_);
   }
 
-  std::string Export(const std::string& id, v1::DocumentFormat format) {
+  std::string Export(const std::string& id, v1::DocumentFormat format,
+                     v1::PaperSize paper = v1::PAPER_SIZE_UNSPECIFIED) {
     v1::ExportDocumentRequest request;
     request.set_document_id(id);
     request.set_format(format);
+    request.mutable_options()->set_paper(paper);
     return documents_->Export(request, call_)->content();
   }
 

@@ -207,11 +207,14 @@ test("what was told before is listed by a click", async () => {
   await page.keyboard.press("l");
   await page.waitForSelector(".outline.is-locked");
   await page.keyboard.press("Delete");
-  await page.waitForSelector(".message:has-text('Locked pieces stay')");
+  await page.waitForSelector(".message.is-warning:has-text('The wardrobe is locked.')");
   await page.click(".message .is-quiet");
   assert.ok(await page.locator(".message-list .message").count() > 1);
   await page.keyboard.press("Escape");
   await page.waitForSelector(".message-list", { state: "detached" });
+  await page.click(".message >> text=Unlock");
+  await page.waitForSelector(".outline.is-locked", { state: "detached" });
+  await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
   await page.waitForSelector(`[aria-label='${last}']`);
 });

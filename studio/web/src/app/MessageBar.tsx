@@ -31,7 +31,7 @@ function Message({ studio: { toasts }, toast, isWhole }: MessageProps) {
   };
   return (
     <div class={`message is-${kind}`}>
-      <Icon name={kind === "error" ? "warning" : "check"} />
+      <Icon name={kind === "error" || kind === "warning" ? "warning" : "check"} />
       <span class="message-text" title={!isWhole && text.length > 150 ? text : undefined}>{text}</span>
       {acts.map(({ label, run }) => (
         <button key={label} class="link-button" onClick={() => leave(run)}>{label}</button>

@@ -42,7 +42,7 @@ export function Tips() {
       next.removeAttribute("title");
       timer = setTimeout(show, kMilliseconds);
     };
-    const events = { pointerover: look, focusin: look, pointerdown: hide, keydown: hide, scroll: hide, focusout: hide };
+    const events = { pointerover: look, focusin: look, pointerdown: hide, keydown: hide, dragstart: hide, scroll: hide, focusout: hide };
     for (const [name, listener] of Object.entries(events)) addEventListener(name, listener, true);
     return () => {
       hide();

@@ -87,7 +87,7 @@ export function RoomPanel({ room }: { room: OpenRoom }) {
         </section>
       )}
       <Faults room={room} title="What is wrong" />
-      {room.pieces.value.size > 0 && <Measures note={note} metrics={layout?.metrics} />}
+      {room.pieces.value.size > 0 && <Measures room={room} note={note} metrics={layout?.metrics} />}
       <Wishes room={room} note={note} />
       <Lines title="Wishes that contradict each other" lines={note.clashes} />
       <PieceList room={room} note={note} />

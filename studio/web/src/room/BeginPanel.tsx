@@ -5,6 +5,7 @@ import { Icon } from "../app/Icon";
 import { figure, parseLength } from "../app/units";
 import { useDrawing } from "./context";
 import { PicturePanel } from "./PicturePanel";
+import { RoomType } from "./RoomType";
 import { rectangle } from "./sketch";
 
 function Rectangle() {
@@ -60,6 +61,7 @@ export function BeginPanel() {
       <header class="panel-head">
         <h2>{isBegun ? "Walls" : "Your own room"}</h2>
       </header>
+      <div class="fields is-one"><RoomType /></div>
       <section>
         <h3 class="eyebrow">{isBegun ? "Go on" : "Draw the walls"}</h3>
         <ol class="steps">

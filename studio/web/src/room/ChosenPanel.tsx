@@ -6,7 +6,7 @@ import { capital } from "../inspector/words";
 import { addCornerOn, addToWall, cornerIndex, fixtureOf, nameOfWall, removeSelected, setFixture } from "./acts";
 import { useDrawing } from "./context";
 import { Choice, MetresField, TextField } from "./fields";
-import { gapsOf } from "./fixtures";
+import { gapsOf, placed } from "./fixtures";
 import { endsOf, spokenFixture, withArticle } from "./names";
 import { widthOf, type Door, type Fixture, type WallLine } from "./sketch";
 import { withCornerAt, withWallLength } from "./walls";
@@ -143,6 +143,7 @@ function DoorFields({ door, wall }: { door: Door; wall: WallLine }) {
 function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | undefined }) {
   const drawing = useDrawing();
   const set = (part: Partial<Fixture>) => setFixture(drawing, { ...fixture, ...part } as Fixture);
+  const place = (offset: number) => setFixture(drawing, placed(fixture, wall, wall!, offset));
   const gaps = wall && gapsOf(fixture, wall),
     ends = endsOf(wall?.along ?? { x: 1, y: 0 });
   const isTurned = ends.start === "east" || ends.start === "south";
@@ -151,7 +152,7 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
       key="before"
       label={`From the ${ends.start} end`}
       metres={gaps.before}
-      take={(offset) => set({ offset })}
+      take={place}
     />
   );
   const behind = gaps && (
@@ -159,7 +160,7 @@ function FixturePanel({ fixture, wall }: { fixture: Fixture; wall: WallLine | un
       key="behind"
       label={`From the ${ends.end} end`}
       metres={Math.max(0, gaps.behind)}
-      take={(rest) => set({ offset: wall!.length - widthOf(fixture) - rest })}
+      take={(rest) => place(wall!.length - widthOf(fixture) - rest)}
     />
   );
   return (

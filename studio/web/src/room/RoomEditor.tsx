@@ -50,9 +50,13 @@ function Editor({ shown }: { shown: GetDocumentResponse | undefined }) {
   );
   const isClosed = drawing.sketch.value.isClosed;
   const body = useRef<HTMLDivElement>(null);
-  // The button that was pressed is gone: keys are still meant for the panel, the very next one too.
+  // The button that was pressed is gone: keys are still meant for the panel. Not at once, for the focus may be on its way
+  // from one field to the next.
   useLayoutEffect(() => {
-    if (document.activeElement === document.body) body.current?.focus({ preventScroll: true });
+    const timer = setTimeout(() => {
+      if (document.activeElement === document.body) body.current?.focus({ preventScroll: true });
+    });
+    return () => clearTimeout(timer);
   });
   return (
     <DrawingContext.Provider value={drawing}>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The room as a whole, and all that it has: the way to each wall and door for those who use no mouse.
-import { useState } from "preact/hooks";
 import { Icon, type IconName } from "../app/Icon";
 import { areaText, figure, lengthText } from "../app/units";
 import { area } from "../geometry/polygon";
@@ -10,54 +9,10 @@ import { useDrawing } from "./context";
 import { MetresField } from "./fields";
 import { spokenFixture } from "./names";
 import { PicturePanel } from "./PicturePanel";
-import roomTypes from "./room_types.json";
+import { RoomType } from "./RoomType";
 import { emptySketch, extentOf } from "./sketch";
 
 const icons: Record<string, IconName> = { door: "door", window: "window", socket: "socket" };
-
-const kAnother = "another";
-
-function focused(input: HTMLInputElement | null): void {
-  input?.focus();
-  input?.select();
-}
-
-// A kind from the list, or one's own word for it.
-function RoomType() {
-  const drawing = useDrawing(), { roomType } = drawing.sketch.value;
-  const [isTyping, setTyping] = useState(false);
-  const known = roomTypes as readonly string[];
-  const take = (kind: string) => {
-    setTyping(false);
-    const typed = kind.trim().toLowerCase().slice(0, 60);
-    if (typed && typed !== roomType)
-      drawing.commit({ ...drawing.sketch.peek(), roomType: typed }, "change the kind of room");
-  };
-  if (isTyping) {
-    return (
-      <label class="field">
-        <span>Kind of room</span>
-        <input defaultValue={roomType} maxLength={60} ref={focused}
-          onBlur={(event) => take(event.currentTarget.value)}
-          onKeyDown={(event) => {
-            event.stopPropagation();
-            if (event.key === "Escape") event.currentTarget.value = roomType;
-            if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
-          }} />
-      </label>
-    );
-  }
-  return (
-    <label class="field">
-      <span>Kind of room</span>
-      <select value={roomType} onKeyDown={(event) => event.stopPropagation()}
-        onChange={(event) => (event.currentTarget.value === kAnother ? setTyping(true) : take(event.currentTarget.value))}>
-        {[...new Set([roomType, ...known])].map((kind) => <option key={kind} value={kind}>{capital(kind)}</option>)}
-        <option value={kAnother}>Another...</option>
-      </select>
-    </label>
-  );
-}
 
 export function ShapePanel({ isNew }: { isNew: boolean }) {
   const drawing = useDrawing(),

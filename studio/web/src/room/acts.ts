@@ -2,7 +2,7 @@
 // What keys, buttons and panels do to what is selected.
 import { dot, type Vec } from "../geometry/vec";
 import type { RoomDrawing, Selection } from "./controller";
-import { newFixture, withFixture, withoutFixture } from "./fixtures";
+import { newFixture, placed, withFixture, withoutFixture } from "./fixtures";
 import { spokenFixture, spokenWallsOf } from "./names";
 import { widthOf, type Fixture, type Sketch } from "./sketch";
 import { withCornerAt, withCornerOn, withoutCorner, withWallMoved } from "./walls";
@@ -42,7 +42,7 @@ export function addToWall(drawing: RoomDrawing, kind: Fixture["kind"], key: stri
     at = Math.max(at, end[1]);
   }
   const offset = Math.max(0, (largest.from + largest.to - widthOf(fixture)) / 2);
-  drawing.commit(withFixture(sketch, { ...fixture, offset: Math.round(offset * 100) / 100 }), `add a ${kind}`);
+  drawing.commit(withFixture(sketch, placed(fixture, undefined, wall, Math.round(offset * 100) / 100)), `add a ${kind}`);
   drawing.select({ kind: "fixture", id: fixture.id });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of the room editor's panel.
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { figure, parseLength } from "../app/units";
 import { useStudio } from "../state/studio";
 
@@ -11,17 +12,27 @@ interface TextProps {
 }
 
 export function TextField({ label, text, take }: TextProps) {
+  const input = useRef<HTMLInputElement>(null), isTyped = useRef(false);
+  // What the field before has changed is shown, but what is being typed stays.
+  useLayoutEffect(() => {
+    const element = input.current!;
+    if (isTyped.current) return;
+    element.value = text;
+    if (document.activeElement === element) element.select();
+  }, [text]);
   return (
     <label class="field">
       <span>{label}</span>
       <input
-        key={text}
-        defaultValue={text}
+        ref={input}
         inputMode="decimal"
         onFocus={(event) => event.currentTarget.select()}
+        onInput={() => { isTyped.current = true; }}
         onBlur={(event) => {
           const typed = event.currentTarget.value;
-          if (typed !== text && !take(typed)) event.currentTarget.value = text;
+          isTyped.current = false;
+          event.currentTarget.value = text;
+          if (typed !== text) take(typed);
         }}
         onKeyDown={(event) => {
           event.stopPropagation();

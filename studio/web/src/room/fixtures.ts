@@ -22,6 +22,24 @@ export function newFixture(sketch: Sketch, kind: Fixture["kind"], wall: string, 
   return { kind, id, wall, offset, height: 0.3 };
 }
 
+// How much nearer to one end than to the other a door is that opens against that one, metres.
+const kNearer = 0.05;
+
+function nearerEnd(offset: number, width: number, length: number): "start" | "end" | undefined {
+  const further = length - offset - width - offset;
+  return Math.abs(further) < kNearer ? undefined : further > 0 ? "start" : "end";
+}
+
+// A fixture at another place. A door opens against the nearer end of the wall, not into the room, unless somebody has hung
+// it otherwise: `from` is the wall that it was in, undefined for a new one.
+export function placed(fixture: Fixture, from: WallLine | undefined, { key, length }: WallLine, offset: number): Fixture {
+  const moved = { ...fixture, wall: key, offset };
+  if (moved.kind !== "door" || fixture.kind !== "door") return moved;
+  const was = from && nearerEnd(fixture.offset, fixture.width, from.length);
+  const isOwn = was !== undefined && was !== fixture.hinge;
+  return isOwn ? moved : { ...moved, hinge: nearerEnd(offset, fixture.width, length) ?? fixture.hinge };
+}
+
 // Doors and windows share a wall, sockets go below windows.
 export const isInTheWay = (kind: Fixture["kind"], there: Fixture): boolean =>
   (kind === "socket") === (there.kind === "socket");

@@ -5,7 +5,7 @@ import { kDragStart, kSnapPixels, type Gesture } from "../plan/gesture";
 import { panned } from "../plan/view";
 import { cornerIndex, fixtureOf } from "./acts";
 import type { RoomDrawing, Selection } from "./controller";
-import { nearestWall, settledOffset, withEndAt, withFixture } from "./fixtures";
+import { nearestWall, placed, settledOffset, withEndAt, withFixture } from "./fixtures";
 import { spokenFixture } from "./names";
 import { settledCorner } from "./pen";
 import { widthOf, type Sketch } from "./sketch";
@@ -94,7 +94,7 @@ export function dragFixture(drawing: RoomDrawing, start: PointerEvent, id: strin
     const along = spot.wall.key === fixture.wall ? spot.along - grab : spot.along;
     const within = event.altKey ? 0 : drawing.metresOf(kSnapPixels);
     const offset = settledOffset(along, widthOf(fixture), spot.wall.length, within, event.altKey ? kFine : kStep);
-    return { sketch: withFixture(sketch, { ...fixture, wall: spot.wall.key, offset }) };
+    return { sketch: withFixture(sketch, placed(fixture, wall, spot.wall, offset)) };
   });
 }
 
@@ -137,5 +137,5 @@ export function ghostAt(
   if (!spot || spot.metres > drawing.metresOf(kGhostReach)) return undefined;
   const within = event.altKey ? 0 : drawing.metresOf(kSnapPixels);
   const offset = settledOffset(spot.along, widthOf(fixture), spot.wall.length, within, event.altKey ? kFine : kStep);
-  return { ...fixture, wall: spot.wall.key, offset };
+  return placed(fixture, undefined, spot.wall, offset);
 }

@@ -74,7 +74,7 @@ function undoOf(room: OpenRoom): ToastAct {
 export async function removePieces(room: OpenRoom, ids: readonly string[]) {
   const pieces = room.pieces.peek();
   const free = ids.filter((id) => !pieces.get(id)?.pinned);
-  if (free.length < ids.length) room.tell("Locked pieces stay. Press L to unlock them.");
+  if (free.length < ids.length) tellLocked(room, ids.flatMap((id) => pieces.get(id) ?? []));
   const orphans = orphansOf(pieces, free), seats = seatsAt(pieces, free);
   if (free.length === 0 || !(await remove(room, free))) return;
   const gone = free.map((id) => pieces.get(id)!), back = undoOf(room);
@@ -118,6 +118,14 @@ export function lockPieces(room: OpenRoom, pieces: readonly Piece[]) {
   return edit(room, pieces.filter((piece) => piece.pinned !== lock).map((piece): Edit => lock
     ? { edit: { case: "pinObjectId", value: piece.id } }
     : { edit: { case: "unpinObjectId", value: piece.id } }), true);
+}
+
+// Says which pieces stay because they are locked.
+export function tellLocked(room: OpenRoom, pieces: readonly Piece[]): void {
+  const locked = pieces.filter(({ pinned }) => pinned), [first] = locked;
+  if (!first) return;
+  const text = locked.length === 1 ? `${theName(first.object)} is locked.` : `${locked.length} pieces are locked.`;
+  room.tellLocked(text, () => void lockPieces(room, locked));
 }
 
 // An id that no object of the room has: "armchair", "armchair_2"...

@@ -86,6 +86,11 @@ export class OpenRoom {
     else this.toasts.note(note);
   }
 
+  // Says that pieces stay as they are because they are locked.
+  tellLocked(text: string, unlock: () => void): void {
+    this.toasts.warn(text, [{ label: "Unlock", run: unlock }]);
+  }
+
   // What was offered about acts that are undone.
   withdrawOffers(): void {
     for (const id of this.offers.splice(0)) this.toasts.dismiss(id);

@@ -11,12 +11,12 @@ export interface ToastAct {
 
 export interface Toast {
   readonly id: number;
-  readonly kind: "error" | "note" | "offer";
+  readonly kind: "error" | "warning" | "note" | "offer";
   readonly text: string;
   readonly acts: readonly ToastAct[];
 }
 
-const kMilliseconds = { error: 12000, note: 6000, offer: 20000 };
+const kMilliseconds = { error: 12000, warning: 12000, note: 6000, offer: 20000 };
 const kMost = 4;
 // How soon it is looked again whether somebody still reads.
 const kHeldMilliseconds = 2000;
@@ -36,6 +36,11 @@ export class Toasts {
 
   note(text: string): void {
     this.add("note", text);
+  }
+
+  // What is not done, and what can be done about it.
+  warn(text: string, acts: readonly ToastAct[] = []): void {
+    this.add("warning", text, acts);
   }
 
   // Stays longer than what is only to be read. Its id is for whoever withdraws it.

@@ -53,7 +53,7 @@ function Tiles({ room, variants }: { room: OpenRoom; variants: Variants }) {
   const placements = room.layout.value?.placements ?? [];
   const shown = variants.list.find((variant) => isSame(placements, variant.placements));
   return (
-    <ul>
+    <ul onWheel={(event) => { event.currentTarget.scrollLeft += event.deltaX + event.deltaY; }}>
       {variants.list.map((variant) => {
         const isShown = variant === shown;
         return (

@@ -5,8 +5,8 @@ import { snapped, type Moving, type Target } from "../../geometry/snap";
 import { add, sub, vec, type Vec } from "../../geometry/vec";
 import { isBacked, mounted, turnedToWall, type Mounted } from "../../geometry/wall_mount";
 import { ObjectKind } from "../../gen/flair/v1/object_list_pb";
-import { footprintOf, guestsOf, isSolid, theName, type Piece, type Poses } from "../../state/pieces";
-import { capital } from "../../inspector/words";
+import { footprintOf, guestsOf, isSolid, type Piece, type Poses } from "../../state/pieces";
+import { tellLocked } from "../../state/commands";
 import type { PlanController } from "../controller";
 import { kDragStart, kSnapPixels, type Gesture } from "../gesture";
 import { isForWall, keptInside, pushedBack } from "../walls";
@@ -96,8 +96,7 @@ export function moveGesture(
     end() {
       if (poses) return void plan.drop(poses);
       if (isBegun) {
-        const [locked] = chosen;
-        if (locked) plan.studio.toasts.note(`${capital(theName(locked.object))} is locked. Press L to unlock it.`);
+        tellLocked(plan.room, chosen);
         return;
       }
       plan.lastClick = at;
