@@ -83,7 +83,7 @@ double ReachableShare(const SolveInput& input, const PartialLayout& state) {
     const Object& object = input.scene.objects[i];
     if (state.placed[i] && IsSolid(object)) obstacles.push_back({state.layout[i], object.footprint});
   }
-  evaluation::WalkGrid grid = input.walk_grid;
+  evaluation::WalkGrid grid = input.walk_grid.get();
   return grid.Measure(obstacles).reachable_share;
 }
 
@@ -99,7 +99,7 @@ double ScoreOf(const SolveInput& input, const StageSpec& stage, const PartialLay
   const bool floor = stage.kind != StageKind::kTertiary;
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, state.placed, state.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input = SearchInputOf(input, centers, floor ? &input.walk_grid : nullptr);
+  const SearchInput search_input = SearchInputOf(input, centers, floor ? &input.walk_grid.get() : nullptr);
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, state), state.layout);
   double score = search.Score();
   if (!floor) return score;

@@ -51,7 +51,7 @@ class Loser {
  public:
   Loser(const SolveInput& input, const PartialLayout& before, const PartialLayout& after,
         const std::vector<int>& touched)
-      : input_(input), scene_(input.scene), before_(before), after_(after), grid_(input.fine_walk_grid) {
+      : input_(input), scene_(input.scene), before_(before), after_(after), grid_(input.fine_walk_grid.get()) {
     for (int i = 0; i < static_cast<int>(scene_.objects.size()); ++i) {
       if (!IsSolid(scene_.objects[i]) || !after.placed[i]) continue;
       if (!before.placed[i] || !(before.layout[i] == after.layout[i])) moved_.push_back(i);

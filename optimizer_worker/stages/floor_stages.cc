@@ -48,7 +48,7 @@ RestartResult FurnishRestart(const SolveInput& input, const StageSpec& stage, co
   Random random(RestartSeed(input.settings, stage, restart));
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
+  const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid.get());
   LayoutSearch search(search_input, MakeProblem(input, costs, stage, before), before.layout);
 
   const double noise = restart == 0 ? 0.0 : kFurnishNoise;
@@ -291,7 +291,7 @@ double Finish(const SolveInput& input, const StageSpec& whole, const StageSpec& 
     left = MakeExact(input, search.problem(), whole.objects, layout);
   }
   SearchInput settle_input = search_input;
-  settle_input.walk_grid = &input.fine_walk_grid;
+  settle_input.walk_grid = &input.fine_walk_grid.get();
   LayoutSearch settled(settle_input, search.problem(), layout);
   std::vector<std::vector<int>> members_of;
   for (int object : stage.objects) members_of.push_back(MembersOf(input, stage, object));
@@ -317,7 +317,7 @@ RestartResult PolishRestart(const SolveInput& input, const StageSpec& stage, con
   for (int pass = 0; pass < passes; ++pass) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
     const SceneCosts costs = BindCosts(input, centers);
-    const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
+    const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid.get());
     LayoutSearch search(search_input, MakeProblem(input, costs, stage, result.state), result.state.layout);
     if (!input.OutOfTime() && !free.objects.empty()) Improve(input, free, search, random);
     if (pass + 1 == passes) result.score = Finish(input, stage, free, search_input, random, search);
@@ -336,7 +336,7 @@ RestartResult PolishHolding(const SolveInput& input, const PartialLayout& before
   RestartResult result = PolishRestart(input, rest, before, restart);
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, result.state.placed, result.state.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input = SearchInputOf(input, centers, &input.fine_walk_grid);
+  const SearchInput search_input = SearchInputOf(input, centers, &input.fine_walk_grid.get());
   LayoutSearch search(search_input, MakeProblem(input, costs, whole, result.state), result.state.layout);
   Layout layout = search.layout();
   const std::vector<Violation> left = MakeExact(input, search.problem(), whole.objects, layout);

@@ -245,7 +245,7 @@ TEST(WalkPenalty, ADeskDoesNotBlockTheFrontOfItsChair) {
   PoseGroup(input.groups.all[0].arrangements[0], {2.5, 2.5, 0}, poses);
   for (size_t k = 0; k < poses.size(); ++k) state.Place(input.groups.all[0].objects[k], poses[k]);
   const SceneCosts costs = BindCosts(input, state);
-  SearchInput search_input = SearchInputOf(input, {}, &input.walk_grid);
+  SearchInput search_input = SearchInputOf(input, {}, &input.walk_grid.get());
   const auto penalty = [&] {
     const StageSpec stage = MakeStage(input.scene, StageKind::kPolish);
     return LayoutSearch(search_input, MakeProblem(input, costs, stage, state), state.layout).WalkPenalty();

@@ -64,7 +64,7 @@ class PatternPlacer {
   std::vector<PartialLayout> Place(const PartialLayout& before, size_t most) {
     const std::vector<Vec2<double>> centers = ZoneCenters(input_.scene, before.placed, before.layout);
     const SceneCosts costs = BindCosts(input_, centers);
-    const SearchInput search_input = SearchInputOf(input_, centers, &input_.walk_grid);
+    const SearchInput search_input = SearchInputOf(input_, centers, &input_.walk_grid.get());
     const std::vector<int> companions = Companions(before);
     std::vector<int> free = objects_;
     free.insert(free.end(), companions.begin(), companions.end());
@@ -301,7 +301,7 @@ std::vector<PartialLayout> WithOthersFirst(const SolveInput& input, const StageS
   if (others.empty()) return {before};
   const std::vector<Vec2<double>> centers = ZoneCenters(input.scene, before.placed, before.layout);
   const SceneCosts costs = BindCosts(input, centers);
-  const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid);
+  const SearchInput search_input = SearchInputOf(input, centers, &input.walk_grid.get());
   LayoutSearch search(search_input, MakeProblem(input, costs, {stage.kind, stage.zone, others}, before), before.layout);
   Random random(RestartSeed(input.settings, stage, 0));
   search.Construct(others, 0, random);

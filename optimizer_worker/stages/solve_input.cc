@@ -50,8 +50,13 @@ absl::StatusOr<SolveInput> MakeSolveInput(const v1::LayoutGraph& graph, const v1
   ASSIGN_OR_RETURN(Scene scene, SceneFromProto(graph));
   std::vector<std::vector<int>> partners = PartnersOf(graph, scene);
   KeepOut keep_out(scene.room);
-  evaluation::WalkGrid walk_grid(scene.room, settings.path_width_m);
-  evaluation::WalkGrid fine_walk_grid(scene.room, settings.path_width_m, evaluation::kFineCell_m);
+  const auto grid = [&scene, &settings](double cell_m) {
+    return std::async(std::launch::deferred, [room = scene.room, width_m = settings.path_width_m,
+                                              cell_m] { return evaluation::WalkGrid(room, width_m, cell_m); })
+        .share();
+  };
+  std::shared_future<evaluation::WalkGrid> walk_grid = grid(evaluation::kSearchCell_m),
+                                           fine_walk_grid = grid(evaluation::kFineCell_m);
   LinkedPairs linked(scene, graph);
   std::vector<Pin> pins = PinsOf(graph, scene);
   std::vector<char> pinned(scene.objects.size(), 0);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <span>
 #include <vector>
 
@@ -88,9 +89,10 @@ struct SolveInput {
   // What is placed together; none where pieces are placed one by one.
   Groups groups = {};
   KeepOut keep_out;
-  evaluation::WalkGrid walk_grid;
+  // Of the empty room, made when first asked for: a verdict needs none. Any thread may ask.
+  std::shared_future<evaluation::WalkGrid> walk_grid;
   // For layouts that are exact already: a search on the coarse grid finds the gaps of 0.55 m that it passes for ways.
-  evaluation::WalkGrid fine_walk_grid;
+  std::shared_future<evaluation::WalkGrid> fine_walk_grid;
   const Solver& solver;
   CancelCheck cancelled;
   // True when the settings' time limit has passed since MakeSolveInput; then every stage ends as soon as it has one
