@@ -219,6 +219,24 @@ test("what was told before is listed by a click", async () => {
   await page.waitForSelector(`[aria-label='${last}']`);
 });
 
+test("pieces are brought into line as one act", async () => {
+  const { page } = studio;
+  const last = await studio.undoLabel();
+  await studio.select("wardrobe");
+  const { x, y } = await studio.box("dresser");
+  await page.keyboard.down("Shift");
+  await page.mouse.click(x + 4, y + 4);
+  await page.keyboard.up("Shift");
+  await page.waitForSelector(".panel-head h2:has-text('2 pieces')");
+  await page.click("[aria-label='Align the eastern sides']");
+  await page.waitForSelector(`[aria-label^='Undo: ']:not([aria-label='${last}'])`);
+  const [one, two] = [await studio.box("wardrobe"), await studio.box("dresser")];
+  assert.ok(Math.abs(one.x + one.width - two.x - two.width) < 1);
+  await page.keyboard.press("Control+z");
+  await page.waitForSelector(`[aria-label='${last}']`);
+  await page.keyboard.press("Escape");
+});
+
 test("the paper is chosen once", async () => {
   const { page } = studio;
   for (const paper of ["A3", "A4"]) {

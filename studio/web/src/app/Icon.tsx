@@ -45,6 +45,14 @@ const paths = {
   picture: "M2.500 3.500h11v9h-11zM2.500 11l3.500-3.500 2.500 2.500 2-2 3 3M10.500 6h.01",
   queue: "M3 4h10M3 8h10M3 12h6",
   pause: "M5.500 3.500v9M10.500 3.500v9",
+  alignWest: "M3 2.500v11M5.500 4.500h7v3h-7zM5.500 9.500h4v3h-4z",
+  alignAcross: "M8 2.500v2M8 7.500v2M8 12.500v1.500M3.500 4.500h9v3h-9zM5.500 9.500h5v3h-5z",
+  alignEast: "M13 2.500v11M3.500 4.500h7v3h-7zM6.500 9.500h4v3h-4z",
+  alignNorth: "M2.500 3h11M4.500 5.500h3v7h-3zM9.500 5.500h3v4h-3z",
+  alignAlong: "M2.500 8h2M7.500 8h2M12.500 8h1.500M4.500 3.500h3v9h-3zM9.500 5.500h3v5h-3z",
+  alignSouth: "M2.500 13h11M4.500 3.500h3v7h-3zM9.500 6.500h3v4h-3z",
+  spreadAcross: "M3 3v10M13 3v10M6.500 5h3v6h-3z",
+  spreadAlong: "M3 3h10M3 13h10M5 6.500h6v3h-6z",
   play: "M5 3.300v9.400L12.500 8z",
 } as const;
 

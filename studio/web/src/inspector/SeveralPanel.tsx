@@ -2,6 +2,7 @@
 import { PanelHead } from "../app/PanelHead";
 import type { OpenRoom } from "../state/open_room";
 import type { Piece } from "../state/pieces";
+import { AlignActs } from "./AlignActs";
 import { Faults } from "./Faults";
 import { PieceActs } from "./PieceActs";
 import { PieceRows } from "./PieceRows";
@@ -13,6 +14,7 @@ export function SeveralPanel({ room, pieces }: { room: OpenRoom; pieces: readonl
         <h2>{pieces.length} pieces</h2>
       </PanelHead>
       <PieceActs room={room} pieces={pieces} />
+      <AlignActs room={room} pieces={pieces} />
       <PieceRows room={room} pieces={pieces} />
       <Faults room={room} of={pieces} title="What is wrong with them" />
     </>
