@@ -184,14 +184,16 @@ TEST_F(DocumentsTest, ARoomIsCalledByTheBriefItWasFurnishedForUnlessSomebodyName
 
 TEST_F(DocumentsTest, FilesAreCalledByWholeWords) {
   const v1::GetDocumentResponse made = Designed();
+  v1::ExportDocumentRequest file;
+  file.set_document_id(made.document().id());
+  file.set_format(v1::DOCUMENT_FORMAT_LAYOUT_JSON);
+  // By the kind of room as long as nobody has given it a name.
+  EXPECT_EQ(documents_->Export(file, call_)->file_name(), "bedroom.json");
   v1::ActRequest title;
   title.set_document_id(made.document().id());
   title.set_revision(made.document().revision());
   title.set_title("A living room of five by four metres with a sofa and two bookshelves");
   ASSERT_TRUE(documents_->Act(title, call_).ok());
-  v1::ExportDocumentRequest file;
-  file.set_document_id(made.document().id());
-  file.set_format(v1::DOCUMENT_FORMAT_LAYOUT_JSON);
   const auto named = documents_->Export(file, call_);
   ASSERT_TRUE(named.ok()) << named.status();
   EXPECT_EQ(named->file_name(), "a-living-room-of-five-by-four-metres-with-a-sofa-and-two.json");

@@ -179,7 +179,8 @@ absl::StatusOr<v1::ExportDocumentResponse> Documents::Export(const v1::ExportDoc
   ASSIGN_OR_RETURN(const Record record, store_->Get(request.document_id()));
   ASSIGN_OR_RETURN(const Layout layout, Shown(record));
   v1::ExportDocumentResponse response;
-  response.set_file_name(FileStemOf(DocumentOf(record).title()) + format->ending);
+  const std::string heading = HeadingOf(DocumentOf(record), layout->solved_layout().graph().room());
+  response.set_file_name(FileStemOf(heading) + format->ending);
   response.set_media_type(format->media_type);
   ASSIGN_OR_RETURN(*response.mutable_content(), ContentOf(record, layout, request.format(), request.options(), call));
   return response;

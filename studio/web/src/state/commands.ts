@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one can do to a room; each is one act and one entry of its history.
 import type { MessageInitShape } from "@bufbuild/protobuf";
-import type { Pose } from "../geometry/footprint";
+import { moved, type Pose } from "../geometry/footprint";
 import type { Resized } from "../geometry/resize";
+import { vec } from "../geometry/vec";
 import type { LayoutEditSchema } from "../gen/flair/v1/layout_edit_pb";
 import { ObjectRole, type Object$, type ObjectSchema } from "../gen/flair/v1/object_list_pb";
 import type { OpenRoom } from "./open_room";
@@ -10,6 +11,7 @@ import type { Placements } from "./judging";
 import { homeFor, orphansInWords, orphansOf, seatsAt, seatsInWords } from "./orphans";
 import { guestsOf, placementOf, theName, withGuests, type Piece, type Poses } from "./pieces";
 import type { ToastAct } from "./toasts";
+import { freeBeside } from "./beside";
 import { turnedInside } from "./turning";
 
 type Edit = MessageInitShape<typeof LayoutEditSchema>;
@@ -174,17 +176,18 @@ export function withCarried(room: OpenRoom, chosen: readonly Piece[]): Piece[] {
   return [...chosen, ...guestsOf(pieces, ids).map((id) => pieces.get(id)!)];
 }
 
-// The same again, a little aside; what stands on one of them stands on its copy.
+// The same again, beside it where there is room, else a little aside; what stands on one of them stands on its copy.
 export async function duplicatePieces(room: OpenRoom, pieces: readonly Piece[]) {
   const taken = takenIds(room);
   const copies = new Map<string, string>();
   const ids: string[] = [];
+  const aside = freeBeside(room.pieces.peek(), pieces, room.floor.peek()) ?? vec(kCopyOffset, -kCopyOffset);
   const edits = pieces.flatMap((piece): Edit[] => {
     const id = freeId(taken, piece.object.id), host = copies.get(piece.object.hostId);
     taken.add(id);
     copies.set(piece.id, id);
     if (host === undefined) ids.push(id);
-    const pose = { ...piece.pose, x: piece.pose.x + kCopyOffset, y: piece.pose.y - kCopyOffset };
+    const pose = moved(piece.pose, aside);
     const object = { ...atHome(room, piece.object), id, ...(host === undefined ? {} : { hostId: host }) };
     return [
       { edit: { case: "addObject", value: { object } } },
