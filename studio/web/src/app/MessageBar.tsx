@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The line at the page's lower edge, which has a place of its own and covers nothing: what has just happened and what can
 // be done about it; otherwise what the pointer can do.
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import type { OpenRoom } from "../state/open_room";
 import { route } from "../state/route";
 import { useStudio, type Studio } from "../state/studio";
@@ -49,7 +49,8 @@ function Message({ studio: { toasts }, toast, isWhole }: MessageProps) {
 function MessageList({ studio }: { studio: Studio }) {
   const { toasts } = studio;
   const list = useRef<HTMLElement>(null);
-  useEffect(() => {
+  // Keys are heard from the very moment that it is seen.
+  useLayoutEffect(() => {
     const close = () => { toasts.isListed.value = false; };
     const outside = (event: Event) => { if (!list.current?.parentElement?.contains(event.target as Node)) close(); };
     const escape = (event: KeyboardEvent) => {
