@@ -132,6 +132,8 @@ class LayoutActs {
   absl::StatusOr<Acted> LockSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
   absl::StatusOr<Acted> SwapSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
   absl::StatusOr<Acted> MoveSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
+  // So far to one side of another piece.
+  absl::StatusOr<Acted> SetOffSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
   absl::StatusOr<Acted> TurnSpoken(const Standing& standing, const Spoken& spoken, runtime::CallContext& call) const;
   // As Move; where that leaves faults, others give way if they can.
   absl::StatusOr<Acted> MovedAndSettled(const Standing& standing, const v1::MoveObjects& move,

@@ -128,6 +128,23 @@ std::string AnswerTo(const Said& said, const v1::SolvedLayout& before, const Act
          AtACost(before, acted.layout, about);
 }
 
+// Tells of pieces that were added what their place lacks by what a designer asks of it.
+std::string NoGoodPlace(const Acted& acted, const Aim& aim, const IdSet& of_user) {
+  const v1::LayoutGraph& graph = acted.layout.graph();
+  for (const std::string& id : acted.added_ids) {
+    if (PlaceOf(acted.layout, id) == nullptr) {
+      return fmt::format(" But there is no room for {}.", TheOnes(acted.layout, {id}));
+    }
+    for (const std::string& sentence : aim.sentence_ids) {
+      if (of_user.contains(sentence) || !ObjectsOf({sentence}, graph).contains(id)) continue;
+      const std::string why = WhyUnmet(acted.layout, {sentence});
+      if (!why.empty())
+        return fmt::format(" But no good place was found for {}: {}.", TheOnes(acted.layout, {id}), why);
+    }
+  }
+  return "";
+}
+
 }  // namespace
 
 absl::StatusOr<v1::LayoutGraph> LayoutActs::Understood(const v1::SaySentence& say, const Said& said,
@@ -211,13 +228,16 @@ absl::StatusOr<Acted> LayoutActs::SayWishes(const Standing& standing, const v1::
   IdSet words;
   for (const v1::Sentence& sentence : said.shown.sentences()) {
     if (!meaning.contains(sentence.id())) {
-      if (understood_texts.contains(sentence.text())) continue;
+      if (understood_texts.contains(sentence.text()) || said.purposes.contains(sentence.id())) continue;
       const std::string word = UnknownWord(sentence.text(), with, catalogue_.find);
-      const std::string examples = fmt::format(
-          "{}; {}", word.empty() ? "" : fmt::format(": I do not know \"{}\"", word), Examples(standing.shown, turn_++));
+      const std::string examples =
+          fmt::format("{}; {}", word.empty() ? "" : fmt::format(": I do not know \"{}\"", word),
+                      Examples(sentence.text(), standing.shown, turn_++));
       std::string refusal = Refusal(sentence, understood, catalogue_, examples);
       if (std::ranges::find(refusals, refusal) == refusals.end()) refusals.push_back(std::move(refusal));
-      left_over.push_back(sentence.text());
+      // Only the user's own words, and none of a piece that has come.
+      const auto own = said.own_words.find(sentence.id());
+      if (own != said.own_words.end()) left_over.push_back(own->second);
       continue;
     }
     words.insert(Plain(sentence.text()));
@@ -272,7 +292,7 @@ absl::StatusOr<Acted> LayoutActs::SayWishes(const Standing& standing, const v1::
   }
   RETURN_IF_ERROR(TellUnmet(said.shown, acted, call));
   DropOvertaken(meaning, acted);
-  acted.answer = AnswerTo(said, standing.shown, acted, aim.object_ids);
+  acted.answer = AnswerTo(said, standing.shown, acted, aim.object_ids) + NoGoodPlace(acted, aim, meaning);
   return acted;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is asked in words of pieces that are there: away with them, other sizes, others in their place, locks.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "fmt/format.h"
@@ -25,6 +26,15 @@ std::vector<std::string> KindsOf(const v1::SolvedLayout& layout, const ObjectIds
     if (std::ranges::find(kinds, name) == kinds.end()) kinds.push_back(name);
   }
   return kinds;
+}
+
+// " It stands 2.10 m from there now." of a piece that has not come to stand where the one before it stood.
+std::string StandsElsewhere(const v1::SolvedLayout& before, const v1::SolvedLayout& after, const std::string& id) {
+  constexpr double kSamePlace_m = 0.5;
+  const v1::Placement *const was = PlaceOf(before, id), *const is = PlaceOf(after, id);
+  if (was == nullptr || is == nullptr) return "";
+  const double away_m = std::hypot(is->x_m() - was->x_m(), is->y_m() - was->y_m());
+  return away_m < kSamePlace_m ? "" : fmt::format(" It does not stand in its place but {:.2f} m from there.", away_m);
 }
 
 }  // namespace
@@ -109,6 +119,7 @@ absl::StatusOr<Acted> LayoutActs::ReplaceSpoken(const Standing& standing, const 
   for (const std::string& id : added) LookLike(spoken.by->like_id, id, *acted.layout.mutable_graph());
   acted.answer = fmt::format("Replaced {} by {}.", were,
                              ids.size() == 1 ? WithArticle(name) : fmt::format("{} {}s", ids.size(), name));
+  if (ids.size() == 1) acted.answer += StandsElsewhere(standing.shown, acted.layout, ids.front());
   acted.answer += MovedToo(acted.layout, acted.moved_ids, IdSetOf(ids));
   const std::string wrong = HasMoreFaults(acted.layout, standing.shown) ? NewFault(standing.shown, acted.layout) : "";
   if (!wrong.empty()) acted.answer += fmt::format(" But {}.", wrong);
@@ -161,7 +172,16 @@ absl::StatusOr<Acted> LayoutActs::DoSpoken(const Standing& standing, Spoken spok
     return acted;
   }
   if (spoken.what.is_one) ids.resize(1);
+  const IdSet locked = IdsOf(standing.shown.graph().pinned_placements());
+  for (const Meant* const meant : {&spoken.what, &spoken.other}) {
+    for (const std::string& id : meant->ids) {
+      if (!locked.contains(id)) continue;
+      return InvalidArgument("{} is locked; say \"unlock {}\" first", TheOnes(standing.shown, {id}),
+                             TheOnes(standing.shown, {id}));
+    }
+  }
   if (spoken.act == "swap") return SwapSpoken(standing, spoken, call);
+  if (spoken.act == "set off") return SetOffSpoken(standing, spoken, call);
   if (spoken.act == "move by") return MoveSpoken(standing, spoken, call);
   if (spoken.act.starts_with("turn")) return TurnSpoken(standing, spoken, call);
   return InvalidArgument("say that by itself, not with other wishes");

@@ -10,6 +10,7 @@
 #include "session/acts/chain.h"
 #include "session/acts/layout_acts.h"
 #include "session/sentences/answers.h"
+#include "session/sentences/asides.h"
 #include "session/sentences/names.h"
 #include "session/sentences/places.h"
 #include "session/sentences/spoken.h"
@@ -47,6 +48,32 @@ struct Told {
   }
 };
 
+// Asks back where a piece is told by a place at which there are several; empty otherwise.
+std::string WhichOne(const Spoken& spoken, const v1::SolvedLayout& layout) {
+  for (const Meant* const meant : {&spoken.what, &spoken.other}) {
+    if (!meant->is_told || !meant->is_one || meant->ids.size() < 2) continue;
+    std::vector<std::string> names;
+    for (const std::string& id : meant->ids) names.push_back(TheOnes(layout, {id}));
+    return fmt::format("which {}: {}?", meant->name, Listed(names, "or"));
+  }
+  return "";
+}
+
+// Why a clause cannot be done, as "done: ..."; empty for others. `examples`: of what can be said instead.
+std::string WhyNotDone(const Spoken& spoken, const v1::SolvedLayout& layout, const FindPiece& find,
+                       const std::string& examples) {
+  if (const std::string which = WhichOne(spoken, layout); !which.empty()) return "done: " + which;
+  const bool unread = spoken.act.empty() || !spoken.absent.empty();
+  if (const std::string other = unread ? OtherBusiness(spoken.said) : ""; !other.empty()) {
+    return fmt::format("done: I only choose and place furniture, {} are not mine to change", other);
+  }
+  // What is no statement must not become a wish.
+  const Tokens tokens = PlainTokens(spoken.said);
+  if (!spoken.act.empty() || !IsNoStatement(tokens, {0, tokens.size()})) return "";
+  const std::string word = UnknownWord(spoken.said, layout, find);
+  return fmt::format("understood{}; {}", word.empty() ? "" : fmt::format(": I do not know \"{}\"", word), examples);
+}
+
 }  // namespace
 
 absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySentence& say, CallContext& call) const {
@@ -60,6 +87,7 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   Told told;
   ObjectIds last;
   Batch batch;
+  bool is_later = false;
   const auto keep = [&](absl::StatusOr<Acted> acted, const std::string& clause) -> absl::Status {
     if (acted.ok()) {
       if (!acted->answer.empty()) told.answers.push_back(acted->answer);
@@ -86,7 +114,15 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
       // Copied, since what is read holds on to nothing that an act changes.
       const v1::SolvedLayout shown = chain.shown();
       const MeantPieces pieces(shown, selected, last, catalogue_.find);
-      Spoken spoken = SpokenReader(pieces, room).Read(sentence, tokens, span, rest);
+      Spoken spoken = SpokenReader(pieces, room, is_later).Read(sentence, tokens, span, rest);
+      is_later = true;
+      if (spoken.act == "reason") continue;
+      if (const std::string why = WhyNotDone(spoken, shown, catalogue_.find, Examples(spoken.said, shown, turn_));
+          !why.empty()) {
+        ++turn_;
+        told.Refuse(fmt::format("\"{}\" is not {}", spoken.said, why), spoken.said);
+        continue;
+      }
       std::optional<std::vector<WishedSentence>> places;
       if (!spoken.act.empty()) places = PlacesSaid(spoken, shown, room);
       if (spoken.act.empty() || places.has_value()) {
@@ -121,6 +157,7 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   Acted acted = chain.Take();
   acted.label = SayLabel(text) + AlsoMoved(standing.shown, acted.layout, acted.moved_ids);
   acted.answer = absl::StrJoin(told.answers, " ");
+  acted.answer += HarmDone(standing.shown, acted.layout, acted.diagnostics, acted.answer);
   acted.left_over = absl::StrJoin(told.left_over, ", ");
   // Of what is said of several pieces alike once is enough.
   std::vector<v1::Diagnostic> once;

@@ -137,6 +137,43 @@ absl::StatusOr<Acted> LayoutActs::MoveSpoken(const Standing& standing, const Spo
   return acted;
 }
 
+absl::StatusOr<Acted> LayoutActs::SetOffSpoken(const Standing& standing, const Spoken& spoken,
+                                               CallContext& call) const {
+  const v1::SolvedLayout& shown = standing.shown;
+  const std::string id = spoken.what.ids.front();
+  if (spoken.target.ids.empty() || spoken.target.ids.front() == id) {
+    return InvalidArgument("{} is not there to stand beside", spoken.target.said);
+  }
+  const std::string other_id = spoken.target.ids.front();
+  const v1::Object &one = *ObjectOf(shown, id), &other = *ObjectOf(shown, other_id);
+  const v1::Placement& at = *PlaceOf(shown, other_id);
+  const std::optional<Vec2<double>> way = WayOf(spoken.way, at);
+  if (!way.has_value() || one.kind() == v1::OBJECT_KIND_WALL) {
+    return InvalidArgument("{} cannot stand so", TheOnes(shown, {id}));
+  }
+  v1::MoveObjects move;
+  v1::Placement& to = *move.add_placements();
+  to = *PlaceOf(shown, id);
+  // Half of a piece along the way.
+  const auto reach_m = [&](const v1::Object& object, double theta_rad) {
+    const double across = way->x * std::cos(theta_rad) + way->y * std::sin(theta_rad);
+    const double ahead = way->y * std::cos(theta_rad) - way->x * std::sin(theta_rad);
+    return (std::abs(across) * object.width_m() + std::abs(ahead) * object.depth_m()) / 2;
+  };
+  const double away_m = reach_m(one, to.theta_rad()) + reach_m(other, at.theta_rad()) + *spoken.length_m;
+  to.set_x_m(at.x_m() + way->x * away_m);
+  to.set_y_m(at.y_m() + way->y * away_m);
+  ASSIGN_OR_RETURN(Acted acted, MovedAndSettled(standing, move, call));
+  const std::string where =
+      fmt::format("{} {} of {}", Centimetres(*spoken.length_m), spoken.way, TheOnes(shown, {other_id}));
+  if (HasMoreFaults(acted.layout, shown)) {
+    return InvalidArgument("{} cannot stand {}: {}", TheOnes(shown, {id}), where, NewFault(shown, acted.layout));
+  }
+  acted.answer = fmt::format("{} stands {}.", Capital(TheOnes(shown, {id})), where) +
+                 MovedToo(acted.layout, acted.moved_ids, {id}) + AtACost(shown, acted.layout, IdSetOf(acted.moved_ids));
+  return acted;
+}
+
 absl::StatusOr<Acted> LayoutActs::TurnSpoken(const Standing& standing, const Spoken& spoken, CallContext& call) const {
   const v1::SolvedLayout& shown = standing.shown;
   ASSIGN_OR_RETURN(const Scene scene, SceneFromProto(shown.graph()));
@@ -166,7 +203,8 @@ absl::StatusOr<Acted> LayoutActs::TurnSpoken(const Standing& standing, const Spo
     ASSIGN_OR_RETURN(acted, SolvedFrom(standing, move, call));
     const v1::Placement &to = move.placements(0), &at = *PlaceOf(acted.layout, to.object_id());
     if (HasMoreFaults(acted.layout, shown) ||
-        std::abs(std::remainder(at.theta_rad() - to.theta_rad(), 2 * M_PI)) > kTurned_rad) {
+        std::abs(std::remainder(at.theta_rad() - to.theta_rad(), 2 * M_PI)) > kTurned_rad ||
+        std::hypot(at.x_m() - to.x_m(), at.y_m() - to.y_m()) > kNearBy_m) {
       ASSIGN_OR_RETURN(const Acted there, Move(standing, move, call));
       return InvalidArgument("there is no room to turn {}: {}", name, NewFault(shown, there.layout));
     }
@@ -198,47 +236,6 @@ absl::StatusOr<Acted> LayoutActs::SolvedFrom(const Standing& standing, const v1:
   }
   ASSIGN_OR_RETURN(Acted acted, Solved({from, &from, {}, by_hand}, edits, call));
   acted.moved_ids = MovedIds(standing.shown, acted.layout);
-  return acted;
-}
-
-absl::StatusOr<Acted> LayoutActs::SwapSpoken(const Standing& standing, const Spoken& spoken, CallContext& call) const {
-  const v1::SolvedLayout& shown = standing.shown;
-  const std::string a_id = spoken.what.ids.front();
-  std::string b_id = spoken.other.ids.empty() ? "" : spoken.other.ids.front();
-  if (spoken.what.ids.size() != 1 || b_id.empty() || b_id == a_id) return InvalidArgument("name two pieces to swap");
-  const v1::Object &a = *ObjectOf(shown, a_id), &b = *ObjectOf(shown, b_id);
-  const std::string names = fmt::format("{} and {}", TheOnes(shown, {a_id}), TheOnes(shown, {b_id}));
-  if (a.kind() != b.kind()) return InvalidArgument("{} do not stand in the same way and cannot swap places", names);
-  v1::MoveObjects move;
-  // Backs come to stand where backs were.
-  const auto put = [&](const v1::Object& one, const v1::Object& other) {
-    v1::Placement& to = *move.add_placements();
-    to = *PlaceOf(shown, other.id());
-    to.set_object_id(one.id());
-    const double forward_m = (one.depth_m() - other.depth_m()) / 2;
-    to.set_x_m(to.x_m() - std::sin(to.theta_rad()) * forward_m);
-    to.set_y_m(to.y_m() + std::cos(to.theta_rad()) * forward_m);
-  };
-  put(a, b);
-  put(b, a);
-  ASSIGN_OR_RETURN(const Acted there, Move(standing, move, call));
-  const std::string wrong = NewFault(shown, there.layout);
-  constexpr double kBeside_m = 1.2;
-  ASSIGN_OR_RETURN(Acted acted, MovedNearBy(standing, move, kBeside_m, call));
-  if (HasMoreFaults(acted.layout, shown)) {
-    ASSIGN_OR_RETURN(acted, SolvedFrom(standing, move, call));
-    const auto nearer = [&](const std::string& id, const v1::Placement& goal) {
-      const v1::Placement &at = *PlaceOf(acted.layout, id), &was = *PlaceOf(shown, id);
-      return std::hypot(at.x_m() - goal.x_m(), at.y_m() - goal.y_m()) <
-             std::hypot(at.x_m() - was.x_m(), at.y_m() - was.y_m());
-    };
-    const bool swapped = nearer(a_id, move.placements(0)) && nearer(b_id, move.placements(1));
-    if (!swapped || HasMoreFaults(acted.layout, shown)) {
-      return InvalidArgument("{} cannot swap places: {}", names, wrong);
-    }
-  }
-  acted.answer = fmt::format("Swapped {}.", names) + MovedToo(acted.layout, acted.moved_ids, {a_id, b_id}) +
-                 AtACost(shown, acted.layout, IdSetOf(acted.moved_ids));
   return acted;
 }
 

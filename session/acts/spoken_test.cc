@@ -115,6 +115,78 @@ TEST_F(SpokenActsTest, AWordThatFailedIsNamedAndExamplesAreOthersEachTime) {
   EXPECT_NE(first.status().message(), second.status().message());
 }
 
+TEST_F(SpokenActsTest, WhatAsksForAChangeIsNeverAWish) {
+  const int before = room_.layout().graph().edges_size();
+  for (const char* const text :
+       {"Please remove the thing above the bed", "the thing at the left end of the bed should go",
+        "get rid of that thing next to the bed", "swap places of whatever is near the window"}) {
+    const auto said = Say(text);
+    EXPECT_FALSE(said.ok()) << text << ": " << said->answer();
+    EXPECT_THAT(std::string(said.status().message()), HasSubstr(" is not ")) << text;
+  }
+  EXPECT_EQ(Get(room_.document().id()).layout().graph().edges_size(), before);
+}
+
+TEST_F(SpokenActsTest, APieceIsFoundByItsPlace) {
+  const auto said = Say("remove the nightstand on the left of the bed");
+  ASSERT_TRUE(said.ok()) << said.status();
+  EXPECT_THAT(said->answer(), StartsWith("Removed nightstand "));
+  const auto which = Say("remove the thing near the wardrobe");
+  EXPECT_FALSE(which.ok());
+}
+
+TEST_F(SpokenActsTest, SwappedPiecesStandSquareAtTheWallsThatTheyComeTo) {
+  // Askew in its corner.
+  const auto askew = Act(room_.document(), [&](v1::ActRequest& act) {
+    v1::Placement& to = *act.mutable_move()->add_placements();
+    to = PlacementOf(room_.layout(), "wardrobe");
+    to.set_theta_rad(to.theta_rad() + 0.26);
+  });
+  ASSERT_TRUE(askew.ok()) << askew.status();
+  *room_.mutable_document() = askew->document();
+  const auto said = Say("swap the wardrobe and the dresser");
+  if (!said.ok()) {
+    EXPECT_THAT(std::string(said.status().message()), HasSubstr("cannot swap places"));
+    return;
+  }
+  for (const char* const id : {"wardrobe", "dresser"}) {
+    const double turn = std::remainder(PlacementOf(said->layout(), id).theta_rad(), M_PI / 2);
+    EXPECT_NEAR(turn, 0, 0.03) << id;
+  }
+}
+
+TEST_F(SpokenActsTest, ReasonsAndOtherBusinessAreNoWishes) {
+  auto said = Say("get rid of the wardrobe, I do not like it");
+  ASSERT_TRUE(said.ok()) << said.status();
+  EXPECT_EQ(said->left_over(), "");
+  EXPECT_THAT(said->diagnostics(),
+              Not(::testing::Contains(::testing::Property(&v1::Diagnostic::message, HasSubstr("like it")))));
+  said = Say("add a bookshelf for my books");
+  ASSERT_TRUE(said.ok()) << said.status();
+  EXPECT_EQ(said->left_over(), "");
+  const auto paint = Say("Paint the walls dark blue and make the door lockable");
+  EXPECT_EQ(
+      paint.status().message(),
+      "say.text: \"Paint the walls dark blue\" is not done: I only choose and place furniture, colours and surfaces "
+      "are not mine to change; \"make the door lockable\" is not done: I only choose and place furniture, doors, "
+      "windows, walls and their locks are not mine to change");
+}
+
+TEST_F(SpokenActsTest, ExamplesAreOfTheVerbAndThePiece) {
+  EXPECT_THAT(std::string(Say("swap the wardrobe blorp").status().message()),
+              HasSubstr("say for example \"swap the wardrobe and "));
+  EXPECT_THAT(std::string(Say("turn the wardrobe blorpwise").status().message()),
+              HasSubstr("say for example \"rotate the wardrobe by 90 degrees\""));
+}
+
+TEST_F(SpokenActsTest, WhatIsLockedStaysAtWords) {
+  ASSERT_TRUE(Say("lock the wardrobe").ok());
+  const auto moved = Say("move the wardrobe 10 cm to the left");
+  EXPECT_EQ(moved.status().message(),
+            "say.text: \"move the wardrobe 10 cm to the left\" is not done: the wardrobe is locked; say \"unlock the "
+            "wardrobe\" first");
+}
+
 TEST_F(SpokenActsTest, AnotherLayoutIsShown) {
   const auto said = Say("show me another layout");
   ASSERT_TRUE(said.ok()) << said.status();

@@ -24,49 +24,6 @@ size_t CountOf(const v1::SolvedLayout& layout, const std::string& name) {
   return static_cast<size_t>(std::ranges::count(layout.graph().object_list().objects(), name, &v1::Object::name));
 }
 
-// Fills the slots of an example with pieces of the room, other ones at other turns.
-class Example {
- public:
-  Example(const v1::SolvedLayout& layout, unsigned turn) : layout_(layout), turn_(turn) {}
-
-  // Empty when the room has nothing for a slot.
-  std::string Fill(std::string form) {
-    for (size_t at = form.find('{'); at != std::string::npos; at = form.find('{')) {
-      const size_t end = form.find('}', at);
-      const std::string name = Pick(form.substr(at + 1, end - at - 1));
-      if (name.empty()) return "";
-      form.replace(at, end - at + 1, name);
-    }
-    return form;
-  }
-
- private:
-  static bool Fits(const std::string& slot, const v1::Object& object) {
-    const bool floor = object.kind() == v1::OBJECT_KIND_FLOOR && !object.walk_over();
-    if (slot == "rug") return object.walk_over();
-    if (slot == "small") return object.kind() == v1::OBJECT_KIND_WALL || object.kind() == v1::OBJECT_KIND_SURFACE;
-    if (slot == "seat") return floor && object.seat();
-    if (slot == "table") return floor && (object.sat_at() || absl::EndsWith(object.name(), "table"));
-    return floor;
-  }
-
-  std::string Pick(const std::string& slot) {
-    std::vector<std::string> names;
-    for (const v1::Object& object : layout_.graph().object_list().objects()) {
-      if (PlaceOf(layout_, object.id()) == nullptr || !Fits(slot, object)) continue;
-      if (CountOf(layout_, object.name()) == 1 && !used_.contains(object.name())) names.push_back(object.name());
-    }
-    if (names.empty()) return "";
-    const std::string name = names[turn_ % names.size()];
-    used_.insert(name);
-    return name;
-  }
-
-  const v1::SolvedLayout& layout_;
-  const unsigned turn_;
-  IdSet used_;
-};
-
 }  // namespace
 
 std::string Listed(const std::vector<std::string>& words, const std::string& join) {
@@ -144,20 +101,39 @@ std::string AtACost(const v1::SolvedLayout& before, const v1::SolvedLayout& afte
   return "";
 }
 
-std::string Examples(const v1::SolvedLayout& layout, unsigned turn) {
-  constexpr size_t kShown = 2;
-  std::vector<std::string> forms;
-  for (const auto& list : english::Language::Get().data().lists()) {
-    if (list.name() == "examples of edits") forms.assign(list.words().begin(), list.words().end());
+std::string HarmDone(const v1::SolvedLayout& before, const v1::SolvedLayout& after,
+                     const std::vector<v1::Diagnostic>& remarks, const std::string& answer) {
+  constexpr double kNoticed = 0.03, kNone = 0.01;
+  constexpr size_t kMost = 3;
+  std::vector<std::string> harms;
+  const double was = before.metrics().reachable_floor_share(), is = after.metrics().reachable_floor_share();
+  const bool told_by_remark = std::ranges::any_of(remarks, [](const auto& one) { return one.code() == "way_blocked"; });
+  if (is < kNone && was >= kNone) {
+    harms.emplace_back("nobody gets into the room by the door any more");
+  } else if (was - is > kNoticed && !told_by_remark) {
+    harms.push_back(fmt::format("only {:.0f} % of the free floor can be reached from the door, {:.0f} % before",
+                                100 * is, 100 * was));
   }
-  std::vector<std::string> shown;
-  const size_t first = turn * kShown;
-  for (size_t i = 0; i < forms.size() && shown.size() < kShown; ++i) {
-    // One with pieces comes before one without.
-    const std::string text = Example(layout, turn + static_cast<unsigned>(i)).Fill(forms[(first + i) % forms.size()]);
-    if (!text.empty()) shown.push_back(fmt::format("\"{}\"", text));
+  for (const v1::Diagnostic& remark : remarks) {
+    if (remark.code() == "way_blocked" || remark.code() == "front_blocked") harms.push_back(remark.message());
   }
-  return "say for example " + Listed(shown, "or");
+  std::set<std::tuple<int, std::string, std::string>> known;
+  const auto key = [](const v1::Finding& one) {
+    return std::tuple(static_cast<int>(one.kind()), one.object_id(), one.partner_id());
+  };
+  for (const v1::Finding& finding : before.metrics().findings()) known.insert(key(finding));
+  IdSet asked;
+  for (const v1::ConstraintEdge& edge : after.graph().edges()) asked.insert(edge.sentence_id());
+  for (const v1::Finding& finding : after.metrics().findings()) {
+    const bool is_use = finding.kind() == v1::FINDING_KIND_USE_NOT_MET;
+    // A use that nothing asks for any more went with its piece.
+    if (is_use && !asked.contains(finding.sentence_id())) continue;
+    if (!known.contains(key(finding)) && (!is_use || harms.empty())) harms.push_back(finding.message());
+  }
+  std::erase_if(harms, [&](const std::string& harm) { return absl::StrContains(answer, harm); });
+  if (harms.size() > kMost) harms.resize(kMost);
+  if (harms.empty()) return "";
+  return fmt::format(" {} {}.", absl::StrContains(answer, " But ") ? "And" : "But", absl::StrJoin(harms, "; "));
 }
 
 std::string UnknownWord(const std::string& text, const v1::SolvedLayout& layout, const FindPiece& find) {

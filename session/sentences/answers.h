@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "session/sentences/pieces_meant.h"
 
@@ -22,8 +23,14 @@ std::string NewFault(const v1::SolvedLayout& before, const v1::SolvedLayout& aft
 // What stands worse than before of these, as " But ...": faults that are new. Empty for none.
 std::string AtACost(const v1::SolvedLayout& before, const v1::SolvedLayout& after, const IdSet& about);
 
-// What can be said in this room, two examples with its own pieces, others at every turn.
-std::string Examples(const v1::SolvedLayout& layout, unsigned turn);
+// What an act has spoiled that an answer does not tell yet: the way through the room, fronts, doors, and new faults, as
+// " But ...". `remarks`: those of the act.
+std::string HarmDone(const v1::SolvedLayout& before, const v1::SolvedLayout& after,
+                     const std::vector<v1::Diagnostic>& remarks, const std::string& answer);
+
+// What can be said in this room instead of a text: an example of its verb with the pieces that it names; without a verb
+// two with pieces of the room, others at every turn.
+std::string Examples(const std::string& text, const v1::SolvedLayout& layout, unsigned turn);
 
 // The first word of a text that means nothing here; empty when all are known.
 std::string UnknownWord(const std::string& text, const v1::SolvedLayout& layout, const FindPiece& find);

@@ -79,7 +79,8 @@ class Reader {
     std::string name;
     for (size_t i = begin; i < end; ++i) {
       if (!name.empty()) name += ' ';
-      name += i + 1 == end ? english::Singular(tokens_[i].text) : tokens_[i].text;
+      const bool is_noun = end - begin > 2 && tokens_[end - 2].IsWord("of") ? i + 3 == end : i + 1 == end;
+      name += is_noun ? english::Singular(tokens_[i].text) : tokens_[i].text;
     }
     return name;
   }
@@ -106,6 +107,8 @@ class Reader {
     size_t end = at;
     while (IsWord(end) && !IsIn("words after a piece", tokens_[end])) ++end;
     if (end == at) return std::nullopt;
+    // "A chest of drawers".
+    if (end + 1 < tokens_.size() && tokens_[end].IsWord("of") && find_(NameIn(at, end + 2)).has_value()) end += 2;
     // "More chairs" are two at least.
     if (is_more && !is_counted && english::IsPlural(tokens_[end - 1].text)) named.count = 2;
     named.name = NameIn(at, end);
@@ -183,7 +186,10 @@ class Reader {
     const auto says_nothing = [](const Token& token) {
       return token.kind == Token::Kind::kSign || IsIn("words after a request", token);
     };
-    while (at < tokens_.size() && says_nothing(tokens_[at])) ++at;
+    const auto says_what_for = [&] {
+      return tokens_[at].IsWord("for") && at + 1 < tokens_.size() && !IsIn("words after a request", tokens_[at + 1]);
+    };
+    while (at < tokens_.size() && says_nothing(tokens_[at]) && !says_what_for()) ++at;
     if (at >= tokens_.size()) return;
     const bool clause = IsIn("beginnings of relative clauses", tokens_[at]);
     if (clause && ++at >= tokens_.size()) return;

@@ -9,6 +9,7 @@
 #include "absl/strings/numbers.h"
 #include "english/quantities.h"
 #include "english/words.h"
+#include "session/sentences/told_places.h"
 
 namespace flair::session {
 namespace {
@@ -28,11 +29,23 @@ bool IsAdjective(const Token& token) {
   return IsWord(token) && std::ranges::none_of(kNone, [&](const std::string& list) { return IsIn(list, token); });
 }
 
+// The first word that is no adjective, so that it must be of the name itself: "chest of drawers", "tv stand".
+size_t FirstOfName(const Tokens& tokens, Span span) {
+  size_t at = span.begin;
+  while (at < span.end && IsAdjective(tokens[at])) ++at;
+  return at;
+}
+
+// "Chests of drawers" are each a chest of drawers.
 std::string NameIn(const Tokens& tokens, Span span) {
+  size_t noun = span.end - 1;
+  for (size_t i = span.begin + 1; i < span.end; ++i) {
+    if (tokens[i].IsWord("of")) noun = std::min(noun, i - 1);
+  }
   std::string name;
   for (size_t i = span.begin; i < span.end; ++i) {
     if (!name.empty()) name += ' ';
-    name += i + 1 == span.end ? english::Singular(tokens[i].text) : tokens[i].text;
+    name += i == noun ? english::Singular(tokens[i].text) : tokens[i].text;
   }
   return name;
 }
@@ -141,7 +154,28 @@ void MeantPieces::Narrow(int ordinal, const std::string& end, std::optional<int>
   }
 }
 
+std::optional<Meant> MeantPieces::FindTold(const Tokens& tokens, const ToldPlace& told) const {
+  std::optional<Meant> meant = FindOne(tokens, told.head);
+  if (!meant.has_value()) return std::nullopt;
+  if (told.tail.empty()) {
+    meant->ids = StandingFarthest(meant->ids, told.relation, layout_);
+  } else if (std::optional<ObjectIds> there = StandingThere(meant->ids, told.relation, tokens, told.tail, layout_)) {
+    meant->ids = *std::move(there);
+  } else {
+    const std::optional<Meant> at = FindOne(tokens, told.tail);
+    if (!at.has_value() || at->is_new) return std::nullopt;
+    meant->ids = StandingThere(meant->ids, told.relation, at->ids, layout_);
+  }
+  if (meant->ids.empty()) return std::nullopt;
+  meant->is_one = meant->is_one && meant->ids.size() > 1;
+  meant->is_chosen = true;
+  // "A chair by the window" may be any.
+  meant->is_told = !meant->is_new;
+  return meant;
+}
+
 std::optional<Meant> MeantPieces::FindOne(const Tokens& tokens, Span span) const {
+  if (const std::optional<ToldPlace> told = ReadToldPlace(tokens, span)) return FindTold(tokens, *told);
   const Before before = ReadBefore(tokens, span);
   Span name{before.end, span.end};
   int ordinal = before.ordinal;
@@ -149,11 +183,9 @@ std::optional<Meant> MeantPieces::FindOne(const Tokens& tokens, Span span) const
   if (name.end - name.begin > 1 && tokens[name.end - 1].kind == Token::Kind::kNumber) {
     ordinal = static_cast<int>(tokens[--name.end].number);
   }
-  if (name.empty() || !std::all_of(tokens.begin() + static_cast<long>(name.begin),
-                                   tokens.begin() + static_cast<long>(name.end), IsAdjective)) {
-    return std::nullopt;
-  }
-  for (size_t first = name.end - std::min(kLongestCalled, name.end - name.begin); first < name.end; ++first) {
+  if (name.empty()) return std::nullopt;
+  const size_t latest = std::min(FirstOfName(tokens, name), name.end - 1);
+  for (size_t first = name.end - std::min(kLongestCalled, name.end - name.begin); first <= latest; ++first) {
     Meant meant{.name = NameIn(tokens, {first, name.end})};
     meant.ids = Called(meant.name);
     if (meant.ids.empty()) {
@@ -224,11 +256,9 @@ std::optional<Meant> MeantPieces::Find(const Tokens& tokens, Span span) const {
 std::optional<Wanted> MeantPieces::FindNew(const Tokens& tokens, Span span) const {
   const Before before = ReadBefore(tokens, span);
   const Span name{before.end, span.end};
-  if (name.empty() || !std::all_of(tokens.begin() + static_cast<long>(name.begin),
-                                   tokens.begin() + static_cast<long>(name.end), IsAdjective)) {
-    return std::nullopt;
-  }
-  for (size_t first = name.end - std::min(kLongestCalled, name.end - name.begin); first < name.end; ++first) {
+  if (name.empty()) return std::nullopt;
+  const size_t latest = std::min(FirstOfName(tokens, name), name.end - 1);
+  for (size_t first = name.end - std::min(kLongestCalled, name.end - name.begin); first <= latest; ++first) {
     const std::string called = NameIn(tokens, {first, name.end});
     Wanted wanted{.count = before.count.value_or(1), .is_plural = english::IsPlural(tokens[name.end - 1].text)};
     if (const v1::Object* const like = AnotherOf(layout_.graph(), called, find_); like != nullptr) {
@@ -246,13 +276,27 @@ std::optional<Wanted> MeantPieces::FindNew(const Tokens& tokens, Span span) cons
 
 std::string MeantPieces::NameOfAbsent(const Tokens& tokens, Span span) const {
   constexpr size_t kMostWords = 4;
+  if (const std::optional<ToldPlace> told = ReadToldPlace(tokens, span)) {
+    const std::string head = NameOfAbsent(tokens, told->head);
+    if (head.empty() || Called(head).empty()) return head;
+    std::string where = head;
+    for (size_t i = told->head.end; i < span.end; ++i) where += " " + tokens[i].text;
+    return where;
+  }
   const Before before = ReadBefore(tokens, span);
   const Span name{before.end, span.end};
   const bool plain =
       !name.empty() && name.end - name.begin <= kMostWords &&
       std::all_of(tokens.begin() + static_cast<long>(name.begin), tokens.begin() + static_cast<long>(name.end),
                   [](const Token& token) { return IsAdjective(token) && !IsIn("verbs that begin an edit", token); });
-  return plain ? NameIn(tokens, name) : "";
+  if (!plain) return "";
+  const std::string called = NameIn(tokens, name);
+  if (find_(called).has_value()) return called;
+  // "The wardrobe upside" is the wardrobe and something that is not understood.
+  for (size_t end = name.begin + 1; end < name.end; ++end) {
+    if (!Called(NameIn(tokens, {name.begin, end})).empty()) return "";
+  }
+  return called;
 }
 
 }  // namespace flair::session

@@ -9,6 +9,7 @@
 #include "session/layouts/lists.h"
 #include "session/sentences/forms.h"
 #include "session/sentences/piece_wishes.h"
+#include "session/sentences/told_places.h"
 
 namespace flair::session {
 
@@ -23,6 +24,8 @@ struct Meant {
   bool is_new = false;
   // "It", "the second chair", what is selected: these and no others of their name.
   bool is_chosen = false;
+  // "The chair by the window": if several are meant by that, the act cannot choose.
+  bool is_told = false;
   // "Everything".
   bool is_all = false;
   // Of a list what the room has not.
@@ -55,6 +58,7 @@ class MeantPieces {
 
  private:
   std::optional<Meant> FindOne(const Tokens& tokens, Span span) const;
+  std::optional<Meant> FindTold(const Tokens& tokens, const ToldPlace& told) const;
   ObjectIds Called(const std::string& name) const;
   void Narrow(int ordinal, const std::string& end, std::optional<int> count, Meant& meant) const;
 

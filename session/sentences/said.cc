@@ -7,6 +7,7 @@
 #include "fmt/format.h"
 #include "session/layouts/edits.h"
 #include "session/sentences/answers.h"
+#include "session/sentences/asides.h"
 #include "session/sentences/names.h"
 #include "session/sentences/places.h"
 
@@ -66,11 +67,16 @@ class Writer {
         if (!about.empty()) {
           std::string name = TheOnes(layout_, about);
           if (name.starts_with("the ")) name = name.substr(4);
-          Add(Filled(text, name), Filled(text, Listed(about, "and")), said);
+          said_.own_words[Add(Filled(text, name), Filled(text, Listed(about, "and")), said).id()] = said;
           continue;
         }
         const v1::Object& object = piece < 0 ? v1::Object::default_instance() : Piece(piece);
-        Add(Filled(text, object.name()), Filled(text, object.id()), said);
+        const v1::Sentence& sentence = Add(Filled(text, object.name()), Filled(text, object.id()), said);
+        if (piece < 0) said_.own_words[sentence.id()] = said;
+        const std::string only_what_for = "The {} is ";
+        if (piece >= 0 && text.starts_with(only_what_for) && IsPurpose(text.substr(only_what_for.size()))) {
+          said_.purposes.insert(sentence.id());
+        }
       }
     }
     for (int i = 0; i < said_.shown.sentences_size(); ++i) {

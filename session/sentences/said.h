@@ -2,6 +2,7 @@
 // What is said of a room, as pieces to add and sentences for a translator.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "session/layouts/lists.h"
@@ -19,6 +20,10 @@ struct Said {
   // The sentences as people read them; and the same, by the same ids, for a translator, which calls new pieces by their
   // ids.
   v1::ConstraintList shown, meant;
+  // By sentence, the user's own words for it where it is about nothing new.
+  std::map<std::string, std::string> own_words;
+  // Sentences that only say what a new piece is for: "an armchair to read in".
+  IdSet purposes;
 };
 
 Said Written(const Wishes& wishes, const v1::SolvedLayout& layout);

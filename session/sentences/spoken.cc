@@ -10,6 +10,7 @@
 #include "absl/strings/str_replace.h"
 #include "english/quantities.h"
 #include "english/words.h"
+#include "session/sentences/asides.h"
 
 namespace flair::session {
 namespace {
@@ -20,20 +21,6 @@ using english::Token;
 const WordMeanings& Polite() {
   static const WordMeanings words("polite before an edit");
   return words;
-}
-
-size_t WithoutPolite(const Tokens& tokens, Span span) {
-  size_t begin = span.begin;
-  while (begin < span.end) {
-    if (tokens[begin].IsMark(',')) {
-      ++begin;
-      continue;
-    }
-    const size_t length = Polite().LengthAt(tokens, begin);
-    if (length == 0) break;
-    begin += length;
-  }
-  return begin;
 }
 
 // Where it may end when thanks and the like are left off, the shortest first.
@@ -68,7 +55,7 @@ bool IsClauseJoin(const Token& token) { return token.IsMark(',') || IsIn("joins 
 std::vector<size_t> JoinsIn(const Tokens& tokens, Span span) {
   std::vector<size_t> joins;
   for (size_t i = span.end; i-- > span.begin + 1;) {
-    if (IsClauseJoin(tokens[i]) && i + 1 < span.end) joins.push_back(i);
+    if ((IsClauseJoin(tokens[i]) || ReasonAt(tokens, i) > 0) && i + 1 < span.end) joins.push_back(i);
   }
   return joins;
 }
@@ -147,6 +134,20 @@ std::optional<double> AngleIn(const Tokens& tokens, Span span) {
 
 }  // namespace
 
+size_t WithoutPolite(const Tokens& tokens, Span span) {
+  size_t begin = span.begin;
+  while (begin < span.end) {
+    if (tokens[begin].IsMark(',')) {
+      ++begin;
+      continue;
+    }
+    const size_t length = Polite().LengthAt(tokens, begin);
+    if (length == 0) break;
+    begin += length;
+  }
+  return begin;
+}
+
 std::optional<Meant> SpokenReader::Find(const Tokens& tokens, Span span) {
   const auto [at, is_new] = meant_.try_emplace({span.begin, span.end});
   if (is_new) at->second = pieces_.Find(tokens, span);
@@ -204,6 +205,11 @@ bool SpokenReader::Fits(const Tokens& tokens, const std::string& slot, Span span
   if (kind == "degree") return meanings.degrees.Find(tokens, span) != nullptr;
   if (kind == "factor") return meanings.factors.Find(tokens, span) != nullptr;
   if (kind == "way" || kind == "compass") return meanings.ways.Find(tokens, span) != nullptr;
+  if (kind == "compass side") {
+    // Left and right may be those of the piece.
+    const std::string* const way = meanings.ways.Find(tokens, span);
+    return way != nullptr && tokens[span.end - 1].text == *way;
+  }
   if (kind == "hand") return meanings.hands.Find(tokens, span) != nullptr;
   if (kind == "angle") return AngleIn(tokens, span).has_value();
   if (kind == "motion") return meanings.motion.Find(tokens, span) != nullptr;
@@ -216,7 +222,10 @@ bool SpokenReader::Fits(const Tokens& tokens, const std::string& slot, Span span
     return target.has_value() && target->kind != "object";
   }
   if (kind == "place") {
-    if (!IsIn("beginnings of places", tokens[span.begin])) return false;
+    if (!IsIn("beginnings of places", tokens[span.begin]) || IsNoStatement(tokens, span)) return false;
+    for (size_t at = span.begin + 1; at < span.end; ++at) {
+      if (ReasonAt(tokens, at) > 0) return false;
+    }
     if (span.begin + 1 < span.end && IsIn("verbs after to", tokens[span.begin + 1])) return false;
     return std::ranges::none_of(JoinsIn(tokens, span), [&](size_t join) {
       return BeginsEdit(tokens, {join + 1, span.end});
@@ -253,7 +262,7 @@ void SpokenReader::Fill(const Tokens& tokens, const std::string& slot, Span span
   } else if (kind == "degree" || kind == "factor") {
     const std::string* value = (kind == "degree" ? meanings.degrees : meanings.factors).Find(tokens, span);
     if (!absl::SimpleAtod(*value, &spoken.factor)) spoken.factor = 0;
-  } else if (kind == "way" || kind == "compass") {
+  } else if (kind == "way" || kind == "compass" || kind == "compass side") {
     spoken.way = *meanings.ways.Find(tokens, span);
   } else if (kind == "hand") {
     spoken.way = *meanings.hands.Find(tokens, span);
@@ -298,6 +307,13 @@ Spoken SpokenReader::Read(std::string_view text, const Tokens& tokens, Span span
   meant_.clear();
   is_lenient_ = false;
   rest = {span.end, span.end};
+  const bool is_first = span.begin == 0 && !is_later_;
+  if (!is_first && IsReason(tokens, span)) {
+    for (const size_t join : JoinsIn(tokens, span)) {
+      if (BeginsEdit(tokens, {join + 1, span.end})) rest.begin = join + 1;
+    }
+    return {.act = "reason", .said = TextOf(text, tokens, {span.begin, rest.begin})};
+  }
   if (std::optional<Spoken> whole = ReadEdit(text, tokens, span)) return *std::move(whole);
   const std::vector<size_t> joins = JoinsIn(tokens, span);
   for (const size_t join : joins) {

@@ -27,7 +27,8 @@ struct Target {
 
 // One clause.
 struct Spoken {
-  // The list of its form, such as "remove" or "resize to"; empty for a sentence that a translator is to read.
+  // The list of its form, such as "remove" or "resize to"; "reason" for what asks for nothing; empty for a sentence
+  // that a translator is to read.
   std::string act = {};
   // Its words.
   std::string said = {};
@@ -52,7 +53,9 @@ struct Spoken {
 
 class SpokenReader {
  public:
-  SpokenReader(const MeantPieces& pieces, const Room& room) : pieces_(pieces), room_(room) {}
+  // `is_later`: whether something was said in sentences before.
+  SpokenReader(const MeantPieces& pieces, const Room& room, bool is_later = false)
+      : pieces_(pieces), room_(room), is_later_(is_later) {}
 
   // The clause at the beginning of the span; `rest` is what comes after it.
   Spoken Read(std::string_view text, const Tokens& tokens, Span span, Span& rest);
@@ -67,11 +70,15 @@ class SpokenReader {
 
   const MeantPieces& pieces_;
   const Room& room_;
+  const bool is_later_;
   // Whether a piece that the room has not may stand where one of it belongs.
   bool is_lenient_ = false;
   // What spans of the tokens at hand mean.
   std::map<std::pair<size_t, size_t>, std::optional<Meant>> meant_;
 };
+
+// Where a clause begins behind "please" and the like.
+size_t WithoutPolite(const Tokens& tokens, Span span);
 
 // "Undo", "redo", "another layout" when that is all that is asked; empty otherwise.
 std::string HistoryAsked(std::string_view text);

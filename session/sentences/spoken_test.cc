@@ -9,6 +9,7 @@
 
 #include "absl/strings/str_join.h"
 #include "fmt/format.h"
+#include "room/conversion/conversion.h"
 
 namespace flair::session {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 class SpokenTest : public ::testing::Test {
  protected:
   SpokenTest() {
+    *layout_.mutable_graph()->mutable_room() = RoomToProto(RectangularRoom(6, 4));
     for (const auto& [id, name, x_m] :
          std::vector<std::tuple<std::string, std::string, double>>{{"sofa", "sofa", 1},
                                                                    {"armchair", "armchair", 2},
@@ -31,7 +33,7 @@ class SpokenTest : public ::testing::Test {
       v1::Object& object = *layout_.mutable_graph()->mutable_object_list()->add_objects();
       object.set_id(id);
       object.set_name(name);
-      object.set_kind(v1::OBJECT_KIND_FLOOR);
+      object.set_kind(id == "wall_clock" ? v1::OBJECT_KIND_WALL : v1::OBJECT_KIND_FLOOR);
       v1::Placement& at = *layout_.add_placements();
       at.set_object_id(id);
       at.set_x_m(x_m);
@@ -70,7 +72,7 @@ class SpokenTest : public ::testing::Test {
     if (spoken.act.empty()) return "\"" + spoken.said + "\"";
     std::vector<std::string> texts = {spoken.act};
     if (!spoken.absent.empty()) texts.push_back("no " + spoken.absent);
-    if (spoken.what.is_one) texts.emplace_back("one of");
+    if (spoken.what.is_one) texts.emplace_back(spoken.what.is_told ? "which of" : "one of");
     texts.insert(texts.end(), spoken.what.ids.begin(), spoken.what.ids.end());
     if (!spoken.other.ids.empty()) texts.push_back("and " + absl::StrJoin(spoken.other.ids, " "));
     if (spoken.by.has_value()) texts.push_back("by " + spoken.by->object.name());
@@ -138,6 +140,8 @@ TEST_F(SpokenTest, PiecesAreReplacedAndSwapped) {
 TEST_F(SpokenTest, PiecesMoveAndTurn) {
   EXPECT_EQ(Read("move the sofa 20 cm to the left"), "move by sofa 0.20 west");
   EXPECT_EQ(Read("push the sofa half a metre south"), "move by sofa 0.50 south");
+  EXPECT_EQ(Read("the armchair is 60 cm west of the bookshelf"), "set off armchair 0.60 west to object");
+  EXPECT_EQ(Read("put the armchair 20 cm to the right of the sofa"), "set off armchair 0.20 east to object");
   EXPECT_EQ(Read("move the sofa closer to the window"), "move by sofa to window");
   EXPECT_EQ(Read("the sofa is too close to the tv"), "move by sofa from object");
   EXPECT_EQ(Read("move the sofa to the opposite wall"), "place sofa [to the opposite wall]");
@@ -161,6 +165,42 @@ TEST_F(SpokenTest, ClausesAreReadApart) {
             "\"The sofa is against a wall and faces the television\"");
   EXPECT_EQ(Read("Add a plant and a bookcase"), "\"Add a plant and a bookcase\"");
   EXPECT_EQ(Read("two more chairs"), "\"two more chairs\"");
+}
+
+TEST_F(SpokenTest, PiecesAreToldByTheirPlaces) {
+  for (const char* const text :
+       {"Please remove the clock above the table", "I do not want the clock above the dining table",
+        "the clock that hangs above the table should go", "get rid of the clock over the table"}) {
+    EXPECT_EQ(Read(text), "remove wall_clock") << text;
+  }
+  EXPECT_EQ(Read("get rid of the lamp next to the bookshelf because it is in the way"), "remove floor_lamp; reason");
+  EXPECT_EQ(Read("remove the chair on the left"), "remove dining_chair_1");
+  EXPECT_EQ(Read("the chair at the right end of the table should go"), "remove dining_chair_2");
+  EXPECT_EQ(Read("remove the chair to the left of the dining table"), "remove dining_chair_1");
+  EXPECT_EQ(Read("remove the chair at the table"), "remove which of dining_chair_1 dining_chair_2");
+  EXPECT_EQ(Read("remove a chair at the table"), "remove one of dining_chair_1 dining_chair_2");
+  EXPECT_EQ(Read("move the lamp by the bookcase 20 cm to the left"), "move by floor_lamp 0.20 west");
+  EXPECT_EQ(Read("swap the chair on the left and the lamp next to the bookshelf"),
+            "swap dining_chair_1 and floor_lamp");
+  // What does not stand there is not meant.
+  EXPECT_EQ(Read("remove the clock above the sofa"), "remove no clock above the sofa");
+  // A place to go to is none to be found at.
+  EXPECT_EQ(Read("put the lamp in the corner"), "place floor_lamp [in the corner]");
+  EXPECT_EQ(Read("move the sofa next to the armchair"), "place sofa [next to the armchair]");
+}
+
+TEST_F(SpokenTest, ReasonsAskForNothing) {
+  EXPECT_EQ(Read("remove the clock, I do not like it"), "remove wall_clock; reason");
+  EXPECT_EQ(Read("remove the clock because it is ugly and turn the sofa around"),
+            "remove wall_clock; reason; turn by sofa around");
+  EXPECT_EQ(Read("make the table longer so that we have more space"), "resize dining_table more long; reason");
+  // Alone it is no reason.
+  EXPECT_EQ(HistoryAsked("I do not like it"), "another layout");
+}
+
+TEST_F(SpokenTest, MoreWordsForTheSame) {
+  EXPECT_EQ(Read("Instead of the armchair I want a pouf"), "replace armchair by ottoman");
+  EXPECT_EQ(Read("turn the sofa around by 90 degrees"), "turn by sofa");
 }
 
 TEST_F(SpokenTest, TheHistoryIsAskedForInWords) {
