@@ -230,6 +230,18 @@ void AddUses(const v1::LayoutGraph& graph, const google::protobuf::RepeatedPtrFi
     outcomes_of[graph.edges(e).sentence_id()].push_back(&outcomes[e]);
   }
   int asked = 0, met = 0;
+  const absl::StatusOr<Scene> scene = SceneFromProto(graph);
+  const auto where =
+      scene.ok() ? PosesFromPlacements(*scene, placements) : absl::StatusOr<PartialLayout>(scene.status());
+  if (where.ok()) {
+    UsesOfWays ways = FindUsesOfWays({*scene, where->layout, where->placed});
+    asked = ways.asked;
+    met = ways.met;
+    const int count = static_cast<int>(ways.unmet.size());
+    for (v1::Finding& finding : ways.unmet) *metrics.add_findings() = std::move(finding);
+    const auto all = metrics.mutable_findings();
+    std::rotate(all->pointer_begin(), all->pointer_end() - count, all->pointer_end());
+  }
   for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
     const auto is_placed = [&](const std::string& id) { return placed.contains(id); };
     if (!IsUse(sentence) || !std::ranges::all_of(sentence.subject_ids(), is_placed)) continue;

@@ -45,8 +45,18 @@ SolidMeasures MeasureSolids(const LayoutView& view);
 // those of origin IMPLIED); whether it is met, by the outcomes of their calls. A sentence whose pieces are not all
 // placed is no use; one that no call was made of, or of which a call does not hold, is not met.
 
-// Counts the uses and adds a finding for each that is not met, in the order of the sentences. `outcomes` holds one per
-// edge of the graph, in its order.
+// Beside what sentences say, one gets in by the door, and to each piece that one sits, lies or works at, from any side.
+struct UsesOfWays {
+  int asked = 0, met = 0;
+  // Of no sentence. Of a blocked door, only that: with what is in its way, and the door as the partner; of a piece,
+  // with what is in the way as the partner.
+  std::vector<v1::Finding> unmet;
+};
+
+UsesOfWays FindUsesOfWays(const LayoutView& view);
+
+// Counts the uses and adds a finding for each that is not met: of ways before all others, then in the order of the
+// sentences. `outcomes` holds one per edge of the graph, in its order.
 void AddUses(const v1::LayoutGraph& graph, const google::protobuf::RepeatedPtrField<v1::Placement>& placements,
              const google::protobuf::RepeatedPtrField<v1::EdgeOutcome>& outcomes, v1::LayoutMetrics& metrics);
 

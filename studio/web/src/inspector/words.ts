@@ -15,7 +15,7 @@ export function missedText({ missed_by: by, unit }: Demand, units: Units): strin
 export const measureWords = {
   uses: {
     label: "Daily use",
-    title: "Everyday acts for which there is room: sitting down, opening doors and drawers, getting out of bed.",
+    title: "Everyday acts for which there is room: getting in and to each seat, bed and desk, sitting down, opening doors and drawers, getting out of bed.",
   },
   wishes: { label: "Wishes met", title: "Your wishes and the designer's that hold as things stand." },
   floor: { label: "Floor in reach", title: "How much of the free floor you can walk to from the door, through gaps of 0.6 m or more." },

@@ -67,3 +67,16 @@ test("what got worse is told, the worst first", () => {
   before.metrics = overlap(0.2);
   assert.equal(effectOf(before, after).worse.length, 3);
 });
+
+test("that nobody gets in is told before all else, once", () => {
+  const before = layout(SATISFIED, SATISFIED, SATISFIED, SATISFIED), after = layout(VIOLATED, SATISFIED, SATISFIED, SATISFIED);
+  after.metrics = create(LayoutMetricsSchema, {
+    findings: [
+      { kind: FindingKind.OVERLAP, objectId: "bed", partnerId: "desk", amount: 0.5, message: "by 0.5 m" },
+      { kind: FindingKind.USE_NOT_MET, objectId: "desk", partnerId: "door_1", message: "nobody gets in" },
+      { kind: FindingKind.USE_NOT_MET, objectId: "bed", sentenceId: "s1", message: "of a sentence" },
+    ],
+  });
+  assert.deepEqual(effectOf(before, after).worse.map(({ text }) => text), ["nobody gets in", "by 0.5 m", "One."]);
+  assert.deepEqual(effectOf(after, after).worse, []);
+});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an act has brought about beside what it was for: what holds since then, and what is worse, the worst first.
-import { FindingKind } from "../gen/flair/v1/layout_metrics_pb";
+import type { Finding } from "../gen/flair/v1/layout_metrics_pb";
 import { OutcomeStatus, type SolvedLayout } from "../gen/flair/v1/solved_layout_pb";
 
 export interface Change {
@@ -25,7 +25,7 @@ interface Verdict {
 }
 
 // Less is to be seen by nobody.
-const kSeen = 0.02;
+const kSeen = 0.02, kAll = 1e6;
 
 // By sentence; those of which all constraints are dropped, and constraints of no sentence, are left out.
 function verdicts(layout: SolvedLayout): Map<string, Verdict> {
@@ -46,7 +46,7 @@ function verdicts(layout: SolvedLayout): Map<string, Verdict> {
 
 // What is wrong whatever is wished, by what and of whom.
 function faultsOf(layout: SolvedLayout) {
-  const faults = layout.metrics?.findings.filter(({ kind }) => kind !== FindingKind.USE_NOT_MET) ?? [];
+  const faults = layout.metrics?.findings.filter(({ sentenceId }) => !sentenceId) ?? [];
   return new Map(faults.map((one) => [`${one.kind} ${[one.objectId, one.partnerId].sort().join(" ")}`, one]));
 }
 
@@ -64,8 +64,10 @@ export function effectOf(before: SolvedLayout | undefined, after: SolvedLayout):
     return !holds && then?.holds === false && missedBy > then.missedBy + kSeen;
   }));
   const known = faultsOf(before);
-  const faults = [...faultsOf(after)].filter(([key, one]) => (one.amount ?? 0) > (known.get(key)?.amount ?? 0) + kSeen)
-    .map(([, one]) => one).sort((a, b) => (b.amount ?? 0) - (a.amount ?? 0));
+  // What no number says, as that nobody gets in, is worse than all else.
+  const amountOf = (one: Finding | undefined) => (one ? one.amount ?? kAll : 0);
+  const faults = [...faultsOf(after)].filter(([key, one]) => amountOf(one) > amountOf(known.get(key)) + kSeen)
+    .map(([, one]) => one).sort((a, b) => amountOf(b) - amountOf(a));
   return {
     gained,
     lost,

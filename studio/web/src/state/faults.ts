@@ -72,6 +72,8 @@ export function findingsOf(room: OpenRoom): readonly Finding[] {
   return [...untoldOverlaps(room.pieces.value, poses, told), ...told];
 }
 
-// Faults of things in space; uses that are not met are sentences, and told there.
-export const faultsOf = (room: OpenRoom): Finding[] =>
-  findingsOf(room).filter(({ kind }) => kind !== FindingKind.USE_NOT_MET);
+// Faults of things in space, and that one gets to none or not into the room; other uses that are not met are sentences,
+// and told there.
+// A blocked door is told first.
+export const faultsOf = (room: OpenRoom): Finding[] => findingsOf(room).filter(({ sentenceId }) => !sentenceId)
+  .sort((a, b) => Number(b.kind === FindingKind.USE_NOT_MET) - Number(a.kind === FindingKind.USE_NOT_MET));
