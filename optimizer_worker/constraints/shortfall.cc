@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "optimizer_worker/constraints/facts.h"
 #include "optimizer_worker/constraints/measure/walls.h"
 #include "optimizer_worker/constraints/registry.h"
+#include "room/geometry/polygon.h"
 #include "room/geometry/pose.h"
 
 namespace flair::optimizer {
@@ -57,6 +61,29 @@ double PlacedCall::CostRoot() const {
   std::vector<Pose<double>> poses;
   for (int object : (*cost)->objects()) poses.push_back(where_.layout[static_cast<size_t>(object)]);
   return std::sqrt((*cost)->Value(poses));
+}
+
+std::vector<int> PlacedCall::WallsMeant() const {
+  std::vector<int> walls = arguments_.Walls("wall");
+  if (walls.empty()) {
+    walls.resize(scene().room.walls.size());
+    std::iota(walls.begin(), walls.end(), 0);
+  }
+  return walls;
+}
+
+const Wall& PlacedCall::MeantWall(Side side) const {
+  const std::vector<Wall>& walls = scene().room.walls;
+  const std::vector<int> named = WallsMeant();
+  const bool is_named = !arguments_.Walls("wall").empty();
+  const Vec2<double> middle = MiddleOf(FootprintOf(object()), FrameOf(object()), side);
+  const double length_m = SideLength(FootprintOf(object()), side);
+  const auto unlikely = [&](int i) {
+    const Wall& wall = walls[static_cast<size_t>(i)];
+    return std::pair(is_named && wall.length_m < length_m - kLeast_m,
+                     DistanceTo(Segment{wall.start, wall.end}, middle));
+  };
+  return walls[static_cast<size_t>(*std::ranges::min_element(named, {}, unlikely))];
 }
 
 double PlacedCall::NearestFeatureGap() const {

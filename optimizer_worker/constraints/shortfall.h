@@ -70,17 +70,22 @@ class PlacedCall {
   template <typename WallCost>
   const Wall& BestWall(const WallCost& cost) const {
     const std::vector<Wall>& walls = scene().room.walls;
-    std::vector<int> named = arguments_.Walls("wall");
-    for (int i = 0; named.empty() && i < static_cast<int>(walls.size()); ++i) named.push_back(i);
+    const std::vector<int> named = WallsMeant();
     const auto cost_of = [&](int wall) { return cost(walls[static_cast<size_t>(wall)]); };
     return walls[static_cast<size_t>(*std::ranges::min_element(named, {}, cost_of))];
   }
+  // The wall that people take to be meant, of those that the call names if it does: the one nearest to the middle of
+  // that side of the object, to which a line is drawn; of those that the call names none that is too short for it.
+  const Wall& MeantWall(Side side) const;
   // Gap from the object, or its side when the call names one, to the nearest feature of the call's kind.
   double NearestFeatureGap() const;
   // "the door", "the nearest window".
   std::string FeatureName() const;
 
  private:
+  // Indices of the walls that the call names; all when it names none.
+  std::vector<int> WallsMeant() const;
+
   const v1::ConstraintEdge& edge_;
   const Arguments& arguments_;
   const Furnished& where_;

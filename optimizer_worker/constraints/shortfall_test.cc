@@ -65,10 +65,25 @@ TEST(Explain, NamesWhatStandsInTheWay) {
   // However little of it stands there, to the side.
   EXPECT_EQ(SentenceOf("6x4 room; wardrobe 1x0.6 at 1,0.3,0; bed 1.6x1 at 2.25,1.3,0", "accessible", "object=wardrobe"),
             "the bed reaches 0.40 m into the 0.60 m before the front of the wardrobe");
+  // A chair that just touches it is not to blame for the desk that stands there.
+  EXPECT_EQ(SentenceOf("6x4 room; bed 1.6x2 at 3,3,180; chair 0.6x0.6 at 2.15,1.45,0; desk 1.2x0.5 at 3,1.7,0",
+                       "accessible", "object=bed"),
+            "the desk reaches 0.55 m into the 0.60 m before the front of the bed");
   // In an L the line of a wall goes on where the wall does not.
   EXPECT_EQ(SentenceOf("room 0,0 3,0 3,1.5 5,1.5 5,4 0,4; wardrobe 1x0.6 at 4,1.8,0; desk 1x0.6 at 4,2.6,180",
                        "accessible", "object=wardrobe"),
             "the desk reaches 0.40 m into the 0.60 m before the front of the wardrobe");
+}
+
+TEST(Explain, MeansTheWallThatIsNearest) {
+  EXPECT_EQ(SentenceOf("4x6 room; desk 1.2x0.6 at 2,4.6,165", "against_wall", "object=desk"),
+            "the back of the desk is 1.11 m off the north wall");
+}
+
+TEST(Explain, SaysHowMuchFloorADoorNeeds) {
+  EXPECT_EQ(
+      SentenceOf("6x4 room; door south 1 1; crate 1x0.6 at 1.5,1.3,0", "clear_of_feature", "object=crate feature=door"),
+      "the crate reaches 0.20 m into the 1.20 m of floor that is to be free before the door");
 }
 
 TEST(Explain, NumbersThingsOfOneName) {

@@ -103,11 +103,20 @@ std::vector<ConvexPiece> AreasOf(const Scene& scene, int object, const RoomFeatu
   return {};
 }
 
+// How much floor a feature needs.
+double NeededBefore_m(const Room& room, const RoomFeature& feature) {
+  const bool opening = feature.opening >= 0;
+  const bool window = opening ? room.openings[static_cast<size_t>(feature.opening)].kind == OpeningKind::kWindow
+                              : feature.kind == FeatureKind::kWindow;
+  return window ? kWindowDepth_m : opening || feature.kind == FeatureKind::kDoor ? kStepIn_m : kSocketDepth_m;
+}
+
 std::optional<Shortfall> ClearOfFeatureShortfall(const PlacedCall& call) {
-  const double depth = call.CostRoot();
-  return Worst(
-      {{fmt::format("{} reaches {:.2f} m into the floor before {}", call.NameOf("object"), depth, call.FeatureName()),
-        depth, "m"}});
+  const double depth = call.CostRoot(),
+               needed_m = NeededBefore_m(call.scene().room, call.arguments().Feature("feature"));
+  return Worst({{fmt::format("{} reaches {:.2f} m into the {:.2f} m of floor that is to be free before {}",
+                             call.NameOf("object"), depth, needed_m, call.FeatureName()),
+                 depth, "m"}});
 }
 
 BoundCost BindClearOfFeature(const Arguments& a, const BindContext& context) {

@@ -209,14 +209,20 @@ std::optional<Shortfall> AccessibleShortfall(const PlacedCall& call) {
   for (Side side : call.arguments().Sides("sides")) {
     const Box<double> strip = Box<double>::Before(call.FootprintOf(object), call.FrameOf(object), side, depth);
     const std::string floor = fmt::format("the {:.2f} m before {}", depth, SideOf(call.Name(object), side));
+    // What stands in it is to blame before what just touches its side.
+    double most = kReachesIn_m;
+    std::optional<Shortfall> deepest;
     for (int i = 0; i < static_cast<int>(call.scene().objects.size()); ++i) {
       const Object& other = call.scene().objects[static_cast<size_t>(i)];
       const bool belongs = call.linked() != nullptr && call.linked()->BelongsAt(object, i, side);
       if (i == object || other.kind != ObjectKind::kFloor || other.walk_over || belongs) continue;
-      if (Gap<double>(strip, call.BoxOf(i)) > -kReachesIn_m) continue;
+      const double within = -Gap<double>(strip, call.BoxOf(i));
+      if (within < most) continue;
+      most = std::nextafter(within, depth + within);
       const double into = depth - FreeBefore(call, side, i, depth);
-      misses.push_back({fmt::format("{} reaches {:.2f} m into {}", call.Name(i), into, floor), into, "m"});
+      deepest = {fmt::format("{} reaches {:.2f} m into {}", call.Name(i), into, floor), into, "m"};
     }
+    if (deepest) misses.push_back(*deepest);
     // Which wall each corner of it is behind: the nearest one, for a room that is not convex has walls to all sides.
     for (int k = 0; k < 4; ++k) {
       const Vec2<double> corner = strip.value(k);

@@ -32,9 +32,7 @@ namespace {
 std::optional<Shortfall> AgainstWallShortfall(const PlacedCall& call) {
   const int object = call.object();
   const Side side = call.arguments().OneSide("side");
-  const Wall& wall =
-      call.BestWall([&](const Wall& w) { return SideOnWall(call.FootprintOf(object), call.FrameOf(object), side, w); });
-  return Worst(OffWall(call, object, side, wall));
+  return Worst(OffWall(call, object, side, call.MeantWall(side)));
 }
 
 BoundCost BindAgainstWall(const Arguments& a, const BindContext& context) {
@@ -56,8 +54,7 @@ std::optional<Shortfall> CenteredOnWallShortfall(const PlacedCall& call) {
   const int object = call.object();
   const Frame<double> frame = call.FrameOf(object);
   const auto aside = [&](const Wall& w) { return w.Offset(frame.center) - w.length_m / 2; };
-  const Wall& wall = call.BestWall(
-      [&](const Wall& w) { return SideOnWall(call.FootprintOf(object), frame, Side::kBack, w) + aside(w) * aside(w); });
+  const Wall& wall = call.MeantWall(Side::kBack);
   std::vector<Shortfall> misses = OffWall(call, object, Side::kBack, wall);
   misses.push_back(OffBy(call.Name(object), "the middle of " + WallName(call.scene().room, wall), aside(wall)));
   return Worst(misses);
@@ -143,11 +140,7 @@ std::optional<Shortfall> NearWallShortfall(const PlacedCall& call) {
   const auto beyond_end = [&](const Wall& w) {
     return std::max({0.0, -w.Offset(middle), w.Offset(middle) - w.length_m});
   };
-  const Wall& wall = call.BestWall([&](const Wall& w) {
-    const double turn = TurnToWall(frame, side, w), height = w.Height(middle);
-    const double off = std::max({0.0, height - most, -height});
-    return off * off + std::max(0.0, turn - 1 + std::sqrt(0.5)) + beyond_end(w) * beyond_end(w);
-  });
+  const Wall& wall = call.MeantWall(side);
   const std::string what = SideOf(call.Name(object), side), place = WallName(call.scene().room, wall);
   return Worst(
       {TooFar(what, place, wall.Height(middle), most),
