@@ -5,7 +5,7 @@ import { say, undo } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { isSolid, theName, type Piece } from "../state/pieces";
 import { ObjectKind } from "../gen/flair/v1/object_list_pb";
-import { capital } from "./words";
+import { capital, withStop } from "./words";
 
 // A sentence about what is there.
 function exampleFor(room: OpenRoom, about: Piece | undefined): string {
@@ -42,7 +42,7 @@ export function SayField({ room, about }: { room: OpenRoom; about: Piece | undef
     let isTold = false;
     const answer = await say(room, text.trim(), (told) => {
       isTold = true;
-      setRemark((before) => [before, told].filter(Boolean).join(" "));
+      setRemark((before) => [before, withStop(capital(told))].filter(Boolean).join(" "));
     });
     setSent(false);
     if (!answer) return;
