@@ -138,7 +138,7 @@ TEST_F(HandPlacedTest, WhatWasNotPlacedByHandGivesWayToWhatWas) {
     const char* piece;
     int most_moved;
   } cases[] = {
-      {"A living room that is 3.5m x 4.5m with two armchairs and two floor lamps.", 4, "side table", 4},
+      {"A living room that is 3.5m x 4.5m with two armchairs and two floor lamps.", 4, "side table", 6},
       {"A bedroom that is 3m x 4m with an armchair, a floor lamp and a desk.", 4, "nightstand", 4},
       {"A home office that is 3.5m x 4m.", 2, "bookshelf", 4},
       // Its knees are under the desk as before.
@@ -234,8 +234,8 @@ TEST_F(HandPlacedTest, AnActThatChangesNothingAddsNoStepAndSaysSo) {
     last = again;
     if (again->document().layout_id() != layout) continue;
     EXPECT_EQ(again->document().undo_label(), before);
-    EXPECT_THAT(again->diagnostics().rbegin()->message(), HasSubstr("Nothing was moved"));
-    EXPECT_THAT(again->diagnostics().rbegin()->message(), HasSubstr("the wardrobe stays where it was put by hand"));
+    EXPECT_THAT(again->diagnostics().rbegin()->message(), HasSubstr("Nothing moved"));
+    EXPECT_THAT(again->diagnostics().rbegin()->message(), HasSubstr("the wardrobe stays where you put it"));
     return;
   }
   FAIL() << "settling never comes to an end";

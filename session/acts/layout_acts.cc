@@ -6,9 +6,12 @@
 
 #include "fmt/format.h"
 #include "room/validation/validate.h"
+#include "session/layouts/comparing.h"
 #include "session/layouts/edits.h"
 #include "session/layouts/placing.h"
+#include "session/sentences/answers.h"
 #include "session/sentences/names.h"
+#include "session/sentences/said.h"
 #include "session/sentences/sentences.h"
 #include "worker_runtime/status/status_macros.h"
 
@@ -20,6 +23,27 @@ using runtime::CallContext;
 // Whether an edge speaks of one of these.
 bool Names(const v1::ConstraintEdge& edge, const IdSet& ids) {
   return std::ranges::any_of(TextsOf(edge), [&](const std::string& text) { return ids.contains(text); });
+}
+
+// What is to be mended beside what was solved: what does not hold and, if known, did `before`, and faults.
+Aim Mending(const Acted& acted, const v1::SolvedLayout* before) {
+  Aim aim;
+  aim.mends_all = true;
+  IdSet stays = IdsOf(acted.layout.graph().pinned_placements()), faulty;
+  stays.insert(acted.by_hand.begin(), acted.by_hand.end());
+  const auto gives_way = [&](const std::string& id) { return !id.empty() && !stays.contains(id); };
+  const IdSet known = before == nullptr ? IdSet() : UnmetSentences(*before);
+  for (const std::string& sentence : UnmetSentences(acted.layout)) {
+    const IdSet about = ObjectsOf({sentence}, acted.layout.graph());
+    if (!known.contains(sentence) && std::ranges::any_of(about, gives_way)) aim.sentence_ids.insert(sentence);
+  }
+  for (const v1::Finding& finding : acted.layout.metrics().findings()) {
+    if (!finding.sentence_id().empty()) continue;
+    for (const std::string& id : {finding.object_id(), finding.partner_id()}) {
+      if (gives_way(id) && PlaceOf(acted.layout, id) != nullptr) aim.object_ids.insert(id);
+    }
+  }
+  return aim;
 }
 
 // What sentences call a room's parts.
@@ -80,18 +104,53 @@ absl::StatusOr<Acted> LayoutActs::Edit(const Standing& standing, const v1::EditL
 }
 
 absl::StatusOr<Acted> LayoutActs::Settle(const Standing& standing, CallContext& call) const {
+  const v1::SolvedLayout& shown = standing.shown;
   if (standing.shown.graph().object_list().objects().empty()) {
     return absl::FailedPreconditionError("settle: nothing stands in the room");
   }
+  const bool again = standing.settled != nullptr && standing.pending.empty();
   EditList edits;
-  if (standing.settled != nullptr && standing.pending.empty()) {
-    edits = WhatStandsBadly(standing.shown);
+  if (again) {
+    edits = WhatStandsBadly(shown);
     if (edits.empty()) return absl::FailedPreconditionError("everything holds: there is nothing to settle");
   }
   ASSIGN_OR_RETURN(Acted acted, Solved(standing, edits, call));
+  // What held when it was settled last is to hold again; without a change since then, all that can be mended is.
+  const Aim aim = Mending(acted, again || standing.settled == nullptr ? nullptr : standing.settled);
+  if (!aim.sentence_ids.empty() || !aim.object_ids.empty()) {
+    ASSIGN_OR_RETURN(acted, Widened(std::move(acted), standing, edits, aim, call));
+  }
   acted.label = "settle";
-  if (ChangesNothing(standing.shown, acted)) acted.diagnostics.push_back(WhyNothingMoves(acted.layout, acted.by_hand));
+  // Nothing moves for nothing.
+  if (!acted.moved_ids.empty() && !HoldsMore(acted.layout, shown, Flawless())) {
+    acted.layout = shown;
+    acted.moved_ids.clear();
+    acted.by_hand = standing.by_hand;
+    acted.diagnostics.clear();
+  }
+  if (ChangesNothing(shown, acted)) {
+    acted.diagnostics.push_back(WhyNothingMoves(acted.layout, acted.by_hand));
+    acted.answer = acted.diagnostics.back().message();
+  } else if (!acted.moved_ids.empty()) {
+    const std::string left = StandingBadly(acted.layout, acted.by_hand);
+    acted.answer = fmt::format("Moved {}.{}", TheOnes(acted.layout, acted.moved_ids),
+                               left.empty() ? "" : fmt::format(" Still {}.", left));
+  }
   return acted;
+}
+
+absl::StatusOr<EditList> LayoutActs::Overtaken(const v1::SolvedLayout& shown, const v1::EditLayout& edit,
+                                               CallContext& call) const {
+  v1::SolvedLayout there = shown;
+  google::protobuf::RepeatedPtrField<v1::Placement> moves;
+  for (const v1::LayoutEdit& one : edit.edits()) {
+    if (PlaceOf(shown, one.move_object().object_id()) != nullptr) *moves.Add() = one.move_object();
+  }
+  const IdSet moved = IdsOf(moves);
+  if (!IsSaidOf(shown.graph(), moved)) return EditList();
+  RETURN_IF_ERROR(Place(there, moves, "edit.edits"));
+  ASSIGN_OR_RETURN(there, Evaluated(std::move(there), call));
+  return SaidOtherwise(there, moved);
 }
 
 absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1::Room& room, CallContext& call) const {
@@ -126,10 +185,19 @@ absl::StatusOr<Acted> LayoutActs::ChangeRoom(const Standing& standing, const v1:
 absl::StatusOr<Acted> LayoutActs::Dispatch(const Standing& standing, const v1::ActRequest& request,
                                            CallContext& call) const {
   switch (request.act_case()) {
-    case v1::ActRequest::kMove:
-      return Move(standing, request.move(), call);
-    case v1::ActRequest::kEdit:
-      return Edit(standing, request.edit(), call);
+    case v1::ActRequest::kMove: {
+      ASSIGN_OR_RETURN(Acted acted, Move(standing, request.move(), call));
+      const EditList overtaken = SaidOtherwise(acted.layout, IdsOf(request.move().placements()));
+      Drop(overtaken, acted.layout);
+      acted.pending.MergeFrom(overtaken);
+      return acted;
+    }
+    case v1::ActRequest::kEdit: {
+      v1::EditLayout edit = request.edit();
+      ASSIGN_OR_RETURN(const EditList overtaken, Overtaken(standing.shown, edit, call));
+      edit.mutable_edits()->MergeFrom(overtaken);
+      return Edit(standing, edit, call);
+    }
     case v1::ActRequest::kSettle:
       return Settle(standing, call);
     case v1::ActRequest::kSay:

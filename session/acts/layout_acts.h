@@ -63,6 +63,8 @@ struct Aim {
   // Whether others may be solved anew for it as well; else only against faults, and for its place in the room: that it
   // stands at a wall, with its front clear.
   bool others_may_move = true;
+  // Nothing that is wrong already is taken as given, and nothing moves but for more that holds.
+  bool mends_all = false;
 };
 
 // What a designer says of objects in a room.
@@ -119,6 +121,7 @@ class LayoutActs {
                                                    runtime::CallContext& call) const;
   // Nothing but the room.
   absl::StatusOr<Acted> Clear(const Standing& standing, runtime::CallContext& call) const;
+  // What was placed by hand or is locked stays; the answer says what came of it, and why nothing could be better.
   absl::StatusOr<Acted> Settle(const Standing& standing, runtime::CallContext& call) const;
   absl::StatusOr<Acted> Say(const Standing& standing, const v1::SaySentence& say, runtime::CallContext& call) const;
   // Wishes for what a translator reads, and for new pieces; `places`: more such sentences.
@@ -159,10 +162,16 @@ class LayoutActs {
   // Solves what is pending and `edits`, from `settled` where there is one, else anew.
   // What was placed by hand stays, unless that leaves faults: then it is freed, the earliest first, and told.
   absl::StatusOr<Acted> Solved(const Standing& standing, const EditList& edits, runtime::CallContext& call) const;
+  // What was said of these pieces and does not hold where a hand has put them is not said any more: edits that drop it.
+  absl::StatusOr<EditList> Overtaken(const v1::SolvedLayout& shown, const v1::EditLayout& edit,
+                                     runtime::CallContext& call) const;
   // As Solved; where the aim is not reached that way, what is in reach of it may move too, and be placed anew. The best
   // of all that.
   absl::StatusOr<Acted> Tried(const Standing& standing, const EditList& edits, const Aim& aim,
                               runtime::CallContext& call) const;
+  // The same from what a solve has made of it.
+  absl::StatusOr<Acted> Widened(Acted best, const Standing& standing, const EditList& edits, const Aim& aim,
+                                runtime::CallContext& call) const;
   // Everything but `free` stays where it stands.
   absl::StatusOr<Acted> SolvedAround(const v1::SolvedLayout& from, const IdSet& free, runtime::CallContext& call) const;
   // Puts pieces that the aim is not about back where they stood, one by one, where that makes nothing worse.

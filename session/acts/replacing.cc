@@ -57,13 +57,14 @@ std::optional<v1::ConstraintEdge> WithoutListed(v1::ConstraintEdge edge, const s
   return fewer ? std::optional(std::move(edge)) : std::nullopt;
 }
 
-// What was said of the piece by others than the user goes: the edges, and from the graph the sentences that ask for
-// nothing else.
-void ForgetWhatWasSaidOf(const std::string& id, v1::LayoutGraph& graph, EditList& edits) {
+// What was said of the piece goes, but for what the user said of it and had: the edges, and from the graph the
+// sentences that ask for nothing else.
+void ForgetWhatWasSaidOf(const std::string& id, const IdSet& unmet, v1::LayoutGraph& graph, EditList& edits) {
   // Edges that come from no sentence are somebody's own.
   IdSet of_user = {""}, gone, left;
   for (const v1::Sentence& sentence : graph.constraint_list().sentences()) {
-    if (sentence.origin() == v1::SENTENCE_ORIGIN_BRIEF) of_user.insert(sentence.id());
+    const bool in_vain = unmet.contains(sentence.id()) && ObjectsOf({sentence.id()}, graph).contains(id);
+    if (sentence.origin() == v1::SENTENCE_ORIGIN_BRIEF && !in_vain) of_user.insert(sentence.id());
   }
   FreeIds ids(graph.edges(), "r");
   for (const v1::ConstraintEdge& edge : graph.edges()) {
@@ -82,6 +83,19 @@ void ForgetWhatWasSaidOf(const std::string& id, v1::LayoutGraph& graph, EditList
   if (!graph.has_constraint_list()) return;
   EraseIf(*graph.mutable_constraint_list()->mutable_sentences(),
           [&](const v1::Sentence& sentence) { return gone.contains(sentence.id()) && !left.contains(sentence.id()); });
+}
+
+// What is still said of the piece calls it by its new name.
+void CallIt(const std::string& id, const std::string& was, const std::string& is, v1::LayoutGraph& graph) {
+  for (int i = 0; i < graph.constraint_list().sentences_size(); ++i) {
+    const v1::Sentence& sentence = graph.constraint_list().sentences(i);
+    if (!ObjectsOf({sentence.id()}, graph).contains(id)) continue;
+    std::string text = sentence.text();
+    for (size_t at = FindWord(text, was); at != std::string::npos; at = FindWord(text, was, at + is.size())) {
+      text.replace(at, was.size(), is);
+    }
+    graph.mutable_constraint_list()->mutable_sentences(i)->set_text(text);
+  }
 }
 
 }  // namespace
@@ -107,8 +121,11 @@ absl::StatusOr<Acted> LayoutActs::Replace(const Standing& standing, const v1::Re
   absl::StatusOr<v1::LayoutGraph> said = absl::UnavailableError("");
   const bool other_class = !IsOfClass(*object, replace.by());
   if (other_class) {
+    for (v1::SolvedLayout* layout : {&shown, &settled}) {
+      CallIt(id, object->name(), replace.by().name(), *layout->mutable_graph());
+    }
     v1::SolvedLayout with = shown;
-    ForgetWhatWasSaidOf(id, *with.mutable_graph(), edits);
+    ForgetWhatWasSaidOf(id, UnmetSentences(shown), *with.mutable_graph(), edits);
     for (v1::Object& one : *with.mutable_graph()->mutable_object_list()->mutable_objects()) {
       if (one.id() != id) continue;
       one.set_width_m(replace.by().width_m());

@@ -167,8 +167,6 @@ absl::StatusOr<Acted> LayoutActs::DoSpoken(const Standing& standing, Spoken spok
   if (spoken.act == "lock" || spoken.act == "unlock") return LockSpoken(standing, spoken, call);
   if (spoken.act == "settle") {
     ASSIGN_OR_RETURN(Acted acted, Settle(standing, call));
-    acted.answer = acted.moved_ids.empty() ? "Nothing stands better elsewhere."
-                                           : fmt::format("Moved {}.", TheOnes(acted.layout, acted.moved_ids));
     return acted;
   }
   if (spoken.what.is_one) ids.resize(1);

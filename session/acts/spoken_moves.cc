@@ -60,7 +60,7 @@ absl::StatusOr<Acted> LayoutActs::MovedAndSettled(const Standing& standing, cons
   ASSIGN_OR_RETURN(Acted moved, Move(standing, move, call));
   if (!HasMoreFaults(moved.layout, standing.shown)) return moved;
   const Standing now{moved.layout, standing.settled, moved.pending, moved.by_hand};
-  absl::StatusOr<Acted> settled = Settle(now, call);
+  absl::StatusOr<Acted> settled = Solved(now, {}, call);
   if (!settled.ok()) return moved;
   settled->moved_ids = MovedIds(standing.shown, settled->layout);
   // What was asked must not be undone by that.

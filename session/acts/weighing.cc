@@ -58,6 +58,15 @@ absl::StatusOr<Acted> LayoutActs::Weigh(const Standing& standing, const v1::Weig
   const bool more = weigh.weight() > before && !held;
   if (!more) aim.sentence_ids = WaitingFor(shown, aim.object_ids, weigh.sentence_id());
   ASSIGN_OR_RETURN(Acted acted, Tried(standing, edits, aim, call));
+  if (!more && !acted.moved_ids.empty()) {
+    // Nothing moves for nothing.
+    ASSIGN_OR_RETURN(Acted still, Unsolved(standing, edits, call));
+    if (!HoldsMore(acted.layout, still.layout, shown)) {
+      still.settled = standing.settled != nullptr && standing.pending.empty();
+      if (still.settled) still.pending.Clear();
+      acted = std::move(still);
+    }
+  }
   acted.label = WeighLabel(shown, weigh) + AlsoMoved(shown, acted.layout, acted.moved_ids);
   const std::string subject = aim.object_ids.empty() ? "" : *aim.object_ids.begin();
   const std::string unmet = WhyUnmet(acted.layout, aim.sentence_ids);

@@ -69,6 +69,7 @@ absl::StatusOr<Acted> LayoutActs::SolvedAround(const v1::SolvedLayout& from, con
 absl::Status LayoutActs::PutBack(const v1::SolvedLayout& before, const Aim& aim, Acted& acted,
                                  CallContext& call) const {
   constexpr int kMost = 12;
+  const v1::SolvedLayout measure = aim.mends_all ? Flawless() : before;
   int tries = 0;
   for (const std::string& id : MovedIds(before, acted.layout)) {
     const v1::Placement* const from = PlaceOf(before, id);
@@ -78,7 +79,8 @@ absl::Status LayoutActs::PutBack(const v1::SolvedLayout& before, const Aim& aim,
     *place.Add() = *from;
     RETURN_IF_ERROR(Place(back, place, "placements"));
     ASSIGN_OR_RETURN(back, Evaluated(std::move(back), call));
-    if (!IsBetter(acted.layout, back, before)) acted.layout = std::move(back);
+    const auto better = aim.mends_all ? HoldsMore : IsBetter;
+    if (!better(acted.layout, back, measure)) acted.layout = std::move(back);
   }
   return absl::OkStatus();
 }
@@ -92,11 +94,19 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
   }
   const Standing now{standing.shown, standing.settled, pending, standing.by_hand};
   ASSIGN_OR_RETURN(Acted best, Solved(now, edits, call));
+  return Widened(std::move(best), now, edits, aim, call);
+}
+
+absl::StatusOr<Acted> LayoutActs::Widened(Acted best, const Standing& now, const EditList& edits, const Aim& aim,
+                                          CallContext& call) const {
+  const v1::SolvedLayout measure = aim.mends_all ? Flawless() : now.shown;
   const auto holds = [&] {
-    return WhyUnmet(best.layout, aim.sentence_ids).empty() && !IsWorseOff(best.layout, standing.shown);
+    return WhyUnmet(best.layout, aim.sentence_ids).empty() && !IsWorseOff(best.layout, measure);
   };
   const auto keep = [&](absl::StatusOr<Acted> other) {
-    if (other.ok() && IsBetter(other->layout, best.layout, standing.shown)) best = *std::move(other);
+    if (!other.ok()) return;
+    const auto better = aim.mends_all ? HoldsMore : IsBetter;
+    if (better(other->layout, best.layout, measure)) best = *std::move(other);
   };
   if (!holds()) {
     const v1::SolvedLayout first = best.layout;
@@ -108,7 +118,7 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
     }
     IdSet held = IdsOf(first.graph().pinned_placements());
     held.insert(best.by_hand.begin(), best.by_hand.end());
-    for (const EditList* moves : {&std::as_const(pending), &edits}) {
+    for (const EditList* moves : {&now.pending, &edits}) {
       for (const v1::LayoutEdit& edit : *moves) held.insert(edit.move_object().object_id());
     }
     for (IdSet* const ids : {&about, &free}) {
@@ -120,7 +130,7 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
       return solved;
     };
     keep(around(about));
-    const bool enough = !aim.others_may_move && !HasMoreFaults(best.layout, standing.shown) &&
+    const bool enough = !aim.others_may_move && !HasMoreFaults(best.layout, now.shown) &&
                         WhyUnmet(best.layout, OfRoom(aim.sentence_ids, best.layout.graph())).empty();
     if (!holds() && !enough && now.settled != nullptr) {
       const EditList freeing = Freeing(edits, first.graph(), free);
@@ -129,12 +139,12 @@ absl::StatusOr<Acted> LayoutActs::Tried(const Standing& standing, const EditList
         const v1::SolvedLayout without = Without(*now.settled, about);
         EditList placing = edits;
         for (const std::string& id : about) placing.Add()->mutable_resize_object()->set_object_id(id);
-        keep(Solved({now.shown, &without, pending, standing.by_hand}, placing, call));
+        keep(Solved({now.shown, &without, now.pending, now.by_hand}, placing, call));
       }
     }
     if (!holds() && !enough) keep(around(free));
-    RETURN_IF_ERROR(PutBack(standing.shown, aim, best, call));
-    best.moved_ids = MovedIds(standing.shown, best.layout);
+    RETURN_IF_ERROR(PutBack(now.shown, aim, best, call));
+    best.moved_ids = MovedIds(now.shown, best.layout);
   }
   return best;
 }

@@ -75,6 +75,18 @@ bool IsBetter(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const v1::So
   return a.total_cost() < b.total_cost() - kWorthMoving;
 }
 
+v1::SolvedLayout Flawless() {
+  v1::SolvedLayout flawless;
+  flawless.mutable_metrics()->set_reachable_floor_share(1);
+  return flawless;
+}
+
+bool HoldsMore(const v1::SolvedLayout& a, const v1::SolvedLayout& b, const v1::SolvedLayout& before) {
+  constexpr double kSeen = 1e-3;
+  if (FaultsOf(a) != FaultsOf(b)) return FaultsOf(a) < FaultsOf(b);
+  return MissedBy(a, before) < MissedBy(b, before) - kSeen;
+}
+
 bool HasMoreFaults(const v1::SolvedLayout& layout, const v1::SolvedLayout& before) {
   return FaultsOf(layout) > FaultsOf(before);
 }

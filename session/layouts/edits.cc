@@ -95,7 +95,7 @@ EditList WhatStandsBadly(const v1::SolvedLayout& layout) {
   });
   IdSet seen;
   for (const v1::Finding& finding : layout.metrics().findings()) {
-    if (finding.kind() == v1::FINDING_KIND_USE_NOT_MET || finding.object_id().empty()) continue;
+    if (!finding.sentence_id().empty() || finding.object_id().empty()) continue;
     if (seen.insert(finding.object_id()).second) {
       edits.Add()->mutable_resize_object()->set_object_id(finding.object_id());
     }

@@ -9,6 +9,8 @@
 
 #include "evaluation/metrics/measures.h"
 #include "room/conversion/conversion.h"
+#include "room/geometry/polygon.h"
+#include "room/geometry/pose.h"
 
 namespace flair::session {
 namespace {
@@ -84,6 +86,30 @@ Leaders HungAbove(const v1::SolvedLayout& layout) {
   return leaders;
 }
 
+// Rugs by the piece that lies on most of them, of those that stand on it; locked ones follow nobody.
+Leaders LainUnder(const v1::SolvedLayout& layout, const PlacesById& now) {
+  // A chair's leg on its fringe is no reason.
+  constexpr double kLeastShare = 0.15;
+  const IdSet locked = IdsOf(layout.graph().pinned_placements());
+  const auto corners = [&](const v1::Object& object) {
+    const v1::Placement& at = now.at(object.id());
+    return Corners({object.width_m(), object.depth_m()}, Pose<double>{at.x_m(), at.y_m(), at.theta_rad()});
+  };
+  Leaders leaders;
+  for (const v1::Object& rug : layout.graph().object_list().objects()) {
+    if (!rug.walk_over() || locked.contains(rug.id()) || !now.contains(rug.id())) continue;
+    double most_m2 = kLeastShare * rug.width_m() * rug.depth_m();
+    for (const v1::Object& object : layout.graph().object_list().objects()) {
+      if (object.kind() != v1::OBJECT_KIND_FLOOR || object.walk_over() || !now.contains(object.id())) continue;
+      const double covered_m2 = ConvexIntersectionArea(corners(rug), corners(object));
+      if (covered_m2 <= most_m2) continue;
+      most_m2 = covered_m2;
+      leaders[rug.id()] = object.id();
+    }
+  }
+  return leaders;
+}
+
 // Whether what hangs there stays on its wall when it makes the same move as its leader.
 bool AlongItsWall(const v1::Placement& hung, const v1::Placement& before, const v1::Placement& after) {
   constexpr double kOff_m = 0.02, kTurn_rad = 0.02;
@@ -119,7 +145,6 @@ PlacesById Followed(const v1::SolvedLayout& layout, const PlacesById& now, const
     for (const v1::Object& object : layout.graph().object_list().objects()) {
       if (moved.contains(object.id()) || !now.contains(object.id()) || stay.contains(object.id())) continue;
       const auto led = leaders.find(object.id());
-      // A rug belongs to a bed without standing on it.
       const std::string host = object.kind() == v1::OBJECT_KIND_SURFACE ? object.host_id() : "";
       const auto leader = moved.find(led == leaders.end() ? host : led->second);
       if (leader == moved.end() || !now.contains(leader->first)) continue;
@@ -191,6 +216,7 @@ PlacesById WithFollowers(const v1::SolvedLayout& layout, const PlacesById& put) 
   const PlacesById now = PlacesOf(layout);
   Leaders leaders = DrawnUp(layout, now);
   leaders.merge(HungAbove(layout));
+  leaders.merge(LainUnder(layout, now));
   PlacesById moved = Followed(layout, now, leaders, put, {});
   const bool any = std::ranges::any_of(
       moved, [&](const auto& one) { return leaders.contains(one.first) && !put.contains(one.first); });

@@ -4,9 +4,11 @@
 
 #include "absl/strings/ascii.h"
 #include "absl/strings/match.h"
+#include "absl/strings/str_join.h"
 #include "evaluation/metrics/measures.h"
 #include "fmt/format.h"
 #include "session/sentences/names.h"
+#include "session/sentences/said.h"
 #include "session/sentences/sentences.h"
 
 namespace flair::session {
@@ -28,6 +30,16 @@ IdSet NamesOf(const v1::LayoutGraph& graph) {
 IdSet Without(IdSet all, const IdSet& gone) {
   for (const std::string& id : gone) all.erase(id);
   return all;
+}
+
+// Whether a sentence of the room's field is about one of these.
+bool IsSaidOf(const v1::ConstraintEdge& edge, const v1::LayoutGraph& graph, const IdSet& ids) {
+  if (!edge.sentence_id().starts_with(kSaid)) return false;
+  const IdSet here = IdsOf(graph.object_list().objects());
+  for (const std::string& text : TextsOf(edge)) {
+    if (here.contains(text)) return ids.contains(text);
+  }
+  return false;
 }
 
 // "Coffee table" answers who missed a table.
@@ -91,6 +103,34 @@ void ForgetWhatIsAnswered(const v1::LayoutGraph& before, v1::SolvedLayout& layou
   });
 }
 
+bool IsSaidOf(const v1::LayoutGraph& graph, const IdSet& ids) {
+  return std::ranges::any_of(graph.edges(), [&](const v1::ConstraintEdge& edge) { return IsSaidOf(edge, graph, ids); });
+}
+
+EditList SaidOtherwise(const v1::SolvedLayout& layout, const IdSet& ids) {
+  const IdSet unmet = UnmetSentences(layout);
+  IdSet overtaken;
+  for (const v1::ConstraintEdge& edge : layout.graph().edges()) {
+    if (unmet.contains(edge.sentence_id()) && IsSaidOf(edge, layout.graph(), ids)) overtaken.insert(edge.sentence_id());
+  }
+  EditList drops;
+  for (const v1::ConstraintEdge& edge : layout.graph().edges()) {
+    if (overtaken.contains(edge.sentence_id())) drops.Add()->set_remove_edge_id(edge.id());
+  }
+  return drops;
+}
+
+void Drop(const EditList& edits, v1::SolvedLayout& layout) {
+  v1::LayoutGraph& graph = *layout.mutable_graph();
+  for (const v1::LayoutEdit& edit : edits) {
+    const auto edge = std::ranges::find(graph.edges(), edit.remove_edge_id(), &v1::ConstraintEdge::id);
+    if (edge == graph.edges().end()) continue;
+    const int at = static_cast<int>(edge - graph.edges().begin());
+    graph.mutable_edges()->DeleteSubrange(at, 1);
+    if (at < layout.edge_outcomes_size()) layout.mutable_edge_outcomes()->DeleteSubrange(at, 1);
+  }
+}
+
 void KeepForgotten(const v1::LayoutGraph& shown, v1::LayoutGraph& graph) {
   const IdSet known = IdsOf(shown.constraint_list().sentences());
   if (graph.constraint_list().sentences_size() > 0) {
@@ -105,7 +145,7 @@ void KeepForgotten(const v1::LayoutGraph& shown, v1::LayoutGraph& graph) {
   *graph.mutable_object_list()->mutable_diagnostics() = shown.object_list().diagnostics();
 }
 
-v1::Diagnostic WhyNothingMoves(const v1::SolvedLayout& layout, const ObjectIds& by_hand) {
+std::string StandingBadly(const v1::SolvedLayout& layout, const ObjectIds& by_hand) {
   constexpr size_t kMost = 3;
   const IdSet locked = IdsOf(layout.graph().pinned_placements()), held(by_hand.begin(), by_hand.end());
   const IdSet here = IdsOf(layout.graph().object_list().objects());
@@ -115,21 +155,27 @@ v1::Diagnostic WhyNothingMoves(const v1::SolvedLayout& layout, const ObjectIds& 
     if (reason.empty() || causes.size() == kMost || !told.insert(reason).second) return;
     const std::string name = NameOf(layout, id);
     const std::string stays = locked.contains(id) ? fmt::format(" (the {} is locked)", name)
-                              : held.contains(id) ? fmt::format(" (the {} stays where it was put by hand)", name)
+                              : held.contains(id) ? fmt::format(" (the {} stays where you put it)", name)
                                                   : "";
     causes.push_back(reason + stays);
   };
+  for (const v1::Finding& finding : layout.metrics().findings()) {
+    if (finding.sentence_id().empty()) tell(finding.object_id(), finding.message());
+  }
   ForOutcomes(layout, [&](const v1::ConstraintEdge& edge, const v1::EdgeOutcome& outcome) {
     if (outcome.status() != v1::OUTCOME_STATUS_VIOLATED) return;
     const std::vector<std::string> texts = TextsOf(edge);
     const auto first = std::ranges::find_if(texts, [&](const std::string& text) { return here.contains(text); });
     if (first != texts.end()) tell(*first, outcome.reason());
   });
-  for (const v1::Finding& finding : layout.metrics().findings()) tell(finding.object_id(), finding.message());
+  return absl::StrJoin(causes, "; ");
+}
+
+v1::Diagnostic WhyNothingMoves(const v1::SolvedLayout& layout, const ObjectIds& by_hand) {
+  const std::string wrong = StandingBadly(layout, by_hand);
   return Remark(v1::SEVERITY_NOTE, "nothing_moved", "",
-                causes.empty() ? "Nothing was moved: all is as good as it gets."
-                               : fmt::format("Nothing was moved: no better places were found, although {}.",
-                                             fmt::join(causes, "; ")));
+                wrong.empty() ? "Nothing moved: all is as good as it gets."
+                              : fmt::format("Nothing moved: no better places were found, although {}.", wrong));
 }
 
 }  // namespace flair::session

@@ -29,8 +29,19 @@ void ReturnSubjects(const v1::LayoutGraph& from, v1::LayoutGraph& to);
 // with.
 void ForgetWhatIsAnswered(const v1::LayoutGraph& before, v1::SolvedLayout& layout);
 
+// Whether somebody has said in the room's field where one of these is to stand: it is the first that the sentence
+// names.
+bool IsSaidOf(const v1::LayoutGraph& graph, const IdSet& ids);
+// Edits that drop what was so said of them and does not hold where they stand: a hand has put them elsewhere since.
+EditList SaidOtherwise(const v1::SolvedLayout& layout, const IdSet& ids);
+// Takes the edges that the edits remove out of the layout, with their outcomes.
+void Drop(const EditList& edits, v1::SolvedLayout& layout);
+
 // A solve begins at an earlier graph than the one that is shown: what acts have forgotten since then stays forgotten.
 void KeepForgotten(const v1::LayoutGraph& shown, v1::LayoutGraph& graph);
+
+// What stands badly and what keeps it there, the worst first; empty when all is well.
+std::string StandingBadly(const v1::SolvedLayout& layout, const ObjectIds& by_hand);
 
 // Why a solve has moved nothing, in one sentence: what stands badly and what keeps it there, or that all is well.
 v1::Diagnostic WhyNothingMoves(const v1::SolvedLayout& layout, const ObjectIds& by_hand);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { kAllSettled, redo, rename, settle, undo } from "../state/commands";
+import { redo, rename, settle, undo } from "../state/commands";
 import type { OpenRoom } from "../state/open_room";
 import { goTo } from "../state/route";
 import type { Panes, Theme } from "../state/settings";
@@ -68,8 +68,9 @@ function RoomTools({ room }: { room: OpenRoom }) {
         </button>
       </div>
       <div class="button-group settle">
-        <button class={unsettled ? "button is-due" : "button"} disabled={!unsettled} onClick={() => settle(room)}
-          title={unsettled ? "Let the other pieces make room for what you changed (S)" : kAllSettled}>
+        <button class={unsettled ? "button is-due" : "button"} onClick={() => void settle(room)}
+          title={unsettled ? "Let the other pieces make room for what you changed (S)"
+            : "Let pieces that you have not placed or locked move where more of your wishes hold (S)"}>
           <Icon name="settle" />Settle</button>
         <button class="button is-toggle" aria-pressed={auto === "on"} title={auto === "on"
             ? "Auto is on: after every change the other pieces make room by themselves"

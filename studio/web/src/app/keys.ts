@@ -33,7 +33,7 @@ function onPlain(studio: Studio, key: string): boolean {
     case "?": isShowingKeys.value = true; return true;
     case "[": settings.turnSidebar(); return true;
     case "u": settings.turnUnits(); return true;
-    case "s": if (room) settle(room); return true;
+    case "s": if (room) void settle(room); return true;
     case "o": if (room && room.pieces.peek().size > 0) void room.search.start(); return true;
     case "f":
       settings.sidebar.value = "open";

@@ -203,14 +203,10 @@ function plain(object: Object$): MessageInitShape<typeof ObjectSchema> {
   return { ...rest, spare: false };
 }
 
-export const kAllSettled = "Nothing has changed since the last settle.";
-
-// Whether Settle has something to do; what is on its way may change that.
-const canSettle = (room: OpenRoom): boolean => room.document.value.unsettled || room.isBusy.value;
-
-export function settle(room: OpenRoom): void {
-  if (canSettle(room)) void room.act({ case: "settle", value: {} });
-  else room.tell(kAllSettled);
+// The server says what came of it, also that nothing could be better and why.
+export async function settle(room: OpenRoom): Promise<void> {
+  const response = await room.act({ case: "settle", value: {} });
+  if (response?.answer) room.tell(room.spoken(response.answer));
 }
 
 // What was undone is told: it may be out of sight.
