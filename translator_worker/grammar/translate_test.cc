@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What single sentences mean, case by case.
+// What single sentences mean, case by case. Over 400 lines: two tables of cases, read from top to bottom.
 #include "translator_worker/grammar/translate.h"
 
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Over 400 lines: one reading of a brief, whose steps share which words the earlier ones have used.
 #include "language_worker/handbook/reading/brief_facts.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Over 400 lines: one pass over the words of a brief; what a phrase means depends on the opening that was named last.
 #include "language_worker/handbook/reading/opening_reader.h"
 
 #include <algorithm>

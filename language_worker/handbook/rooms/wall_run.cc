@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over 400 lines: one search and what it is given are read together.
 #include "language_worker/handbook/rooms/wall_run.h"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "language_worker/handbook/rooms/asked_run.h"
 #include "language_worker/handbook/rooms/walls.h"
 
 namespace flair::language {
@@ -32,21 +32,6 @@ struct Unit {
   double least_m, most_m;
 };
 using Units = std::vector<Unit>;
-
-// What a brief says of the run.
-struct AskedRun {
-  std::optional<int> wall;  // of all but those that have one of their own
-  std::map<std::string, int> wall_of;
-  bool basin_at_window = false;
-  bool others_at_window = false;  // a table has the place before it
-  // Units that are to be near a door, or away from it; all of them without a name.
-  struct AtDoor {
-    std::string unit;
-    v1::Point2 door;
-    bool away;
-  };
-  std::vector<AtDoor> at_doors;
-};
 
 struct Span {
   double from_m, to_m;
@@ -360,41 +345,6 @@ class RunPlanner {
   Units best_;
 };
 
-// False when it tells the place of a unit in a way that decides the run otherwise.
-bool ReadAsked(const BriefFacts& facts, const v1::Room& room, AskedRun& asked) {
-  for (const Place& place : facts.places) {
-    const std::string& text = place.asked->relation().text();
-    const bool window = text.find("window") != std::string::npos;
-    if (place.furniture->run() == hb::RUN_PART_UNSPECIFIED) {
-      asked.others_at_window |= window && place.furniture->kind() == hb::FURNITURE_KIND_FLOOR;
-      continue;
-    }
-    if (place.furniture->run() == hb::RUN_PART_BASIN && window) {
-      asked.basin_at_window = true;
-      continue;
-    }
-    const auto is_wet = [](const hb::Furniture& piece) {
-      return piece.run() == hb::RUN_PART_BASIN || piece.run() == hb::RUN_PART_WASHER;
-    };
-    if (text.find("door") != std::string::npos && text.find("face") == std::string::npos) {
-      const v1::Opening* door = OpeningOf(room, v1::OPENING_KIND_DOOR, place.side);
-      if (door == nullptr && room.openings_size() > 0) door = &room.openings(0);
-      const std::optional<int> wall = door == nullptr ? std::nullopt : WallNamed(room, door->wall());
-      if (!wall) continue;
-      asked.at_doors.push_back({place.furniture->name(), PointOn(room, *wall, door->offset_m() + door->width_m() / 2),
-                                text.find("away") != std::string::npos});
-      continue;
-    }
-    // The one is beside the other anyway.
-    if (place.target != nullptr && is_wet(*place.furniture) && is_wet(*place.target)) continue;
-    if (text.find("{wall}") == std::string::npos) return false;
-    if (place.side.empty()) continue;
-    asked.wall = WallOf(room, place.side);
-    if (asked.wall) asked.wall_of.insert_or_assign(place.furniture->name(), *asked.wall);
-  }
-  return true;
-}
-
 }  // namespace
 
 bool HasForm(const std::vector<RunPlace>& run, RunForm form) {
@@ -422,8 +372,9 @@ std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& object
     ++count[furniture->run()];
   }
   const int wet = count[hb::RUN_PART_BASIN], hot = count[hb::RUN_PART_HOB];
-  AskedRun asked;
-  if (wet + hot == 0 || wet > 1 || hot > 1 || units.size() < 2 || !ReadAsked(facts, room, asked)) return {};
+  if (wet + hot == 0 || wet > 1 || hot > 1 || units.size() < 2) return {};
+  const std::optional<AskedRun> asked = ReadAskedRun(facts, room);
+  if (!asked) return {};
   // From one end: see RunPart. The widest worktop is between basin and hob, the others behind the hob.
   std::ranges::stable_sort(units, {}, [](const Unit& unit) { return unit.place.part; });
   const auto part = [](const Unit& unit) { return unit.place.part; };
@@ -432,7 +383,7 @@ std::vector<RunPlace> PlanRun(const v1::Room& room, const v1::ObjectList& object
   if (wet + hot == 2 && worktops.size() > 1) std::rotate(worktops.begin() + 1, worktops.end(), units.end());
   const auto first = static_cast<int>(choice.Index("wall of the run", static_cast<std::size_t>(room.walls_size())));
   std::vector<RunPlace> places;
-  for (const Unit& unit : RunPlanner(room, std::move(units), asked, facts.run_form, first).Best()) {
+  for (const Unit& unit : RunPlanner(room, std::move(units), *asked, facts.run_form, first).Best()) {
     RunPlace& place = places.emplace_back(unit.place);
     const double middle_m = place.offset_m + place.width_m / 2;
     place.clear_above_m = WallLength(room, place.wall);
