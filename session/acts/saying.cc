@@ -107,7 +107,10 @@ std::string AnswerTo(const Said& said, const v1::SolvedLayout& before, const Act
   if (added.size() == 1) {
     texts.push_back(fmt::format("Added {}.", WithArticle(NameOf(acted.layout, added.front()))));
   } else if (!added.empty()) {
-    texts.push_back(fmt::format("Added {}.", TheOnes(acted.layout, added)));
+    const std::string ones = TheOnes(acted.layout, added);
+    // "Added 3 chairs", though they are all that there are.
+    const bool counted = ones.size() > 4 && ones.starts_with("the ") && absl::ascii_isdigit(ones[4]);
+    texts.push_back(fmt::format("Added {}.", counted ? ones.substr(4) : ones));
   }
   const IdSet here = IdsOf(acted.layout.graph().constraint_list().sentences());
   std::vector<std::string> holding;
@@ -200,6 +203,9 @@ absl::StatusOr<Acted> LayoutActs::SayWishes(const Standing& standing, const v1::
     return copy;
   };
   Wishes wishes = ReadWishes(text, find, has);
+  if (wishes.pieces.size() > kMostAddedAtOnce) {
+    return InvalidArgument("\"{}\" is not done: at most {} pieces are added at once", text, kMostAddedAtOnce);
+  }
   // A new desk's chair is none of the table's.
   for (PieceWish& piece : wishes.pieces) {
     if (piece.goes_with < 0) continue;

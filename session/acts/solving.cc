@@ -57,8 +57,11 @@ bool ChangesNothing(const v1::SolvedLayout& before, const Acted& acted) {
 
 absl::StatusOr<v1::SolvedLayout> LayoutActs::Evaluated(v1::SolvedLayout layout, CallContext& call) const {
   v1::EvaluateResponse response;
-  // An empty room is no problem for an optimizer.
-  if (!layout.graph().object_list().objects().empty()) {
+  // An empty room is no problem for an optimizer, and all of it is in reach.
+  if (layout.graph().object_list().objects().empty()) {
+    response.mutable_metrics()->set_reachable_floor_share(1);
+    response.mutable_metrics()->set_reachable_front_share(1);
+  } else {
     v1::EvaluateRequest request;
     *request.mutable_layout_graph() = layout.graph();
     *request.mutable_placements() = layout.placements();

@@ -157,7 +157,11 @@ absl::StatusOr<Acted> LayoutActs::Say(const Standing& standing, const v1::SaySen
   Acted acted = chain.Take();
   acted.label = SayLabel(text) + AlsoMoved(standing.shown, acted.layout, acted.moved_ids);
   acted.answer = absl::StrJoin(told.answers, " ");
-  acted.answer += HarmDone(standing.shown, acted.layout, acted.diagnostics, acted.answer);
+  const std::string harm = HarmDone(standing.shown, acted.layout, acted.diagnostics, acted.answer);
+  // With nothing before it there is nothing to say "but" to.
+  constexpr std::string_view kBut = " But ";
+  const bool alone = acted.answer.empty() && harm.starts_with(kBut);
+  acted.answer += alone ? Capital(harm.substr(kBut.size())) : harm;
   acted.left_over = absl::StrJoin(told.left_over, ", ");
   // Of what is said of several pieces alike once is enough.
   std::vector<v1::Diagnostic> once;

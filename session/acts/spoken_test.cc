@@ -88,6 +88,19 @@ TEST_F(SpokenActsTest, MoreOfWhatIsThereIsLikeIt) {
   EXPECT_EQ(ObjectIn(said->layout(), "wardrobe_2").category(), wardrobe.category());
 }
 
+TEST_F(SpokenActsTest, TooManyAreToldOfAndAnEmptyRoomIsAllInReach) {
+  const auto many = Say("add 500 chairs");
+  EXPECT_THAT(many.status().message(), HasSubstr("at most 12 pieces are added at once"));
+  EXPECT_FALSE(Say("8 more chairs and 5 more lamps").ok());
+  auto said = Say("remove everything");
+  ASSERT_TRUE(said.ok()) << said.status();
+  EXPECT_EQ(said->answer(), "Removed everything.");
+  EXPECT_EQ(said->layout().metrics().reachable_floor_share(), 1);
+  said = Say("add 3 chairs");
+  ASSERT_TRUE(said.ok()) << said.status();
+  EXPECT_THAT(said->answer(), StartsWith("Added 3 "));
+}
+
 TEST_F(SpokenActsTest, PiecesMoveByWhatIsSaidAndAsFarAsTheyCan) {
   const v1::Placement before = PlacementOf(room_.layout(), "wardrobe");
   const auto middle = Act(room_.document(), [&](v1::ActRequest& act) {

@@ -23,7 +23,9 @@ Vec2<double> FootOn(const Wall& wall, const Vec2<double>& point) {
   return wall.PointAt(std::clamp(at, 0.0, wall.length_m));
 }
 
-Vec2<double> MiddleOfRoom(const Room& room) {
+}  // namespace
+
+Vec2<double> MiddleOf(const Room& room) {
   Vec2<double> least{INFINITY, INFINITY}, most{-INFINITY, -INFINITY};
   for (const Wall& wall : room.walls) {
     least = {std::min(least.x, wall.start.x), std::min(least.y, wall.start.y)};
@@ -31,8 +33,6 @@ Vec2<double> MiddleOfRoom(const Room& room) {
   }
   return {(least.x + most.x) / 2, (least.y + most.y) / 2};
 }
-
-}  // namespace
 
 std::optional<Vec2<double>> WayOf(const std::string& way, const v1::Placement& at) {
   const Vec2<double> front{-std::sin(at.theta_rad()), std::cos(at.theta_rad())};
@@ -103,7 +103,7 @@ std::optional<Vec2<double>> WayTo(const Target& target, const Scene& scene, cons
       if (to != nullptr && id != at.object_id()) offer(PointOf(*to));
     }
   } else if (target.kind == "middle") {
-    offer(MiddleOfRoom(room));
+    offer(MiddleOf(room));
   } else if (target.kind == "window" || target.kind == "door") {
     const OpeningKind kind = target.kind == "window" ? OpeningKind::kWindow : OpeningKind::kDoor;
     for (const Opening& opening : room.openings) {

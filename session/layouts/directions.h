@@ -20,6 +20,9 @@ std::optional<Vec2<double>> WayTo(const Target& target, const Scene& scene, cons
 // That way, but along the wall at which it stands where it leads into the wall; no way where nothing is left of it.
 Vec2<double> AlongWall(const Vec2<double>& way, const Room& room, const v1::Placement& at, const v1::Object& object);
 
+// The middle of the rectangle round a room.
+Vec2<double> MiddleOf(const Room& room);
+
 // The wall that something stands nearest to, and the one that is opposite; -1 for none.
 int NearestWall(const Room& room, const v1::Placement& at);
 int OppositeWall(const Room& room, int wall);

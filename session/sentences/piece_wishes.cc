@@ -18,8 +18,8 @@ namespace {
 using english::IsIn;
 using english::Token;
 
-// More of one piece nobody means.
-constexpr int kMostAtOnce = 12;
+// One more than is done at once, so that too many are told of.
+constexpr int kMostCounted = static_cast<int>(kMostAddedAtOnce) + 1;
 constexpr size_t kLongestName = 5;
 
 const english::PhraseBook& Requests() {
@@ -93,14 +93,14 @@ class Reader {
       is_more = is_more || tokens_[at].IsWord("more");
       if (tokens_[at].kind == Token::Kind::kNumber) {
         is_counted = true;
-        named.count = static_cast<int>(std::clamp(tokens_[at].number, 1.0, kMostAtOnce * 1.0));
+        named.count = static_cast<int>(std::clamp(tokens_[at].number, 1.0, kMostCounted * 1.0));
       } else if (IsIn("determiners of known things", tokens_[at])) {
         named.is_new = false;
       } else if (!IsIn("determiners of new things", tokens_[at])) {
         const std::optional<double> count = IsWord(at) ? english::NumberOf(tokens_[at].text) : std::nullopt;
         if (!count) break;
         is_counted = true;
-        named.count = static_cast<int>(std::clamp(std::round(*count), 1.0, kMostAtOnce * 1.0));
+        named.count = static_cast<int>(std::clamp(std::round(*count), 1.0, kMostCounted * 1.0));
       }
       ++at;
     }

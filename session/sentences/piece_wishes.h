@@ -17,6 +17,9 @@ using FindPiece = std::function<std::optional<v1::Object>(const std::string& nam
 // Whether the room has something of that name.
 using HasPiece = std::function<bool(const std::string& name)>;
 
+// More at once nobody means, and it would take long.
+inline constexpr std::size_t kMostAddedAtOnce = 12;
+
 // A piece that is to be added.
 struct PieceWish {
   v1::Object object;

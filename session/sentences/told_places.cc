@@ -9,6 +9,7 @@
 #include "absl/strings/match.h"
 #include "absl/strings/str_join.h"
 #include "room/conversion/conversion.h"
+#include "session/layouts/directions.h"
 
 namespace flair::session {
 namespace {
@@ -164,11 +165,7 @@ std::optional<ObjectIds> StandingThere(const ObjectIds& ids, const std::string& 
       spots.push_back(SpotOf(room->walls[one.wall], one.offset_m, one.offset_m + one.width_m));
     }
   } else if (target != nullptr && *target == "middle") {
-    Spot middle;
-    for (const Wall& wall : room->walls) {
-      middle.middle = middle.middle + (1.0 / static_cast<double>(room->walls.size())) * wall.start;
-    }
-    spots.push_back(middle);
+    spots.push_back({MiddleOf(*room)});
   } else if (kind == "wall") {
     for (const size_t i : WallsCalled(*room, target != nullptr ? "" : absl::StrJoin(words, " "))) {
       spots.push_back(SpotOf(room->walls[i], 0, room->walls[i].length_m));
